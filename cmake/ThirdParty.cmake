@@ -1,0 +1,24 @@
+# Every third-party library, found once; which room may name it is decided in src/CMakeLists.txt.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOXML)
+
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(Gmsh::Gmsh UNKNOWN IMPORTED)
+set_target_properties(Gmsh::Gmsh PROPERTIES IMPORTED_LOCATION "${GMSH_LIBRARY}"
+                      INTERFACE_INCLUDE_DIRECTORIES "${GMSH_INCLUDE_DIR}")
+
+find_path(SUITESPARSE_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+add_library(SuiteSparse INTERFACE)
+target_include_directories(SuiteSparse SYSTEM INTERFACE "${SUITESPARSE_INCLUDE_DIR}")
+foreach(component cholmod umfpack amd camd colamd ccolamd suitesparseconfig)
+  find_library(SUITESPARSE_${component} ${component} REQUIRED)
+  target_link_libraries(SuiteSparse INTERFACE "${SUITESPARSE_${component}}")
+endforeach()
+
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+find_path(CEREAL_INCLUDE_DIR cereal/cereal.hpp REQUIRED)

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/analysis.hpp"
+#include "body/shape.hpp"
+
+namespace reye::adapt {
+
+/// Volume removed at the nodes of one boundary since the last shape step
+/// [mm^2 per mm; mm^3 in axisymmetry], in the order of mesh::nodes_of(boundary). Never negative.
+struct WornBoundary {
+  std::string boundary;
+  std::vector<double> removed;
+};
+
+/// The bound below which a mesh is no longer fit for a solve.
+struct QualityBound {
+  double min_scaled_jacobian = 0.15;
+};
+
+struct ShapeStepResult {
+  body::ShapePtr shape;     ///< null when the step failed
+  double removed = 0.0;     ///< volume of the strip between old and new outline
+  double theta = 1.0;       ///< the factor that made the strip exact
+  double min_quality = 1.0;
+  std::string failure;      ///< empty; else the element, where it is, and the cause
+};
+
+/// Moves the worn boundaries of X inwards along their normals so that the strip between old and new outline
+/// has exactly the removed volume, and lets the interior follow by a pseudo-elastic relocation.
+ShapeStepResult evolve(const body::ShapePtr& shape, base::Analysis analysis, const std::vector<WornBoundary>& worn,
+                       const QualityBound& bound = {});
+
+}  // namespace reye::adapt

@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+
+#include "base/linalg.hpp"
+
+namespace reye::algebra {
+
+using base::Matrix;
+using base::SparseMatrix;
+using base::Vector;
+
+/// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
+/// rows), factorised once with c kept last and a positive shift sigma on the diagonal of K_cc:
+///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma I      (theory: exact whatever rigid motion is free)
+/// The symbolic analysis is kept: `refactor` with the same pattern reuses it.
+class SchurFactor {
+ public:
+  /// K: n x n, both triangles stored. Throws base::SolveError when K_ii is not positive definite.
+  SchurFactor(const SparseMatrix& K, int retained);
+  ~SchurFactor();
+  SchurFactor(SchurFactor&&) noexcept;
+  SchurFactor& operator=(SchurFactor&&) noexcept;
+
+  void refactor(const SparseMatrix& K);
+  int size() const;
+  int retained() const;
+  const Matrix& schur() const;  ///< retained x retained, symmetric, both triangles
+
+  /// f_c - K_ci K_ii^-1 f_i for a full load vector f (size n): one forward solve.
+  Vector condense(const Vector& f) const;
+  /// The full solution (size n) for loads f and known retained values u_c.
+  Vector recover(const Vector& f, const Vector& u_c) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Plain sparse Cholesky of a symmetric positive definite matrix, factor kept.
+class Cholesky {
+ public:
+  explicit Cholesky(const SparseMatrix& K);
+  ~Cholesky();
+  Cholesky(Cholesky&&) noexcept;
+  Cholesky& operator=(Cholesky&&) noexcept;
+  void refactor(const SparseMatrix& K);
+  Matrix solve(const Matrix& rhs) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Solves the dense square system A x = b by LU with partial pivoting (LAPACK); A is overwritten.
+/// Throws base::SolveError when A is singular to working precision or x is not finite.
+Vector solve_dense(Matrix& A, const Vector& b);
+
+}  // namespace reye::algebra

@@ -1,0 +1,94 @@
+#pragma once
+#include <array>
+#include <cmath>
+
+namespace reye::base {
+
+/// Forward dual number: a value and its derivatives in N directions. Every operation carries the
+/// exact first derivative, so a formula templated on its scalar yields its own consistent tangent.
+template <int N>
+struct Dual {
+  double v = 0.0;
+  std::array<double, N> d{};
+
+  Dual() = default;
+  Dual(double value) : v(value) {}  // NOLINT: constants mix freely with duals
+
+  /// An independent variable: value and unit derivative in one direction.
+  static Dual variable(double value, int direction) {
+    Dual x(value);
+    x.d[direction] = 1.0;
+    return x;
+  }
+
+  Dual& operator+=(const Dual& b) {
+    v += b.v;
+    for (int i = 0; i < N; ++i) d[i] += b.d[i];
+    return *this;
+  }
+  Dual& operator-=(const Dual& b) {
+    v -= b.v;
+    for (int i = 0; i < N; ++i) d[i] -= b.d[i];
+    return *this;
+  }
+  Dual& operator*=(const Dual& b) {
+    for (int i = 0; i < N; ++i) d[i] = d[i] * b.v + v * b.d[i];
+    v *= b.v;
+    return *this;
+  }
+  Dual& operator/=(const Dual& b) {
+    const double inverse = 1.0 / b.v;
+    v *= inverse;
+    for (int i = 0; i < N; ++i) d[i] = (d[i] - v * b.d[i]) * inverse;
+    return *this;
+  }
+
+  friend Dual operator+(Dual a, const Dual& b) { return a += b; }
+  friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
+  friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
+  friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
+  friend Dual operator+(Dual a, double b) { a.v += b; return a; }
+  friend Dual operator+(double b, Dual a) { a.v += b; return a; }
+  friend Dual operator-(Dual a, double b) { a.v -= b; return a; }
+  friend Dual operator-(double b, const Dual& a) { return -a + b; }
+  friend Dual operator*(Dual a, double b) { return scaled(a, b); }
+  friend Dual operator*(double b, Dual a) { return scaled(a, b); }
+  friend Dual operator/(Dual a, double b) { return scaled(a, 1.0 / b); }
+  friend Dual operator-(Dual a) { return scaled(a, -1.0); }
+
+  friend bool operator<(const Dual& a, const Dual& b) { return a.v < b.v; }
+  friend bool operator>(const Dual& a, const Dual& b) { return a.v > b.v; }
+
+  friend Dual sqrt(const Dual& a) {
+    const double root = std::sqrt(a.v);
+    return chain(a, root, 0.5 / root);
+  }
+  friend Dual abs(const Dual& a) { return a.v < 0.0 ? -a : a; }
+  friend Dual log(const Dual& a) { return chain(a, std::log(a.v), 1.0 / a.v); }
+  friend Dual exp(const Dual& a) {
+    const double e = std::exp(a.v);
+    return chain(a, e, e);
+  }
+  friend Dual sin(const Dual& a) { return chain(a, std::sin(a.v), std::cos(a.v)); }
+  friend Dual cos(const Dual& a) { return chain(a, std::cos(a.v), -std::sin(a.v)); }
+
+ private:
+  static Dual& scaled(Dual& a, double factor) {
+    a.v *= factor;
+    for (int i = 0; i < N; ++i) a.d[i] *= factor;
+    return a;
+  }
+  /// f(a) with f'(a.v) = slope.
+  static Dual chain(const Dual& a, double value, double slope) {
+    Dual result(value);
+    for (int i = 0; i < N; ++i) result.d[i] = slope * a.d[i];
+    return result;
+  }
+};
+
+/// The plain value behind a scalar, for decisions that must not be differentiated.
+inline double value(double x) { return x; }
+template <int N>
+double value(const Dual<N>& x) { return x.v; }
+
+}  // namespace reye::base

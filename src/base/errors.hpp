@@ -1,0 +1,40 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace reye::base {
+
+/// One thing wrong with the input: the key it hangs on ("material.steel.nu"), its value as written
+/// (empty if the key itself is the fault), and the rule it breaks.
+struct Issue {
+  std::string key;
+  std::string value;
+  std::string rule;
+};
+
+/// Everything wrong with the input, collected and shown together. `what()` holds one line per issue.
+/// Rooms that know nothing of files throw it with bare issues; `scene` adds file and line.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(std::vector<Issue> issues);
+  InputError(std::vector<Issue> issues, const std::string& text);
+  const std::vector<Issue>& issues() const { return issues_; }
+
+ private:
+  std::vector<Issue> issues_;
+};
+
+/// gmsh or a mesh operation gave something unusable.
+class MeshError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A factorisation or solve that cannot go on; the solver turns it into a failed step with this reason.
+class SolveError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace reye::base

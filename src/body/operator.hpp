@@ -1,0 +1,125 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "algebra/factor.hpp"
+#include "base/analysis.hpp"
+#include "body/shape.hpp"
+#include "body/supports.hpp"
+#include "fem/loads.hpp"
+#include "material/material.hpp"
+
+/// The body operator: what contact and solver see of a body, whatever it is inside.
+namespace reye::body {
+
+using base::Matrix;
+using base::Vec2;
+using base::Vector;
+
+/// Displacement of a node: u += q[column] * direction (2 terms for a free node, up to 3 in general).
+struct Term {
+  int column = -1;
+  Vec2 direction{0.0, 0.0};
+};
+
+/// Position of a boundary node and its derivative with respect to q.
+struct NodePosition {
+  Vec2 x;
+  std::array<Term, 4> terms;
+  int count = 0;
+};
+
+/// A generalised dof that belongs to a support. Its work-conjugate force is r[column]; the force on the
+/// body in x and y is the sum over a support's columns of r[column] * direction (rotation: zero direction).
+struct SupportColumn {
+  int support = 0;  ///< index into the list of supports given
+  int motion = 0;   ///< 0 x, 1 y, 2 rotation
+  int column = -1;
+  Vec2 direction{0.0, 0.0};
+};
+
+/// One load of the scene acting on this body; the factor of its history multiplies it.
+struct LoadColumn {
+  std::string name;
+  std::string history;
+};
+
+/// How a multiplier may act at a contact node: on both axes, along one free direction, or not at all.
+struct NodeFreedom {
+  int free = 2;                  ///< number of free directions that no support holds
+  Vec2 direction{0.0, 0.0};      ///< the free one when free == 1
+};
+
+/// What a body is built from. Supports and loads are those of the scene that act on this body,
+/// with their edges already resolved to boundaries of the mesh.
+struct BodyInput {
+  std::string name;
+  material::Material material;
+  base::Analysis analysis = base::Analysis::plane_strain;
+  bool b_bar = true;
+  std::vector<Support> supports;
+  std::vector<fem::BoundaryLoad> boundary_loads;
+  std::vector<fem::PointLoad> point_loads;
+  std::vector<fem::BodyForce> body_forces;
+  std::vector<std::string> contact_boundaries;  ///< their nodes are retained
+};
+
+/// Linear elastic body of small strain, condensed to its retained dofs q:
+/// contact nodes first (in the order of `contact_nodes`), then the columns of its supports.
+class LinearBody {
+ public:
+  LinearBody(ShapePtr shape, const BodyInput& input);
+
+  int dofs() const;
+  const std::vector<int>& contact_nodes() const;               ///< mesh nodes
+  NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
+  NodeFreedom freedom(int contact_node) const;
+  const Matrix& tangent(const Vector& q) const;                ///< S, constant
+  Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
+  /// Displacement of all mesh nodes.
+  std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
+  const std::vector<SupportColumn>& support_columns() const;
+  const std::vector<LoadColumn>& loads() const;
+  int full_dofs() const;                                        ///< before condensation
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// A body without elements: q = (u_x, u_y, theta) of its reference point (the centre of its first supported
+/// edge, else of its bounding box); x = c + u + R(theta) (X - c), finite rotation.
+class RigidBody {
+ public:
+  RigidBody(ShapePtr shape, const BodyInput& input);
+
+  int dofs() const { return 3; }
+  const std::vector<int>& contact_nodes() const;
+  NodePosition position(int contact_node, const Vector& q) const;
+  NodeFreedom freedom(int contact_node) const;
+  Matrix tangent(const Vector& q) const;
+  Vector residual(const Vector& q, const Vector& load_factors) const;
+  std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
+  const std::vector<SupportColumn>& support_columns() const;
+  const std::vector<LoadColumn>& loads() const;
+  int full_dofs() const { return 3; }
+
+  /// d^2 x / d theta^2 contracted with forces at the contact nodes: what the tangent gains at (theta, theta).
+  double geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// The seam a nonlinear body fills later: one more alternative with the same members.
+using Operator = std::variant<RigidBody, LinearBody>;
+
+/// The rigid motions of the body that nothing holds and nothing loads, in words ("translation along x",
+/// "rotation"); empty when the body is well posed. A motion left free by the supports is accepted when the
+/// body has a contact and either friction acts there or some load or loaded support does work on the motion.
+std::vector<std::string> unheld_motions(const mesh::Mesh& mesh, const BodyInput& input, bool friction);
+
+}  // namespace reye::body

@@ -1,0 +1,22 @@
+#pragma once
+#include <memory>
+
+#include "mesh/mesh.hpp"
+
+namespace reye::body {
+
+/// The unstressed shape of what is left of a body: immutable, shared between states.
+struct Shape {
+  mesh::Mesh mesh;                          ///< on X
+  std::shared_ptr<const mesh::Mesh> born;   ///< the mesh as it was generated, before any wear moved it
+};
+
+using ShapePtr = std::shared_ptr<const Shape>;
+
+/// A fresh shape on a fresh mesh.
+inline ShapePtr make_shape(mesh::Mesh mesh) {
+  auto born = std::make_shared<const mesh::Mesh>(mesh);
+  return std::make_shared<const Shape>(Shape{std::move(mesh), std::move(born)});
+}
+
+}  // namespace reye::body

@@ -1,0 +1,36 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "base/linalg.hpp"
+
+namespace reye::body {
+
+/// What one motion of a support does. `moved` imposes amplitude times the history's factor,
+/// `loaded` applies it as a force (or moment) and leaves the motion to the equations.
+enum class Drive { free, fixed, moved, loaded };
+
+struct Motion {
+  Drive drive = Drive::free;
+  double amplitude = 0.0;  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
+  std::string history;     ///< empty: full from the start
+};
+
+/// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
+/// they are the tangent and outward normal of the edge at each node (then `x` is the tangent).
+///
+/// Rigid (an edge moves as a rigid line; three shared motions) or by node (each node of the edge takes
+/// the same imposed value of the held direction and is free in the other). On an edge it is rigid when a
+/// rotation is named or a motion is loaded; `rigid` overrides.
+struct Support {
+  std::string name;
+  std::string edge;                      ///< boundary name, or
+  std::optional<base::Vec2> point_mm;    ///< the node nearest to this point (of `body`, or of any body)
+  std::string body;
+  double angle_deg = 0.0;
+  bool edge_axes = false;
+  bool rigid = false;
+  Motion x, y, rotation;
+};
+
+}  // namespace reye::body

@@ -1,0 +1,28 @@
+#pragma once
+#include <vector>
+
+#include "cad/options.hpp"
+#include "mesh/mesh.hpp"
+
+namespace reye::cad {
+
+/// What check prints of one body: its area [mm^2], bounding box, and the named boundaries with their lengths.
+struct BodyFacts {
+  std::string name;
+  double area_mm2 = 0.0;
+  std::array<double, 4> box_mm{};
+};
+
+struct Geometry {
+  std::vector<mesh::Mesh> bodies;  ///< in the order of the options; a rigid body has outline and boundaries, no cells
+  std::vector<BodyFacts> facts;
+};
+
+/// Imports the files, finds bodies and boundaries by their selectors, meshes and checks every body.
+/// A planar face in any plane is mapped to x-y. Boundaries named by physical curves are added under their
+/// physical names. Bodies are never merged: nodes of two bodies are distinct even where their CAD coincides.
+/// Throws base::InputError (all issues together; keys "geometry", "body.<name>.at", "boundary.<name>.box_mm" ...)
+/// for what the user can mend, base::MeshError where gmsh gave something unusable.
+Geometry build(const GeometryOptions& options);
+
+}  // namespace reye::cad

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "wear/law.hpp"
+
+namespace reye::contact {
+
+/// A contact of the scene: one secondary boundary (carries the multipliers) against a list of primary ones.
+struct ContactOptions {
+  std::string name;
+  std::string secondary;
+  std::vector<std::string> primary;
+  double friction = 0.0;                ///< Coulomb coefficient mu >= 0
+  wear::Law wear;
+  double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step; 0: slip comes from the motion
+  bool imposed = false;                 ///< true when imposed_sliding_mm is given
+  bool implicit_wear = true;            ///< this increment's wear inside the equations
+  double search_mm = 0.0;               ///< facing facets farther apart than this are not paired; 0: chosen from the bodies
+  double c_normal = 1.0;                ///< dimensionless factors of the complementarity functions
+  double c_tangential = 1.0;
+};
+
+}  // namespace reye::contact

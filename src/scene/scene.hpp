@@ -1,0 +1,83 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/analysis.hpp"
+#include "body/supports.hpp"
+#include "cad/options.hpp"
+#include "contact/options.hpp"
+#include "fem/loads.hpp"
+#include "material/material.hpp"
+
+/// The input as plain structs, made of the option structs of the rooms below.
+namespace reye::scene {
+
+/// A table over the progress of a step: [progress, factor], progress increasing from 0 to 1.
+using History = std::vector<std::array<double, 2>>;
+
+struct BodyMaterial {
+  std::string material;  ///< empty for a rigid body
+  std::optional<bool> b_bar;  ///< default: quads in plane strain and axisymmetry
+};
+
+struct Step {
+  std::string name;
+  std::vector<std::string> play;
+  int increments = 1;
+  bool wear = true;
+  double cycles = 0.0;  ///< 0: a load step, which is no cycle
+  double jump = 1.0;    ///< cycles per block
+};
+
+/// The first cycle at which a depth (or the worn area) is reached.
+struct Limit {
+  std::string name;
+  std::string contact;
+  std::string side;  ///< "secondary" | "primary" | "sum"
+  std::optional<double> depth_mm;
+  std::optional<double> area_mm2;
+  bool stop = false;
+};
+
+struct Probe {
+  std::string name;
+  std::string body;
+  base::Vec2 at_mm{0.0, 0.0};
+};
+
+struct Output {
+  double frames_every_cycles = 0.0;   ///< 0: first and last state of each step only
+  bool frames_every_increment = false;
+  std::vector<Probe> probes;
+};
+
+struct Scene {
+  std::string title;
+  base::Analysis analysis = base::Analysis::plane_strain;
+  cad::GeometryOptions geometry;                       ///< files, bodies, boundaries, fine zones
+  std::map<std::string, material::Material> materials;
+  std::map<std::string, BodyMaterial> body_material;   ///< by body name
+  std::vector<contact::ContactOptions> contacts;
+  std::vector<body::Support> supports;
+  std::vector<fem::BoundaryLoad> boundary_loads;
+  std::vector<fem::PointLoad> point_loads;
+  std::vector<fem::BodyForce> body_forces;
+  std::map<std::string, History> histories;
+  std::vector<Step> steps;
+  std::vector<Limit> limits;
+  Output output;
+  bool shape = true;         ///< false (shape = "off"): wear stays in the gap
+  int max_newton = 30;
+  int max_cutbacks = 8;
+
+  // Where the scene came from.
+  std::string name;          ///< file name without .toml, or the folder's name for scene.toml
+  std::string path;
+  std::string sha256;        ///< over scene and geometry files
+  /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
+  std::map<std::string, int> lines;
+};
+
+}  // namespace reye::scene

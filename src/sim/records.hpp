@@ -1,0 +1,110 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/analysis.hpp"
+#include "base/linalg.hpp"
+#include "mesh/mesh.hpp"
+
+/// What a run tells the outside: plain records, filled by `sim`, written by `output`.
+namespace reye::sim {
+
+using base::Vec2;
+
+/// One row of history.csv: the end of an accepted increment.
+struct IncrementRecord {
+  std::string step;
+  double cycle = 0.0;
+  double progress = 0.0;  ///< of the step's play, in (0, 1]
+  int newton = 0;
+  double pressure_max_MPa = 0.0;
+  double depth_max_secondary_mm = 0.0;
+  double depth_max_primary_mm = 0.0;
+  double energy_mJ = 0.0;             ///< per mm in plane problems
+  std::vector<Vec2> support_forces;   ///< on the body, in x and y, one per support of the scene
+};
+
+enum class Side { secondary, primary };
+
+/// The nodes of one side of a contact, along the boundary from its end with smaller x.
+/// status: 0 inactive, 1 stick, 2 slip; the primary side repeats what the secondary presses on it.
+struct SurfaceRecord {
+  std::string contact;
+  Side side = Side::secondary;
+  int body = 0;
+  std::vector<int> node;  ///< mesh node of each row
+  std::vector<double> arc_length_mm, x_mm, y_mm, pressure_MPa, shear_MPa, slip_mm, wear_depth_mm;
+  std::vector<int> status;
+};
+
+struct BodyFrame {
+  std::string name;
+  std::shared_ptr<const mesh::Mesh> mesh;  ///< on X; a rigid body has outline only
+  std::vector<Vec2> u;                     ///< nodal displacement [mm]
+  std::vector<std::array<double, 4>> stress_MPa;  ///< nodal (11, 22, 12, 33); empty for a rigid body
+  std::vector<double> wear_depth_mm;       ///< nodal, zero inside
+};
+
+/// A state as pictures need it.
+struct Frame {
+  double cycle = 0.0;
+  std::string step;
+  std::vector<BodyFrame> bodies;
+  std::vector<SurfaceRecord> surfaces;
+};
+
+struct SideSummary {
+  double max_depth_mm = 0.0;
+  double worn_area = 0.0;  ///< mm^2, or mm^3 in axisymmetry
+  double scar_width_mm = 0.0;
+};
+
+/// Values at the end of the last accepted increment; what is not known is empty (null on disk).
+struct ContactSummary {
+  std::string name;
+  std::optional<double> peak_pressure_MPa, contact_half_width_mm, stick_half_width_mm;
+  double normal_force = 0.0;      ///< N per mm, or N
+  double tangential_force = 0.0;
+  double dissipated_energy = 0.0; ///< mJ per mm, or mJ
+  SideSummary secondary, primary;
+  std::optional<double> ledger_relative_error;  ///< empty where nothing wears
+};
+
+struct Counts {
+  long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
+};
+
+enum class RunStatus { done, failed, interrupted };
+
+struct Summary {
+  std::string title;
+  RunStatus status = RunStatus::done;
+  std::string reason;  ///< empty when done
+  double cycles = 0.0;
+  std::vector<ContactSummary> contacts;
+  std::map<std::string, Vec2> probes;
+  std::map<std::string, std::optional<double>> life_cycles;  ///< by limit
+  std::optional<double> error_cycle_jump, error_discretisation;
+  Counts counts;
+  double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;
+  std::map<std::string, double> room_seconds;  ///< where the time went
+  std::vector<std::string> skipped;            ///< sentences of the plan
+  std::vector<std::string> cutback_reasons;
+  std::string scene_sha256;
+  base::Analysis analysis = base::Analysis::plane_strain;
+};
+
+/// What the progress line shows.
+struct Progress {
+  std::string step;
+  double cycle = 0.0, cycles = 0.0;
+  int increment = 0, increments = 0;
+  int newton = 0;
+  double depth_max_mm = 0.0;
+  double fraction = 0.0;  ///< of the whole run's increments
+};
+
+}  // namespace reye::sim
