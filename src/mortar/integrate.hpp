@@ -1,0 +1,78 @@
+#pragma once
+#include <vector>
+
+#include "mortar/kernel.hpp"
+#include "mortar/surface.hpp"
+
+namespace reye::mortar {
+
+/// Where the two sides of a contact are. Surface dofs: 2 * node + component of the secondary side, then the
+/// primary side after all secondary ones.
+struct Placement {
+  const Surface* secondary = nullptr;
+  const Surface* primary = nullptr;
+  Points xs, xm;                ///< current positions
+  Points xs_before, xm_before;  ///< at the start of the increment
+  std::vector<char> cut;        ///< per secondary node: carries no multiplier
+  Analysis analysis = Analysis::plane_strain;
+  double search = 0.0;
+
+  int secondary_dofs() const { return 2 * secondary->node_count(); }
+  int dofs() const { return secondary_dofs() + 2 * primary->node_count(); }
+};
+
+/// The integrals of one covered facet and, once differentiated, their derivatives.
+struct FacetRecord {
+  int facet = 0;
+  std::vector<int> primaries;                 ///< primary surface node of each local one
+  std::vector<std::array<int, 2>> pairs;      ///< primary facets in local numbers
+  FacetIntegrals<double> value;
+  std::vector<int> dofs;                      ///< surface dofs the integrals depend on
+  std::vector<double> slope;                  ///< one row of dofs.size() per output
+
+  /// Rows of `slope` for node j = 0, 1.
+  static constexpr int D(int j) { return 7 * j; }
+  static constexpr int off(int j) { return 7 * j + 1; }
+  static constexpr int gap(int j) { return 7 * j + 2; }
+  static constexpr int offset(int j) { return 7 * j + 3; }  ///< and + 1 for y
+  static constexpr int drift(int j) { return 7 * j + 5; }   ///< and + 1 for y
+  int M(int j, int l) const { return 14 + j * static_cast<int>(primaries.size()) + l; }
+  int cover(int j, int l) const { return 14 + (2 + j) * static_cast<int>(primaries.size()) + l; }
+  int outputs() const { return 14 + 4 * static_cast<int>(primaries.size()); }
+  const double* row(int output) const { return slope.data() + output * dofs.size(); }
+};
+
+/// Unit normal of a secondary node, averaged over its facets (corners: the facet `at_corner`, 0 before, 1 after).
+/// `nodes` are the up to three nodes it depends on, x their positions.
+struct NormalStencil {
+  std::array<int, 3> nodes{-1, -1, -1};  ///< before, self, after; -1 where it does not depend on one
+};
+NormalStencil normal_stencil(const Surface& surface, int node, int at_corner);
+
+template <class T>
+Pair<T> nodal_normal(const NormalStencil& stencil, const std::array<Pair<T>, 3>& x) {
+  if (stencil.nodes[0] < 0) return facet_normal(x[1], x[2]);
+  if (stencil.nodes[2] < 0) return facet_normal(x[0], x[1]);
+  return averaged(facet_normal(x[0], x[1]), facet_normal(x[1], x[2]));
+}
+
+/// Pairs, integrates and differentiates; keeps its work space between calls.
+class Integrator {
+ public:
+  /// Values of all facets that meet a primary facet. The records stay valid until the next call.
+  std::vector<FacetRecord>& values(const Placement& placement);
+  /// Fills dofs and slope of one record, with the same placement.
+  void differentiate(const Placement& placement, FacetRecord& record);
+
+ private:
+  static constexpr int width = 16;
+  bool pair_up(const Placement& placement, int facet, FacetRecord& record);
+
+  std::vector<FacetRecord> records_;
+  std::size_t used_ = 0;
+  Workspace<double> plain_;
+  Workspace<base::Dual<width>> dual_;
+  std::vector<int> local_;  ///< primary surface node -> local number, -1
+};
+
+}  // namespace reye::mortar
