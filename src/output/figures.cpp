@@ -1,0 +1,274 @@
+#include "output/figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/text.hpp"
+
+namespace reye::output {
+
+namespace {
+
+/// A unit that keeps axis labels short.
+struct Unit {
+  double factor;
+  std::string name;
+};
+
+Unit length_unit(double largest_mm) {
+  if (largest_mm < 1e-4) return {1e6, "nm"};
+  if (largest_mm < 0.1) return {1e3, "µm"};
+  return {1.0, "mm"};
+}
+
+double largest(const std::vector<double>& values) {
+  double size = 0.0;
+  for (const double v : values)
+    if (std::isfinite(v)) size = std::max(size, std::abs(v));
+  return size;
+}
+
+std::string title_of(const RunData& run, const ContactData& contact, const std::string& what) {
+  return run.contacts.size() > 1 ? what + ", contact " + contact.name : what;
+}
+
+/// Where things are on a surface: arc length about the centroid of the last pressure (of the last depth
+/// when nothing presses), so that both sides and all cycles lie over each other.
+double centre_of(const SurfaceTable& surface) {
+  const auto& s = surface.table.column("arc_length_mm");
+  const FrameRows& rows = surface.frames.back();
+  for (const char* name : {"pressure_MPa", "wear_depth_mm"}) {
+    const auto& weight = surface.table.column(name);
+    double sum = 0.0, moment = 0.0;
+    for (std::size_t i = rows.begin; i + 1 < rows.end; ++i) {
+      const double w = 0.5 * (weight[i] + weight[i + 1]) * (s[i + 1] - s[i]);
+      sum += w;
+      moment += 0.5 * w * (s[i] + s[i + 1]);
+    }
+    if (sum > 0.0) return moment / sum;
+  }
+  return 0.5 * (s[rows.begin] + s[rows.end - 1]);
+}
+
+/// The part of the surface where anything ever happens, with a margin; the whole surface when nothing does.
+Range active_range(const SurfaceTable& surface, double centre) {
+  const auto& s = surface.table.column("arc_length_mm");
+  const auto& p = surface.table.column("pressure_MPa");
+  const auto& h = surface.table.column("wear_depth_mm");
+  const double p_small = 1e-6 * largest(p), h_small = 1e-3 * largest(h);
+  Range active{INFINITY, -INFINITY}, whole = active;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double at = s[i] - centre;
+    whole = {std::min(whole.low, at), std::max(whole.high, at)};
+    if (p[i] > p_small || h[i] > h_small) active = {std::min(active.low, at), std::max(active.high, at)};
+  }
+  if (active.low > active.high) return whole;
+  const double margin = 0.12 * active.width();
+  return {std::max(whole.low, active.low - margin), std::min(whole.high, active.high + margin)};
+}
+
+Line column_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& column, double factor,
+                 double centre) {
+  const auto& s = surface.table.column("arc_length_mm");
+  const auto& y = surface.table.column(column);
+  Line line;
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
+    line.x.push_back(s[i] - centre);
+    line.y.push_back(factor * y[i]);
+  }
+  return line;
+}
+
+/// At most twelve frames, evenly chosen, the last one always among them.
+std::vector<FrameRows> chosen(const std::vector<FrameRows>& frames) {
+  constexpr std::size_t most = 12;
+  if (frames.size() <= most) return frames;
+  std::vector<FrameRows> some;
+  for (std::size_t k = 0; k < most; ++k) some.push_back(frames[k * (frames.size() - 1) / (most - 1)]);
+  return some;
+}
+
+struct OverCycles {
+  std::string id, title, column, y_label;
+  double factor = 1.0;
+  bool down = false;
+};
+
+/// One line per frame, coloured by cycle.
+Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
+  Figure figure{.id = what.id, .title = what.title, .x_label = "position along the surface, mm", .y_label = what.y_label};
+  figure.y_down = what.down;
+  figure.y_from_zero = true;
+  const double centre = centre_of(surface);
+  figure.x_range = active_range(surface, centre);
+  const Range cycles{surface.frames.front().cycle, surface.frames.back().cycle};
+  for (const auto& rows : chosen(surface.frames)) {
+    Line line = column_line(surface, rows, what.column, what.factor, centre);
+    const double t = cycles.width() > 0.0 ? (rows.cycle - cycles.low) / cycles.width() : 1.0;
+    line.colour = scale_colour(t);
+    figure.lines.push_back(std::move(line));
+  }
+  if (cycles.width() > 0.0) figure.scale = ColourScale{"cycles", cycles};
+  return figure;
+}
+
+Figure last_tractions(const RunData& run, const ContactData& contact) {
+  const SurfaceTable& surface = contact.sides.front();
+  const FrameRows& rows = surface.frames.back();
+  Figure figure{.id = "tractions-" + file_part(contact.name),
+                .title = title_of(run, contact, "Pressure and shear at cycle " + rounded(rows.cycle, 6)),
+                .x_label = "position along the surface, mm",
+                .y_label = "traction, MPa"};
+  figure.y_from_zero = true;
+  const double centre = centre_of(surface);
+  figure.x_range = active_range(surface, centre);
+  const double mu = contact.friction.value_or(0.0);
+  for (const double sign : {1.0, -1.0}) {
+    if (mu <= 0.0) break;
+    Line bound = column_line(surface, rows, "pressure_MPa", sign * mu, centre);
+    if (sign > 0.0) bound.label = "± friction × pressure";
+    bound.colour = "#8b929c";
+    bound.width = 1.2;
+    bound.dashed = true;
+    figure.lines.push_back(std::move(bound));
+  }
+  for (const auto& [column, label, colour] : {std::tuple("pressure_MPa", "pressure", 0), std::tuple("shear_MPa", "shear", 1)}) {
+    Line line = column_line(surface, rows, column, 1.0, centre);
+    line.label = label;
+    line.colour = line_colour(static_cast<std::size_t>(colour));
+    figure.lines.push_back(std::move(line));
+  }
+  return figure;
+}
+
+/// A value of each frame against its cycle, one line per side.
+template <class Value>
+Figure per_frame(const ContactData& contact, Figure figure, const Value& value) {
+  for (const auto& surface : contact.sides) {
+    Line line;
+    line.label = side_name(surface.side);
+    line.colour = line_colour(surface.side == sim::Side::secondary ? 0 : 1);
+    for (const auto& rows : surface.frames) {
+      line.x.push_back(rows.cycle);
+      line.y.push_back(value(surface, rows));
+    }
+    figure.lines.push_back(std::move(line));
+  }
+  figure.x_label = "cycles";
+  figure.y_from_zero = true;
+  return figure;
+}
+
+Figure depth_over_cycles(const RunData& run, const ContactData& contact) {
+  double deepest = 0.0;
+  for (const auto& surface : contact.sides) deepest = std::max(deepest, largest(surface.table.column("wear_depth_mm")));
+  const Unit unit = length_unit(deepest);
+  Figure figure{.id = "depth-" + file_part(contact.name),
+                .title = title_of(run, contact, "Largest wear depth"),
+                .y_label = "depth, " + unit.name};
+  return per_frame(contact, figure, [&](const SurfaceTable& surface, const FrameRows& rows) {
+    const auto& h = surface.table.column("wear_depth_mm");
+    return unit.factor * *std::max_element(h.begin() + static_cast<std::ptrdiff_t>(rows.begin),
+                                           h.begin() + static_cast<std::ptrdiff_t>(rows.end));
+  });
+}
+
+Figure worn_over_cycles(const RunData& run, const ContactData& contact) {
+  const bool ring = run.identity.analysis == base::Analysis::axisymmetric;
+  Figure figure{.id = "worn-" + file_part(contact.name),
+                .title = title_of(run, contact, ring ? "Worn volume" : "Worn area"),
+                .y_label = ring ? "volume, mm³" : "area, mm²"};
+  return per_frame(contact, figure, [&](const SurfaceTable& surface, const FrameRows& rows) {
+    return worn_amount(surface, rows, run.identity.analysis);
+  });
+}
+
+void add_contact(const RunData& run, const ContactData& contact, std::vector<Figure>& all) {
+  if (contact.sides.empty()) return;
+  const std::string name = file_part(contact.name);
+  bool worn = false;
+  for (const auto& surface : contact.sides) {
+    const double deepest = largest(surface.table.column("wear_depth_mm"));
+    if (deepest == 0.0) continue;
+    worn = true;
+    const std::string side = side_name(surface.side);
+    const Unit unit = length_unit(deepest);
+    all.push_back(over_cycles(surface, {"profile-" + name + '-' + side,
+                                        title_of(run, contact, "Worn profile, " + side + " side"), "wear_depth_mm",
+                                        "wear depth, " + unit.name, unit.factor, true}));
+  }
+  const SurfaceTable& first = contact.sides.front();
+  if (first.frames.size() > 1)
+    all.push_back(over_cycles(first, {"pressure-" + name, title_of(run, contact, "Contact pressure over cycles"),
+                                      "pressure_MPa", "pressure, MPa"}));
+  all.push_back(last_tractions(run, contact));
+  if (!worn || first.frames.size() < 2) return;
+  all.push_back(depth_over_cycles(run, contact));
+  all.push_back(worn_over_cycles(run, contact));
+}
+
+void add_energy(const RunData& run, std::vector<Figure>& all) {
+  const std::string energy = suffixes(run.identity.analysis).energy;
+  const auto& y = run.history.column("energy_" + energy);
+  const auto& cycle = run.history.column("cycle");
+  if (largest(y) == 0.0) return;
+  const bool ring = run.identity.analysis == base::Analysis::axisymmetric;
+  Figure figure{.id = "energy", .title = "Energy dissipated by friction", .x_label = "cycles",
+                .y_label = ring ? "energy, mJ" : "energy, mJ per mm"};
+  const bool cycles = largest(cycle) > 0.0;
+  Line line{.x = cycle, .y = y};
+  if (!cycles) {
+    figure.x_label = "increment";
+    for (std::size_t i = 0; i < line.x.size(); ++i) line.x[i] = static_cast<double>(i + 1);
+  }
+  figure.y_from_zero = true;
+  figure.lines.push_back(std::move(line));
+  all.push_back(std::move(figure));
+}
+
+/// Rows of the last play of the last step: back to where the progress starts again.
+std::size_t last_play(const Table& history) {
+  const auto& progress = history.column("progress");
+  const auto& step = history.column("step");
+  std::size_t first = history.rows() - 1;
+  while (first > 0 && step[first - 1] == step[first] && progress[first - 1] < progress[first]) --first;
+  return first;
+}
+
+void add_forces(const RunData& run, std::vector<Figure>& all) {
+  const Table& history = run.history;
+  if (history.rows() < 2) return;
+  const std::size_t first = last_play(history);
+  if (history.rows() - first < 3) return;
+  const std::string unit = suffixes(run.identity.analysis).force;
+  const auto& progress = history.column("progress");
+  Figure figure{.id = "forces",
+                .title = "Support forces through the last '" + history.word(history.column("step").back()) + "'",
+                .x_label = "progress of the step",
+                .y_label = unit == "N" ? "force on the body, N" : "force on the body, N per mm"};
+  for (std::size_t c = 8; c < history.columns.size(); ++c) {
+    std::string name = history.columns[c].substr(0, history.columns[c].rfind(unit) - 1);
+    const bool along_y = name.back() == 'y';
+    name = name.substr(0, name.size() - std::string("_force_x").size()) + (along_y ? ", y" : ", x");
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    Line line{.label = name,
+              .x = {progress.begin() + from, progress.end()},
+              .y = {history.values[c].begin() + from, history.values[c].end()},
+              .colour = line_colour((c - 8) / 2),
+              .dashed = along_y};
+    if (largest(line.y) > 0.0) figure.lines.push_back(std::move(line));
+  }
+  if (!figure.lines.empty()) all.push_back(std::move(figure));
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const RunData& run) {
+  std::vector<Figure> all;
+  for (const auto& contact : run.contacts) add_contact(run, contact, all);
+  add_energy(run, all);
+  add_forces(run, all);
+  return all;
+}
+
+}  // namespace reye::output

@@ -1,0 +1,104 @@
+#include "output/folder.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "output/files.hpp"
+#include "output/text.hpp"
+
+namespace reye::output {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* marker = ".reye.json";
+constexpr std::array analyses{"plane_strain", "plane_stress", "axisymmetric"};
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Whether a run writes an entry of this name at the top of its folder.
+bool is_result(const std::string& name) {
+  for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "summary.json", "log.txt", "report.html",
+                          "frames", "figures", "checkpoint"})
+    if (name == own) return true;
+  return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));
+}
+
+bool holds_results(const std::string& dir) {
+  for (const auto& entry : fs::directory_iterator(dir))
+    if (is_result(entry.path().filename().string())) return true;
+  return false;
+}
+
+std::string advice() { return "; choose another folder with --out, or replace it with --force"; }
+
+}  // namespace
+
+Identity identity_of(const scene::Scene& scene) {
+  Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}};
+  for (const auto& contact : scene.contacts) identity.friction[contact.name] = contact.friction;
+  return identity;
+}
+
+std::optional<Identity> read_identity(const std::string& dir) {
+  const auto path = fs::path(dir) / marker;
+  if (!fs::is_regular_file(path)) return {};
+  const Json json = Json::parse(read_text(path.string()), nullptr, false);
+  if (!json.is_object()) return {};
+  try {
+    Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}};
+    for (std::size_t i = 0; i < analyses.size(); ++i)
+      if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
+    for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu;
+    return identity;
+  } catch (const Json::exception&) {
+    return {};  // a marker of another make is as good as none
+  }
+}
+
+std::optional<std::string> open_folder(const std::string& dir, const std::string& name, const std::string& sha256,
+                                       bool force) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (!fs::is_directory(dir)) return "cannot make the output folder " + dir + (error ? ": " + error.message() : "");
+  if (::access(dir.c_str(), R_OK | W_OK | X_OK) != 0) return "the output folder " + dir + " cannot be written to";
+  if (force) return {};
+  const auto holder = read_identity(dir);
+  if (!holder) {
+    if (!holds_results(dir)) return {};
+    return "the output folder " + dir + " holds results of an unknown run" + advice();
+  }
+  if (holder->sha256 == sha256) return {};
+  if (holder->name == name)
+    return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice();
+  return "the output folder " + dir + " holds the run of another scene, '" + holder->name + "'" + advice();
+}
+
+void claim_folder(const std::string& dir, const Identity& identity) {
+  Json json{{"scene", identity.name},
+            {"title", identity.title},
+            {"scene_sha256", identity.sha256},
+            {"analysis", analyses[static_cast<std::size_t>(identity.analysis)]},
+            {"friction", Json::object()}};
+  for (const auto& [name, mu] : identity.friction) json["friction"][name] = mu;
+  const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
+  // A full disk shows here, while the former results are still whole.
+  atomic_write(fresh.string(), json.dump(2) + '\n');
+  // The summary goes first: what is left of a half-done removal must not look like a whole run.
+  fs::remove(fs::path(dir) / "summary.json");
+  std::vector<fs::path> former;
+  for (const auto& entry : fs::directory_iterator(dir))
+    if (is_result(entry.path().filename().string())) former.push_back(entry.path());
+  for (const auto& path : former) fs::remove_all(path);
+  fs::rename(fresh, fs::path(dir) / marker);
+}
+
+}  // namespace reye::output

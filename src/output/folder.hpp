@@ -1,0 +1,33 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+
+#include "scene/scene.hpp"
+
+/// The output folder and whose run it holds.
+namespace reye::output {
+
+/// What the marker in the folder says of its run; enough for a report of a run that was killed.
+struct Identity {
+  std::string name, title, sha256;
+  base::Analysis analysis = base::Analysis::plane_strain;
+  std::map<std::string, double> friction;  ///< by contact
+};
+
+Identity identity_of(const scene::Scene& scene);
+
+/// The run the folder holds; empty when there is no readable marker.
+std::optional<Identity> read_identity(const std::string& dir);
+
+/// Makes the folder if needed and asks whether a run of this scene may go there; removes and writes nothing.
+/// A run belongs to the same scene when scene and geometry files have the same hash.
+/// Returns why not, or nothing when it may. `force` takes over a folder that holds something else.
+std::optional<std::string> open_folder(const std::string& dir, const std::string& name, const std::string& sha256,
+                                       bool force);
+
+/// Takes the folder over: once the new marker is safely on disk, the results of the former run go.
+/// Files that a run does not write are left alone.
+void claim_folder(const std::string& dir, const Identity& identity);
+
+}  // namespace reye::output

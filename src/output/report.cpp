@@ -1,0 +1,81 @@
+#include "output/report.hpp"
+
+#include <filesystem>
+
+#include "output/figures.hpp"
+#include "output/files.hpp"
+#include "output/report_tables.hpp"
+#include "output/run_data.hpp"
+#include "output/text.hpp"
+
+namespace reye::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { margin: 0 auto; max-width: 1180px; padding: 28px 24px 60px; color: #2b2f36; background: #fff;
+       font: 15px/1.5 Helvetica, Arial, "DejaVu Sans", sans-serif; }
+h1 { font-size: 26px; line-height: 1.25; margin: 0 0 6px; }
+h2 { font-size: 18px; margin: 34px 0 10px; padding-bottom: 5px; border-bottom: 1px solid #d9dde2; }
+p { margin: 4px 0; }
+.quiet { color: #6a717c; font-size: 13px; word-break: break-all; }
+.status { display: inline-block; padding: 2px 12px; border-radius: 11px; color: #fff; font-weight: 600; }
+.done { background: #2f8f5b; } .failed { background: #b8352a; } .interrupted, .open { background: #b08900; }
+table { border-collapse: collapse; margin: 6px 0 10px; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; padding: 4px 18px 4px 0; border-bottom: 1px solid #eceff2; vertical-align: top; }
+th { font-weight: 600; } thead th { color: #6a717c; font-size: 13px; }
+td.number { text-align: right; } th.number { text-align: right; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 18px; }
+figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
+.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
+li { margin: 2px 0; }
+@media print { body { max-width: none; padding: 0; font-size: 12px; } h2 { break-after: avoid; }
+  .figures { grid-template-columns: 1fr 1fr; } }
+)";
+
+std::string heading(const RunData& run) {
+  const bool ended = run.summary.is_object();
+  const std::string status = ended ? run.summary.value("status", "open") : "open";
+  std::string html = "<h1>" + escaped(run.identity.title) + "</h1>\n<p><span class=\"status " + escaped(status) + "\">" +
+                     (ended ? escaped(status) : "not finished") + "</span></p>\n";
+  if (ended && run.summary.contains("reason") && run.summary["reason"].is_string())
+    html += "<p><strong>Reason:</strong> " + escaped(run.summary["reason"].get<std::string>()) + "</p>\n";
+  if (!ended) html += "<p>The run has not ended, or was killed: the figures show what is on disk so far.</p>\n";
+  const char* kind[] = {"plane strain, per mm of thickness", "plane stress, per mm of thickness",
+                        "axisymmetric, whole circumference"};
+  return html + "<p class=\"quiet\">Scene " + escaped(run.identity.name) + " · " +
+         kind[static_cast<int>(run.identity.analysis)] + " · reye " + version + "</p>\n";
+}
+
+std::string figure_grid(const std::vector<Figure>& all) {
+  if (all.empty()) return {};
+  std::string html = "<h2>Figures</h2>\n<div class=\"figures\">\n";
+  for (const auto& figure : all) html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
+  return html + "</div>\n";
+}
+
+std::string page(const RunData& run, const std::vector<Figure>& all) {
+  std::string html = "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+                     "<meta charset=\"utf-8\"/>\n"
+                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+                     escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
+  html += heading(run) + result_tables(run) + figure_grid(all) + ledger_table(run) + run_tables(run);
+  return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
+         "</p>\n</body>\n</html>\n";
+}
+
+}  // namespace
+
+void write_report(const std::string& dir) {
+  const RunData run = read_run(dir);
+  const auto all = figures(run);
+  const auto folder = fs::path(dir) / "figures";
+  fs::create_directories(folder);
+  for (const auto& figure : all) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
+  atomic_write((fs::path(dir) / "report.html").string(), page(run, all));
+}
+
+}  // namespace reye::output

@@ -1,0 +1,176 @@
+#include "output/report_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/plot.hpp"
+#include "output/text.hpp"
+
+namespace reye::output {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+using Row = std::vector<std::string>;  ///< label, then numbers as HTML
+
+/// A value of the summary for readers; what is null or missing is a dash.
+std::string shown(const Json& object, const std::string& key, int digits = 5) {
+  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "–";
+  return rounded(object[key].get<double>(), digits);
+}
+
+const Json& part(const Json& object, const std::string& key) {
+  static const Json none;
+  return object.is_object() && object.contains(key) ? object[key] : none;
+}
+
+std::string table(const Row& head, const std::vector<Row>& rows) {
+  if (rows.empty()) return {};
+  std::string html = "<table>\n<thead><tr>";
+  for (std::size_t i = 0; i < head.size(); ++i)
+    html += (i == 0 ? "<th>" : "<th class=\"number\">") + escaped(head[i]) + "</th>";
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr><th>" + escaped(row[0]) + "</th>";
+    for (std::size_t i = 1; i < row.size(); ++i) html += "<td class=\"number\">" + escaped(row[i]) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+std::string section(const std::string& title, const std::string& body) {
+  return body.empty() ? "" : "<div><h2>" + escaped(title) + "</h2>\n" + body + "</div>\n";
+}
+
+struct Quantity {
+  std::string label, key, unit;
+};
+
+std::vector<Quantity> contact_quantities(const Suffixes& unit) {
+  const std::string per = unit.force == "N" ? "" : " per mm";
+  return {{"Peak pressure", "peak_pressure_MPa", "MPa"},
+          {"Contact half width", "contact_half_width_mm", "mm"},
+          {"Stick half width", "stick_half_width_mm", "mm"},
+          {"Normal force", "normal_force_" + unit.force, "N" + per},
+          {"Tangential force", "tangential_force_" + unit.force, "N" + per},
+          {"Dissipated energy", "dissipated_energy_" + unit.energy, "mJ" + per}};
+}
+
+std::vector<Quantity> side_quantities(const Suffixes& unit) {
+  const bool ring = unit.force == "N";
+  return {{"Largest depth", "max_depth_mm", "mm"},
+          {ring ? "Worn volume" : "Worn area", unit.worn, ring ? "mm³" : "mm²"},
+          {"Scar width", "scar_width_mm", "mm"}};
+}
+
+std::string contact_table(const RunData& run) {
+  const auto unit = suffixes(run.identity.analysis);
+  const Json& contacts = part(run.summary, "contacts");
+  Row head{"At the end of the run"};
+  for (const auto& item : contacts.items()) head.push_back(item.key());
+  head.push_back("unit");
+  std::vector<Row> rows;
+  const auto add = [&](const Quantity& q, const std::string& side) {
+    Row row{side.empty() ? q.label : q.label + ", " + side};
+    for (const auto& contact : contacts) row.push_back(shown(side.empty() ? contact : part(contact, side), q.key));
+    row.push_back(q.unit);
+    rows.push_back(std::move(row));
+  };
+  if (contacts.empty()) return {};
+  for (const auto& q : contact_quantities(unit)) add(q, "");
+  for (const char* side : {"secondary", "primary"})
+    for (const auto& q : side_quantities(unit)) add(q, side);
+  return table(head, rows);
+}
+
+std::string life_table(const RunData& run) {
+  std::vector<Row> rows;
+  for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
+    rows.push_back({name, cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached"});
+  return table({"Limit", "life"}, rows);
+}
+
+std::string probe_table(const RunData& run) {
+  std::vector<Row> rows;
+  for (const auto& [name, u] : part(run.summary, "probes").items())
+    rows.push_back({name, shown(u, "u_x_mm"), shown(u, "u_y_mm")});
+  return table({"Probe", "u_x, mm", "u_y, mm"}, rows);
+}
+
+std::string error_table(const RunData& run) {
+  const Json& error = part(run.summary, "estimated_error");
+  std::vector<Row> rows;
+  for (const auto& [key, label] : {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh")})
+    if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
+  return table({"Estimated relative error", ""}, rows);
+}
+
+std::string list(const Json& sentences) {
+  if (!sentences.is_array() || sentences.empty()) return {};
+  std::string html = "<ul>\n";
+  for (const auto& sentence : sentences)
+    if (sentence.is_string()) html += "<li>" + escaped(sentence.get<std::string>()) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string time_bars(const RunData& run) {
+  const Json& rooms = part(run.summary, "room_seconds");
+  std::vector<Bar> bars;
+  double total = 0.0;
+  for (const auto& [room, seconds] : rooms.items())
+    if (seconds.is_number()) bars.push_back({room, seconds.get<double>(), ""});
+  for (const auto& bar : bars) total += bar.value;
+  if (total <= 0.0) return {};
+  std::stable_sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return a.value > b.value; });
+  for (auto& bar : bars)
+    bar.text = rounded(bar.value, 3) + " s (" + rounded(std::round(1000.0 * bar.value / total) / 10.0, 3) + " %)";
+  return "<figure>" + svg_bars(bars) + "</figure>\n";
+}
+
+std::string count_table(const RunData& run) {
+  std::vector<Row> rows{{"Cycles", shown(run.summary, "cycles", 8)}};
+  for (const auto& [key, label] :
+       {std::pair("blocks", "Blocks of cycles"), std::pair("increments", "Increments"),
+        std::pair("newton_iterations", "Newton iterations"), std::pair("factorisations", "Factorisations"),
+        std::pair("remeshes", "Remeshes"), std::pair("cutbacks", "Cut-backs")})
+    rows.push_back({label, shown(part(run.summary, "counts"), key, 12)});
+  rows.push_back({"Wall time, s", shown(run.summary, "wall_s", 4)});
+  rows.push_back({"Processor time, s", shown(run.summary, "cpu_s", 4)});
+  rows.push_back({"Largest memory, MB", shown(run.summary, "peak_rss_MB", 4)});
+  return table({"Counts", ""}, rows);
+}
+
+}  // namespace
+
+std::string result_tables(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  const std::string right = life_table(run) + probe_table(run) + error_table(run);
+  return "<h2>Results</h2>\n<div class=\"columns\">\n<div>" + contact_table(run) + "</div>\n<div>" + right +
+         "</div>\n</div>\n";
+}
+
+std::string ledger_table(const RunData& run) {
+  const auto unit = suffixes(run.identity.analysis);
+  const bool ring = unit.force == "N";
+  const std::string amount = ring ? " volume, mm³" : " area, mm²";
+  std::vector<Row> rows;
+  for (const auto& [name, contact] : part(run.summary, "contacts").items())
+    rows.push_back({name, shown(contact, "dissipated_energy_" + unit.energy, 6),
+                    shown(part(contact, "secondary"), unit.worn, 6), shown(part(contact, "primary"), unit.worn, 6),
+                    shown(contact, "ledger_relative_error", 2)});
+  const std::string body = table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
+                                  "secondary" + amount, "primary" + amount, "relative error"}, rows);
+  if (body.empty()) return {};
+  return section("Ledger", body + "<p class=\"quiet\">Relative error: |removed − sum of coefficient × energy| / "
+                                  "sum, over both sides; a dash where nothing wears.</p>\n");
+}
+
+std::string run_tables(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  return "<div class=\"columns\">\n" + section("The run", count_table(run)) +
+         section("Where the time went", time_bars(run)) + section("Skipped, and why", list(part(run.summary, "skipped"))) +
+         section("Cut-backs, and why", list(part(run.summary, "cutback_reasons"))) + "</div>\n";
+}
+
+}  // namespace reye::output

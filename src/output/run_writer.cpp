@@ -1,0 +1,95 @@
+#include "output/run_writer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <filesystem>
+
+#include "output/files.hpp"
+#include "output/report.hpp"
+#include "output/summary.hpp"
+#include "output/tables.hpp"
+#include "output/vtk_frames.hpp"
+
+namespace reye::output {
+
+namespace fs = std::filesystem;
+
+RunWriter::RunWriter(std::string dir, const scene::Scene& scene)
+    : dir_(std::move(dir)), identity_(identity_of(scene)) {
+  for (const auto& support : scene.supports) supports_.push_back(support.name);
+}
+
+std::string RunWriter::path(const std::string& file) const { return (fs::path(dir_) / file).string(); }
+
+void RunWriter::begin() {
+  fs::create_directories(dir_);
+  claim_folder(dir_, identity_);
+  fs::create_directories(path("frames"));
+  counters_ = {};
+  atomic_write(path("history.csv"), history_header(supports_, identity_.analysis));
+  started_ = true;
+  flush_log();
+}
+
+void RunWriter::resume(const Counters& counters) {
+  counters_ = counters;
+  keep_rows(path("history.csv"), counters_.history_rows);
+  for (const auto& [file, rows] : counters_.surface_rows) keep_rows(path(file), rows);
+  std::vector<fs::path> begun_later;
+  for (const auto& entry : fs::directory_iterator(dir_)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("surface_", 0) == 0 && !counters_.surface_rows.count(name)) begun_later.push_back(entry.path());
+  }
+  for (const auto& table : begun_later) fs::remove(table);
+  // They tell of the run that is being continued.
+  for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
+  fs::create_directories(path("frames"));
+  write_collections();
+  started_ = true;
+  flush_log();
+}
+
+void RunWriter::increment(const sim::IncrementRecord& record) {
+  assert(started_);
+  append_text(path("history.csv"), history_row(record));
+  ++counters_.history_rows;
+}
+
+void RunWriter::frame(const sim::Frame& frame) {
+  assert(started_);
+  for (const auto& surface : frame.surfaces) {
+    const std::string file = surface_file(surface.contact, surface.side);
+    long& rows = counters_.surface_rows[file];
+    if (rows == 0) atomic_write(path(file), surface_header());
+    append_text(path(file), surface_rows(frame.cycle, surface));
+    rows += static_cast<long>(surface.arc_length_mm.size());
+  }
+  const std::size_t index = counters_.frame_cycles.size();
+  atomic_write(path(frame_file("bodies", "vtu", index)), bodies_vtu(frame));
+  atomic_write(path(frame_file("surface", "vtp", index)), surfaces_vtp(frame));
+  counters_.frame_cycles.push_back(frame.cycle);
+  write_collections();
+}
+
+void RunWriter::write_collections() const {
+  const auto times = frame_times(counters_.frame_cycles);
+  atomic_write(path("series.pvd"), collection("bodies", "vtu", times));
+  atomic_write(path("surfaces.pvd"), collection("surface", "vtp", times));
+}
+
+void RunWriter::finish(const sim::Summary& summary) {
+  atomic_write(path("summary.json"), summary_json(summary));
+  write_report(dir_);
+}
+
+void RunWriter::log(const std::string& line) {
+  early_log_ += line + '\n';
+  if (started_) flush_log();
+}
+
+void RunWriter::flush_log() {
+  if (!early_log_.empty()) append_text(path("log.txt"), early_log_);
+  early_log_.clear();
+}
+
+}  // namespace reye::output

@@ -1,0 +1,71 @@
+#include "output/tables.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include "output/text.hpp"
+
+namespace reye::output {
+
+Suffixes suffixes(base::Analysis analysis) {
+  if (analysis == base::Analysis::axisymmetric) return {"N", "mJ", "worn_volume_mm3"};
+  return {"N_per_mm", "mJ_per_mm", "worn_area_mm2"};
+}
+
+std::string history_header(const std::vector<std::string>& supports, base::Analysis analysis) {
+  const auto unit = suffixes(analysis);
+  std::string line =
+      "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,energy_" + unit.energy;
+  for (const auto& support : supports)
+    for (const char* axis : {"_force_x_", "_force_y_"}) line += ',' + csv_field(support + axis + unit.force);
+  return line + '\n';
+}
+
+std::string history_row(const sim::IncrementRecord& record) {
+  std::string line = csv_field(record.step) + ',' + number(record.cycle) + ',' + number(record.progress) + ',' +
+                     std::to_string(record.newton);
+  for (const double value : {record.pressure_max_MPa, record.depth_max_secondary_mm, record.depth_max_primary_mm,
+                             record.energy_mJ})
+    line += ',' + number(value);
+  for (const auto& force : record.support_forces) line += ',' + number(force.x()) + ',' + number(force.y());
+  return line + '\n';
+}
+
+std::string surface_header() {
+  return "cycle,arc_length_mm,x_mm,y_mm,pressure_MPa,shear_MPa,slip_mm,wear_depth_mm,status\n";
+}
+
+std::string surface_rows(double cycle, const sim::SurfaceRecord& surface) {
+  static constexpr const char* words[] = {"inactive", "stick", "slip"};
+  const std::string start = number(cycle) + ',';
+  std::string text;
+  for (std::size_t i = 0; i < surface.arc_length_mm.size(); ++i) {
+    text += start;
+    for (const auto* column : {&surface.arc_length_mm, &surface.x_mm, &surface.y_mm, &surface.pressure_MPa,
+                               &surface.shear_MPa, &surface.slip_mm, &surface.wear_depth_mm})
+      text += number(column->at(i)) + ',';
+    text += words[surface.status.at(i)];
+    text += '\n';
+  }
+  return text;
+}
+
+const char* side_name(sim::Side side) { return side == sim::Side::secondary ? "secondary" : "primary"; }
+
+std::string surface_file(const std::string& contact, sim::Side side) {
+  return "surface_" + file_part(contact) + '_' + side_name(side) + ".csv";
+}
+
+void keep_rows(const std::string& path, long rows) {
+  std::ifstream file(path, std::ios::binary);
+  for (long line = 0; line <= rows && file; ++line) file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  // Reading past the last line break sets eof: the row asked for is missing or only half there.
+  if (!file || file.eof()) throw std::runtime_error(path + " holds fewer than " + std::to_string(rows) + " rows");
+  const auto size = static_cast<std::uintmax_t>(file.tellg());
+  file.close();
+  std::filesystem::resize_file(path, size);
+}
+
+}  // namespace reye::output

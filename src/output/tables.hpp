@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/records.hpp"
+
+/// The CSV tables of the output folder. Numbers read back to the same double.
+namespace reye::output {
+
+/// Ends of keys that name an amount per thickness or on the whole circumference.
+struct Suffixes {
+  std::string force;   ///< "N_per_mm" | "N"
+  std::string energy;  ///< "mJ_per_mm" | "mJ"
+  std::string worn;    ///< "worn_area_mm2" | "worn_volume_mm3"
+};
+Suffixes suffixes(base::Analysis analysis);
+
+/// Header line of history.csv with two force columns per support.
+std::string history_header(const std::vector<std::string>& supports, base::Analysis analysis);
+std::string history_row(const sim::IncrementRecord& record);
+
+std::string surface_header();
+/// One row per node of the surface, all at this cycle.
+std::string surface_rows(double cycle, const sim::SurfaceRecord& surface);
+
+/// surface_<contact>_<side>.csv
+std::string surface_file(const std::string& contact, sim::Side side);
+const char* side_name(sim::Side side);
+
+/// Cuts the table to its header and the first `rows` rows, dropping also half a row that a kill left.
+/// Throws std::runtime_error when it holds fewer.
+void keep_rows(const std::string& path, long rows);
+
+}  // namespace reye::output
