@@ -55,4 +55,7 @@ class Cholesky {
 /// Throws base::SolveError when A is singular to working precision or x is not finite.
 Vector solve_dense(Matrix& A, const Vector& b);
 
+/// The same with the matrix given transposed: one equation per column, as it is assembled fastest.
+Vector solve_dense_transposed(Matrix& At, const Vector& b);
+
 }  // namespace reye::algebra

@@ -1,0 +1,25 @@
+#pragma once
+
+// The few BLAS and LAPACK routines used (Fortran calling convention, column-major, 32-bit integers).
+extern "C" {
+void openblas_set_num_threads(int count);
+void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha, const double* a,
+            const int* lda, const double* beta, double* c, const int* ldc);
+double dlange_(const char* norm, const int* m, const int* n, const double* a, const int* lda, double* work);
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* pivots,
+             double* b, const int* ldb, int* info);
+void dgecon_(const char* norm, const int* n, const double* a, const int* lda, const double* anorm, double* rcond,
+             double* work, int* iwork, int* info);
+}
+
+namespace reye::algebra {
+
+/// BLAS on one thread: on shared cores more threads cost up to ten times the time, and results then
+/// depend on their number. Called before any factorisation; later calls are free.
+inline void single_thread() {
+  static const bool done = (openblas_set_num_threads(1), true);
+  (void)done;
+}
+
+}  // namespace reye::algebra

@@ -1,0 +1,152 @@
+#include "algebra/supernodal.hpp"
+
+#include <amd.h>
+
+#include <cstring>
+#include <string>
+
+#include "algebra/blas.hpp"
+#include "base/errors.hpp"
+
+namespace reye::algebra {
+
+using base::Matrix;
+using base::SolveError;
+using base::SparseMatrix;
+using base::Vector;
+
+namespace {
+
+/// The library's view of an Eigen matrix that stores both triangles; it reads the upper one. No copy.
+cholmod_sparse view(SparseMatrix& K) {
+  cholmod_sparse A{};
+  A.nrow = A.ncol = static_cast<size_t>(K.cols());
+  A.nzmax = static_cast<size_t>(K.nonZeros());
+  A.p = K.outerIndexPtr();
+  A.i = K.innerIndexPtr();
+  A.x = K.valuePtr();
+  A.stype = 1;
+  A.itype = CHOLMOD_INT;
+  A.xtype = CHOLMOD_REAL;
+  A.dtype = CHOLMOD_DOUBLE;
+  A.sorted = A.packed = 1;
+  return A;
+}
+
+const int* ints(const void* p) { return static_cast<const int*>(p); }
+
+}  // namespace
+
+Supernodal::Supernodal() {
+  single_thread();
+  cholmod_start(&common_);
+  common_.print = 0;
+  common_.supernodal = CHOLMOD_SUPERNODAL;
+  common_.final_ll = 1;
+  common_.nmethods = 1;
+}
+
+Supernodal::~Supernodal() {
+  release();
+  cholmod_finish(&common_);
+}
+
+void Supernodal::release() {
+  if (factor_) cholmod_free_factor(&factor_, &common_);
+}
+
+void Supernodal::check(const char* task) const {
+  if (common_.status == CHOLMOD_OK) return;
+  if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw SolveError(std::string(task) + ": out of memory");
+  if (common_.status == CHOLMOD_TOO_LARGE) throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
+  if (common_.status == CHOLMOD_NOT_POSDEF) {
+    const int at = factor_ && factor_->minor < factor_->n ? ints(factor_->Perm)[factor_->minor] : -1;
+    throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
+                     "); a motion may be free that nothing holds, or a cell may be inverted");
+  }
+  throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common_.status));
+}
+
+void Supernodal::analyse(SparseMatrix& K, std::span<int> order) {
+  release();
+  // Postordering would shuffle rows the caller wants last; without a given order it helps and is allowed.
+  common_.postorder = order.empty();
+  common_.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+  cholmod_sparse A = view(K);
+  factor_ = cholmod_analyze_p(&A, order.empty() ? nullptr : order.data(), nullptr, 0, &common_);
+  check("symbolic analysis");
+}
+
+void Supernodal::factorise(SparseMatrix& K) {
+  cholmod_sparse A = view(K);
+  cholmod_factorize(&A, factor_, &common_);
+  check("sparse Cholesky");
+}
+
+Matrix Supernodal::dense_solve(int system, const double* b, int columns) {
+  const int n = static_cast<int>(factor_->n);
+  cholmod_dense rhs{};
+  rhs.nrow = rhs.d = static_cast<size_t>(n);
+  rhs.ncol = static_cast<size_t>(columns);
+  rhs.nzmax = rhs.nrow * rhs.ncol;
+  rhs.x = const_cast<double*>(b);  // the library takes a mutable pointer and only reads it
+  rhs.xtype = CHOLMOD_REAL;
+  rhs.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* x = cholmod_solve(system, factor_, &rhs, &common_);
+  check("triangular solve");
+  Matrix result = Eigen::Map<const Matrix>(static_cast<const double*>(x->x), n, columns);
+  cholmod_free_dense(&x, &common_);
+  return result;
+}
+
+Matrix Supernodal::solve(const Matrix& b) {
+  return dense_solve(CHOLMOD_A, b.data(), static_cast<int>(b.cols()));
+}
+
+Vector Supernodal::triangular(int system, const Vector& b) { return dense_solve(system, b.data(), 1); }
+
+std::span<const int> Supernodal::order() const { return {ints(factor_->Perm), factor_->n}; }
+
+Vector Supernodal::diagonal() const {
+  const int *super = ints(factor_->super), *pi = ints(factor_->pi), *px = ints(factor_->px);
+  const double* x = static_cast<const double*>(factor_->x);
+  Vector d(static_cast<Eigen::Index>(factor_->n));
+  for (size_t s = 0; s < factor_->nsuper; ++s) {
+    const int rows = pi[s + 1] - pi[s];
+    for (int j = super[s]; j < super[s + 1]; ++j) d[j] = x[px[s] + static_cast<ptrdiff_t>(j - super[s]) * (rows + 1)];
+  }
+  return d;
+}
+
+Matrix Supernodal::trailing(int count) const {
+  const int first = static_cast<int>(factor_->n) - count;
+  const int *super = ints(factor_->super), *pi = ints(factor_->pi), *px = ints(factor_->px), *row = ints(factor_->s);
+  const double* x = static_cast<const double*>(factor_->x);
+  Matrix L = Matrix::Zero(count, count);
+  for (size_t s = 0; s < factor_->nsuper; ++s) {
+    const int rows = pi[s + 1] - pi[s];
+    // A supernode may straddle the border between leading and trailing columns.
+    for (int j = std::max(super[s], first); j < super[s + 1]; ++j) {
+      const int local = j - super[s];
+      const double* column = x + px[s] + static_cast<ptrdiff_t>(local) * rows;
+      for (int k = local; k < rows; ++k) L(row[pi[s] + k] - first, j - first) = column[k];
+    }
+  }
+  return L;
+}
+
+std::vector<int> minimum_degree(const SparseMatrix& K, int count) {
+  std::vector<int> start{0}, index;
+  index.reserve(static_cast<size_t>(K.nonZeros()));
+  for (int j = 0; j < count; ++j) {
+    for (SparseMatrix::InnerIterator it(K, j); it && it.index() < count; ++it)
+      index.push_back(static_cast<int>(it.index()));
+    start.push_back(static_cast<int>(index.size()));
+  }
+  std::vector<int> order(static_cast<size_t>(count));
+  if (count > 0 && amd_order(count, start.data(), index.data(), order.data(), nullptr, nullptr) < AMD_OK)
+    throw SolveError("minimum degree ordering failed");
+  return order;
+}
+
+}  // namespace reye::algebra
