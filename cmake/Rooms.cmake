@@ -3,7 +3,8 @@
 set(REYE_ROOMS base algebra mesh cad material fem body mortar wear contact solver adapt scene sim output)
 
 add_library(reye_options INTERFACE)
-target_compile_options(reye_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+target_compile_options(reye_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                       -Wno-restrict)  # g++ 12 warns falsely about std::string + std::string
 if(REYE_WERROR)
   target_compile_options(reye_options INTERFACE -Werror)
 endif()

@@ -1,0 +1,66 @@
+#pragma once
+#include "base/dual.hpp"
+#include "contact/state.hpp"
+#include "mortar/kernel.hpp"
+#include "wear/law.hpp"
+
+namespace reye::contact {
+
+using mortar::Pair;
+
+/// The scalars the conditions of one secondary node depend on.
+template <class T>
+struct NodeScalars {
+  Pair<T> lambda;  ///< multiplier [MPa]
+  Pair<T> normal;  ///< unit normal, outward
+  T gap{};         ///< weighted gap
+  Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
+  T D{};
+  T worn_primary{};  ///< sum_l M_jl w_l of the primary's own depth, this increment's included
+};
+
+/// What stays fixed while the equations of one increment are solved.
+struct NodeConstants {
+  double friction = 0.0;
+  double sign = 0.0;            ///< direction of slip, frozen for the iteration
+  double depth = 0.0;           ///< the secondary's depth at the start of the increment [mm]
+  double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
+  wear::Law law;
+  bool imposed = false;         ///< slip is a number: D * imposed_slip
+  double imposed_slip = 0.0;
+  bool held = false;            ///< shear is given: re-equilibration after the shape moved
+  double held_shear = 0.0;
+};
+
+template <class T>
+struct NodeConditions {
+  T normal{}, tangential{};  ///< both zero for an active node in equilibrium
+  T work{};                  ///< the law's work of this increment
+  T lambda_n{}, lambda_t{}, slip{};
+};
+
+/// Conditions of an active node:                                                   [README (3) to (6)]
+///   normal:      weighted gap + D (w_s + dw_s) + sum_l M_jl (w_l + dw_l) = 0, this increment's wear included
+///   stick:       weighted slip = 0;      slip: lambda_t - mu lambda_n sign = 0
+///   held shear:  lambda_t = the given shear, cut to the friction bound.
+template <class T>
+NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, ContactStatus status) {
+  NodeConditions<T> r;
+  const Pair<T> tangent{-1.0 * s.normal.y, s.normal.x};
+  r.lambda_n = mortar::dot(s.lambda, s.normal);
+  r.lambda_t = mortar::dot(s.lambda, tangent);
+  r.slip = c.imposed ? s.D * c.imposed_slip : mortar::dot(tangent, s.motion);
+  if (status == ContactStatus::slip && !c.held) r.work = wear::work(c.law, r.lambda_n, r.lambda_t, r.slip);
+  r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_primary;
+  if (c.held) {
+    const bool cut = std::abs(c.held_shear) > c.friction * base::value(r.lambda_n);
+    r.tangential = cut ? r.lambda_t - std::copysign(c.friction, c.held_shear) * r.lambda_n : r.lambda_t - c.held_shear;
+  } else if (status == ContactStatus::slip) {
+    r.tangential = r.lambda_t - (c.friction * c.sign) * r.lambda_n;
+  } else {
+    r.tangential = r.slip;
+  }
+  return r;
+}
+
+}  // namespace reye::contact

@@ -1,0 +1,120 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/complementarity.hpp"
+#include "contact/setup.hpp"
+#include "contact/state.hpp"
+#include "mortar/integrate.hpp"
+
+namespace reye::contact {
+
+/// What one increment asks of a contact; the same through all its Newton iterations.
+struct IncrementOptions {
+  double jump = 1.0;          ///< cycles that this increment stands for
+  bool wear = true;
+  double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
+  bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
+  std::vector<double> held_shear;
+};
+
+/// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
+struct Entry {
+  int row = 0, col = 0;
+  double value = 0.0;
+};
+
+/// The equations of one contact linearised about (x, lambda).
+struct Linearised {
+  std::vector<Entry> force;  ///< d(contact force)/dx, row and column surface dofs
+  std::vector<Entry> rows;   ///< d(conditions), row 2 * node (normal) and 2 * node + 1 (tangential)
+};
+
+/// One contact between two Newton iterations: integrals, decision, conditions and their linearisation.
+/// Holds work space only; everything is recomputed by `integrate`.
+class Interface {
+ public:
+  /// Fixes the start of an increment: setup, accepted state, positions then.
+  void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
+
+  /// Mortar integrals at the current positions.
+  void integrate(const Points& xs, const Points& xm);
+
+  /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
+  void decide(const std::vector<Vec2>& lambda, int iteration);
+
+  /// Conditions of all active nodes, this increment's wear included.
+  void evaluate(const std::vector<Vec2>& lambda);
+
+  /// Contact forces on the surface dofs: D^T lambda on the secondary, -M^T lambda on the primary side.
+  Vector forces(const std::vector<Vec2>& lambda) const;
+
+  void linearise(const std::vector<Vec2>& lambda, Linearised& out);
+
+  /// The state after an accepted increment.
+  ContactState accepted(const std::vector<Vec2>& lambda) const;
+
+  /// Takes D and M of the present positions as slip reference.
+  void renew_reference(ContactState& state) const { state.reference = rows_; }
+
+  bool active(int node) const { return status_[node] != ContactStatus::inactive; }
+  const std::vector<ContactStatus>& status() const { return status_; }
+  const std::vector<MortarRow>& rows() const { return rows_; }
+  const std::vector<double>& gap() const { return gap_; }  ///< weighted, without wear
+  double worn_gap(int node) const { return worn_before_[node]; }
+  const std::vector<Vec2>& normal() const { return normal_; }
+  double residual_normal(int node) const { return condition_[node].normal; }
+  double residual_tangential(int node) const { return condition_[node].tangential; }
+  const NodeConditions<double>& condition(int node) const { return condition_[node]; }
+  const Setup& setup() const { return *setup_; }
+  int dofs() const { return placement_.dofs(); }
+  bool held() const { return options_.held; }
+  bool touching(int node) const { return rows_[node].D > minimum_cover * setup_->secondary.area[node]; }
+
+  static constexpr double minimum_cover = 1e-3;
+
+ private:
+  using Nine = base::Dual<9>;
+  struct WearEntry {
+    int col = 0;
+    double value = 0.0;
+  };
+  NodeConstants constants(int node) const;
+  Vec2 motion(int node) const;
+  bool uses_drift(int node) const;
+  double others_wear(int node) const;
+  void sum_rows();
+  void sum_start_of_increment();
+  mortar::NormalStencil stencil(int node) const;
+  NodeConditions<Nine> node_duals(int node, const Vec2& lambda) const;
+  void spread_wear();
+  template <class Add>
+  void chain(int node, const Nine& quantity, Add add) const;
+  template <class Add>
+  void chain_normal(int node, double slope_x, double slope_y, Add add) const;
+  template <class Add>
+  void chain_motion(int node, double slope_x, double slope_y, Add add) const;
+  template <class Visit>
+  void for_records(int node, Visit visit) const;
+  void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
+  void collect_primary_wear(int node, const Nine& work);
+  void primary_wear_entries(int node, double slope, std::vector<Entry>& out) const;
+
+  const Setup* setup_ = nullptr;
+  const ContactState* before_ = nullptr;
+  IncrementOptions options_;
+  mortar::Placement placement_;
+  mortar::Integrator integrator_;
+  std::vector<mortar::FacetRecord>* records_ = nullptr;
+  std::vector<std::array<int, 2>> record_of_;       ///< per node: record of the facet before (its end 1), after (its end 0)
+  std::vector<char> differentiated_;
+  std::vector<MortarRow> rows_;
+  std::vector<std::vector<std::pair<int, double>>> cover_;
+  std::vector<double> gap_, worn_before_, sign_, primary_start_, primary_depth_;
+  std::vector<Vec2> offset_, drift_, normal_;
+  std::vector<ContactStatus> status_, status_last_;
+  std::vector<NodeConditions<double>> condition_;
+  std::vector<std::vector<WearEntry>> primary_slope_;  ///< d(primary depth of node l)
+};
+
+}  // namespace reye::contact

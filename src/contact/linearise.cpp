@@ -1,0 +1,177 @@
+#include "contact/interface.hpp"
+
+namespace reye::contact {
+
+using mortar::FacetRecord;
+
+namespace {
+
+/// Order of the nine scalars of a node in its dual numbers.
+enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_primary };
+
+}  // namespace
+
+template <class Visit>
+void Interface::for_records(int node, Visit visit) const {
+  for (int side = 0; side < 2; ++side)
+    if (const int r = record_of_[node][side]; r >= 0) visit((*records_)[r], 1 - side);
+}
+
+NodeConditions<Interface::Nine> Interface::node_duals(int node, const Vec2& lambda) const {
+  const Vec2 v = motion(node);
+  NodeScalars<Nine> s;
+  s.lambda = {Nine::variable(lambda.x(), lambda_x), Nine::variable(lambda.y(), lambda_y)};
+  s.normal = {Nine::variable(normal_[node].x(), normal_x), Nine::variable(normal_[node].y(), normal_y)};
+  s.gap = Nine::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
+  s.motion = {Nine::variable(v.x(), motion_x), Nine::variable(v.y(), motion_y)};
+  s.D = Nine::variable(rows_[node].D, cover_D);
+  double worn = 0.0;
+  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
+  s.worn_primary = Nine::variable(worn, Direction::worn_primary);
+  return conditions(s, constants(node), status_[node]);
+}
+
+/// add(column, value) for slope . d(normal)/dx.
+template <class Add>
+void Interface::chain_normal(int node, double slope_x, double slope_y, Add add) const {
+  using Six = base::Dual<6>;
+  if (slope_x == 0.0 && slope_y == 0.0) return;
+  const auto st = stencil(node);
+  std::array<Pair<Six>, 3> x;
+  for (int i = 0; i < 3; ++i)
+    if (st.nodes[i] >= 0)
+      x[i] = {Six::variable(placement_.xs[st.nodes[i]].x(), 2 * i), Six::variable(placement_.xs[st.nodes[i]].y(), 2 * i + 1)};
+  const auto n = mortar::nodal_normal(st, x);
+  for (int i = 0; i < 6; ++i)
+    if (st.nodes[i / 2] >= 0) add(2 * st.nodes[i / 2] + i % 2, slope_x * n.x.d[i] + slope_y * n.y.d[i]);
+}
+
+/// add(column, value) for slope . d(motion)/dx, in the form that `motion` uses.
+template <class Add>
+void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) const {
+  if (slope_x == 0.0 && slope_y == 0.0) return;
+  const bool drift = uses_drift(node);
+  for_records(node, [&](const FacetRecord& record, int e) {
+    const int output = drift ? FacetRecord::drift(e) : FacetRecord::offset(e);
+    const double *dx = record.row(output), *dy = record.row(output + 1), sign = drift ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < record.dofs.size(); ++i)
+      add(record.dofs[i], sign * (slope_x * dx[i] + slope_y * dy[i]));
+  });
+  if (drift) return;
+  const auto& reference = before_->reference[node];
+  const auto both = [&](int first, double factor) {
+    add(first, factor * slope_x);
+    add(first + 1, factor * slope_y);
+  };
+  double own = -reference.off;
+  if (reference.off_node >= 0) both(2 * reference.off_node, reference.off);
+  for (const auto& [l, M] : reference.M) {
+    own += M;
+    both(placement_.secondary_dofs() + 2 * l, -M);
+  }
+  both(2 * node, own);
+}
+
+/// add(column, value) for everything a node's scalar depends on but the primary's wear.
+template <class Add>
+void Interface::chain(int node, const Nine& quantity, Add add) const {
+  const auto& d = quantity.d;
+  const int multipliers = placement_.dofs() + 2 * node;
+  add(multipliers, d[lambda_x]);
+  add(multipliers + 1, d[lambda_y]);
+  chain_normal(node, d[normal_x], d[normal_y], add);
+  chain_motion(node, d[motion_x], d[motion_y], add);
+  if (d[Direction::gap_] == 0.0 && d[cover_D] == 0.0) return;
+  for_records(node, [&](const FacetRecord& record, int e) {
+    const double *g = record.row(FacetRecord::gap(e)), *D = record.row(FacetRecord::D(e));
+    for (std::size_t i = 0; i < record.dofs.size(); ++i)
+      add(record.dofs[i], d[Direction::gap_] * g[i] + d[cover_D] * D[i]);
+  });
+}
+
+/// d(force) from the derivatives of D and M at fixed lambda.
+void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const {
+  const int shift = placement_.secondary_dofs();
+  const auto push = [&](int row, double slope, int col) {
+    if (slope == 0.0) return;
+    out.push_back({row, col, slope * lambda.x()});
+    out.push_back({row + 1, col, slope * lambda.y()});
+  };
+  for_records(node, [&](const FacetRecord& record, int e) {
+    const bool off = record.value.off[e] != 0.0;
+    const int other = setup_->secondary.facets[record.facet][1 - e];
+    for (std::size_t i = 0; i < record.dofs.size(); ++i) {
+      push(2 * node, record.row(FacetRecord::D(e))[i], record.dofs[i]);
+      if (off) push(2 * other, record.row(FacetRecord::off(e))[i], record.dofs[i]);
+      for (std::size_t l = 0; l < record.primaries.size(); ++l)
+        push(shift + 2 * record.primaries[l], -record.row(record.M(e, static_cast<int>(l)))[i], record.dofs[i]);
+    }
+  });
+}
+
+/// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j).
+void Interface::collect_primary_wear(int node, const Nine& work) {
+  const double coefficient = setup_->options.wear.primary * options_.jump, D = rows_[node].D;
+  for (const auto& [l, T] : cover_[node]) {
+    const double factor = coefficient / setup_->primary.area[l];
+    auto& slopes = primary_slope_[l];
+    chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * T / D * value}); });
+    for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {
+      for (std::size_t k = 0; k < record.primaries.size(); ++k) {
+        if (record.primaries[k] != l) continue;
+        const double* dT = record.row(record.cover(e, static_cast<int>(k)));
+        for (std::size_t i = 0; i < record.dofs.size(); ++i)
+          slopes.push_back({record.dofs[i], factor * work.v / D * dT[i]});
+      }
+      const double* dD = record.row(FacetRecord::D(e));
+      for (std::size_t i = 0; i < record.dofs.size(); ++i)
+        slopes.push_back({record.dofs[i], -factor * T * work.v / (D * D) * dD[i]});
+    });
+  }
+}
+
+/// slope . d(sum_l M_jl w_l).
+void Interface::primary_wear_entries(int node, double slope, std::vector<Entry>& out) const {
+  if (slope == 0.0 || setup_->options.wear.primary == 0.0) return;
+  for_records(node, [&](const FacetRecord& record, int e) {
+    for (std::size_t l = 0; l < record.primaries.size(); ++l) {
+      const double depth = primary_depth_[record.primaries[l]];
+      if (depth == 0.0) continue;
+      const double* dM = record.row(record.M(e, static_cast<int>(l)));
+      for (std::size_t i = 0; i < record.dofs.size(); ++i)
+        out.push_back({2 * node, record.dofs[i], slope * depth * dM[i]});
+    }
+  });
+  for (const auto& [l, M] : rows_[node].M)
+    for (const auto& entry : primary_slope_[l]) out.push_back({2 * node, entry.col, slope * M * entry.value});
+}
+
+void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
+  out.force.clear();
+  out.rows.clear();
+  primary_slope_.resize(setup_->primary.X.size());
+  for (auto& slopes : primary_slope_) slopes.clear();
+  std::vector<std::pair<int, NodeConditions<Nine>>> duals;
+  for (int node = 0; node < static_cast<int>(rows_.size()); ++node) {
+    if (!active(node)) continue;
+    for (int r : record_of_[node])
+      if (r >= 0 && !differentiated_[r]) {
+        integrator_.differentiate(placement_, (*records_)[r]);
+        differentiated_[r] = 1;
+      }
+    duals.emplace_back(node, node_duals(node, lambda[node]));
+    force_entries(node, lambda[node], out.force);
+  }
+  const bool spread = setup_->options.wear.primary > 0.0 && setup_->options.implicit_wear && options_.wear && !options_.held;
+  if (spread)
+    for (const auto& [node, c] : duals)
+      if (c.work.v != 0.0 || status_[node] == ContactStatus::slip) collect_primary_wear(node, c.work);
+  for (const auto& [node, c] : duals) {
+    const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };
+    chain(node, c.normal, into(2 * node));
+    chain(node, c.tangential, into(2 * node + 1));
+    primary_wear_entries(node, c.normal.d[Direction::worn_primary], out.rows);
+  }
+}
+
+}  // namespace reye::contact

@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "body/operator.hpp"
+#include "contact/options.hpp"
+#include "contact/state.hpp"
+#include "mortar/surface.hpp"
+
+namespace reye::contact {
+
+/// Where a surface node belongs.
+struct SurfaceNode {
+  int body = 0;
+  int mesh_node = 0;
+  int contact_node = 0;  ///< index into the operator's contact_nodes()
+};
+
+/// A contact on its present shapes: derived from them, renewed when one of them changes.
+struct Setup {
+  ContactOptions options;
+  base::Analysis analysis = base::Analysis::plane_strain;
+  mortar::Surface secondary, primary;
+  std::vector<SurfaceNode> secondary_nodes, primary_nodes;
+  std::vector<char> cut;                  ///< secondary nodes that carry no multiplier
+  std::vector<body::NodeFreedom> freedom; ///< of secondary nodes
+  std::vector<double> stiffness;          ///< c_n = c_t per secondary node: E / h [MPa/mm]
+  double search = 0.0;
+
+  int secondary_count() const { return secondary.node_count(); }
+  int primary_count() const { return primary.node_count(); }
+};
+
+/// Where a boundary of the scene lies.
+struct BoundaryRef {
+  int body = 0;
+  std::string boundary;
+};
+
+/// Builds the two surfaces. `modulus_MPa` scales the complementarity factors.
+Setup make_setup(const ContactOptions& options, base::Analysis analysis, const BoundaryRef& secondary,
+                 const std::vector<BoundaryRef>& primary, const std::vector<body::ShapePtr>& shapes,
+                 const std::vector<body::Operator>& operators, double modulus_MPa);
+
+/// A contact before anything has happened.
+ContactState fresh_state(const Setup& setup);
+
+}  // namespace reye::contact

@@ -1,0 +1,41 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "base/linalg.hpp"
+
+namespace reye::contact {
+
+using base::Vec2;
+
+using base::Points;
+using base::Vector;
+
+enum class ContactStatus : unsigned char { inactive, stick, slip };
+
+/// One row of the mortar matrices: what secondary node j meets.
+struct MortarRow {
+  double D = 0.0;
+  double off = 0.0;      ///< share of the neighbour `off_node` that carries no multiplier of its own
+  int off_node = -1;
+  std::vector<std::pair<int, double>> M;  ///< (primary node, M_jl)
+};
+
+/// All of a contact that evolves. Volumes are stored, depth is derived: volume / full nodal length on X.
+struct ContactState {
+  std::vector<Vec2> lambda;               ///< per secondary node [MPa]; lambda . n > 0 in compression
+  std::vector<ContactStatus> status;
+  std::vector<MortarRow> reference;       ///< D and M of the last accepted state: the slip reference
+  std::vector<double> pending_secondary;  ///< removed volume per node that still stands in the gap
+  std::vector<double> pending_primary;
+  std::vector<double> removed_secondary;  ///< removed volume per node since the start
+  std::vector<double> removed_primary;
+  std::vector<double> slip;               ///< path of slip per secondary node since the start [mm]
+  double frictional_work = 0.0;           ///< all of it, whether wear was on or not [mJ per mm], times the jump
+  double worn_work = 0.0;                 ///< the part that wear acted on
+  double law_work = 0.0;                  ///< the law's own measure of it (wear::Ledger::work)
+  double strip_secondary = 0.0;           ///< volume removed by shape steps, measured as strips
+  double strip_primary = 0.0;
+};
+
+}  // namespace reye::contact

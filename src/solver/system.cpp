@@ -1,0 +1,109 @@
+#include "solver/system.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "base/errors.hpp"
+
+namespace reye::solver {
+
+namespace {
+
+using Key = std::pair<int, int>;
+
+std::set<Key> keys(const std::vector<contact::SurfaceNode>& nodes) {
+  std::set<Key> result;
+  for (const auto& node : nodes) result.insert({node.body, node.mesh_node});
+  return result;
+}
+
+bool overlap(const std::set<Key>& a, const std::set<Key>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const Key& key) { return b.contains(key); });
+}
+
+/// first[c] lists contacts that must be eliminated before c: those whose primary side holds secondary nodes of c.
+std::vector<int> ordered(const std::vector<contact::Setup>& contacts) {
+  const int n = static_cast<int>(contacts.size());
+  std::vector<int> order;
+  std::vector<char> done(contacts.size(), 0);
+  for (int round = 0; round < n; ++round)
+    for (int c = 0; c < n; ++c) {
+      if (done[c]) continue;
+      bool ready = true;
+      for (int other = 0; other < n; ++other)
+        if (other != c && !done[other] && overlap(keys(contacts[c].secondary_nodes), keys(contacts[other].primary_nodes)))
+          ready = false;
+      if (!ready) continue;
+      done[c] = 1;
+      order.push_back(c);
+    }
+  if (static_cast<int>(order.size()) < n)
+    throw base::InputError({{"contact", "", "contacts form a ring: each one's secondary side is primary in another"}});
+  return order;
+}
+
+}  // namespace
+
+System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setup> contacts) {
+  System system;
+  system.bodies = std::move(bodies);
+  system.contacts = std::move(contacts);
+  for (const auto& body : system.bodies) {
+    system.offset.push_back(system.dofs);
+    system.dofs += std::visit([](const auto& b) { return b.dofs(); }, body);
+  }
+  system.elimination = ordered(system.contacts);
+  return system;
+}
+
+Sides positions(const System& system, const contact::Setup& setup, const Vector& q) {
+  const auto at = [&](const std::vector<contact::SurfaceNode>& nodes) {
+    Points x;
+    x.reserve(nodes.size());
+    int body = -1;
+    Vector part;
+    for (const auto& node : nodes) {
+      if (node.body != body) {
+        body = node.body;
+        part = system.part(q, body);
+      }
+      x.push_back(std::visit([&](const auto& b) { return b.position(node.contact_node, part).x; }, system.bodies[body]));
+    }
+    return x;
+  };
+  return {at(setup.secondary_nodes), at(setup.primary_nodes)};
+}
+
+Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q) {
+  Vector total = Vector::Zero(system.dofs);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& state = contacts[c];
+    const auto add = [&](const contact::SurfaceNode& node, const Vec2& force) {
+      const auto p = std::visit([&](const auto& b) { return b.position(node.contact_node, Vector(system.part(q, node.body))); },
+                                system.bodies[node.body]);
+      for (int t = 0; t < p.count; ++t) total[system.offset[node.body] + p.terms[t].column] += force.dot(p.terms[t].direction);
+    };
+    for (int j = 0; j < setup.secondary_count(); ++j) {
+      const auto& row = state.reference[j];
+      if (state.lambda[j].isZero(0.0)) continue;
+      add(setup.secondary_nodes[j], row.D * state.lambda[j]);
+      if (row.off_node >= 0) add(setup.secondary_nodes[row.off_node], row.off * state.lambda[j]);
+      for (const auto& [l, M] : row.M) add(setup.primary_nodes[l], -M * state.lambda[j]);
+    }
+  }
+  return total;
+}
+
+Vector reactions(const System& system, const SolverState& state, const Controls& controls) {
+  Vector total = contact_forces(system, state.contacts, state.q);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int body = static_cast<int>(b);
+    const Vector r = std::visit([&](const auto& o) { return o.residual(Vector(system.part(state.q, body)), controls.load_factors[b]); },
+                                system.bodies[b]);
+    total.segment(system.offset[b], r.size()) += r;
+  }
+  return total;
+}
+
+}  // namespace reye::solver

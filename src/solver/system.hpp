@@ -1,0 +1,60 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "body/operator.hpp"
+#include "contact/interface.hpp"
+
+/// Bodies and contacts joined into one system of equations, and what drives it.
+namespace reye::solver {
+
+using base::Matrix;
+using base::Points;
+using base::Vec2;
+using base::Vector;
+
+/// All body operators with their place in the global vector q, and all contacts on them.
+/// Derived from the shapes; renewed when one of them changes.
+struct System {
+  std::vector<body::Operator> bodies;
+  std::vector<int> offset;               ///< first global column of each body
+  int dofs = 0;
+  std::vector<contact::Setup> contacts;
+  std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
+
+  auto part(const Vector& q, int body) const {
+    return q.segment(offset[body], std::visit([](const auto& b) { return b.dofs(); }, bodies[body]));
+  }
+};
+
+/// Places the bodies in q and orders the contacts: one whose primary nodes are secondary elsewhere comes first.
+System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setup> contacts);
+
+/// What evolves in the solver.
+struct SolverState {
+  Vector q;
+  std::vector<contact::ContactState> contacts;
+};
+
+/// What is imposed at the end of one increment, and how its contacts behave during it.
+struct Controls {
+  std::vector<std::pair<int, double>> prescribed;  ///< global column, value
+  std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
+  std::vector<Vector> load_factors;                ///< per body, per load of that body
+  std::vector<contact::IncrementOptions> contacts;
+};
+
+/// Positions of the nodes of both sides of a contact at q.
+struct Sides {
+  Points secondary, primary;
+};
+Sides positions(const System& system, const contact::Setup& setup, const Vector& q);
+
+/// Contact forces of all contacts added up in the global columns.
+Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q);
+
+/// Force that each support column carries: residual of the bodies plus contact forces at that column.
+Vector reactions(const System& system, const SolverState& state, const Controls& controls);
+
+}  // namespace reye::solver
