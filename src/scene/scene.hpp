@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,7 +38,7 @@ struct Limit {
   std::string contact;
   std::string side;  ///< "secondary" | "primary" | "sum"
   std::optional<double> depth_mm;
-  std::optional<double> area_mm2;
+  std::optional<double> area_mm2;  ///< axisymmetric: volume in mm^3
   bool stop = false;
 };
 
@@ -78,6 +79,8 @@ struct Scene {
   std::string sha256;        ///< over scene and geometry files
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
+  /// What is suspicious but no error, one line each as in an InputError.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace reye::scene

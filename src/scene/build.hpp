@@ -1,0 +1,32 @@
+#pragma once
+#include "scene/check.hpp"
+#include "scene/entry.hpp"
+#include "scene/scene.hpp"
+
+/// From the file to the option structs of the rooms below, one part of the scene each, in consistent units.
+/// Rules between the keys of one table are checked here; rules between tables by `validate`.
+namespace reye::scene {
+
+base::Analysis analysis_of(const Entry& root);
+std::map<std::string, material::Material> materials_of(const Entry& root);
+std::map<std::string, BodyMaterial> body_materials_of(const Entry& root);
+std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
+std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issues);
+std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues);
+std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries);
+std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
+/// Boundary, point and body loads, told apart by their keys.
+void add_loads(const Entry& root, Scene& scene, Issues& issues);
+std::map<std::string, History> histories_of(const Entry& root);
+std::vector<Step> steps_of(const Entry& root);
+std::vector<Limit> limits_of(const Entry& root, Issues& issues);
+Output output_of(const Entry& root);
+
+/// True when exactly one of the keys is given; else an issue that names them.
+bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> names, Issues& issues);
+
+/// An issue with `rule` on each of the keys that is given.
+void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule,
+            Issues& issues);
+
+}  // namespace reye::scene

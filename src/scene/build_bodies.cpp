@@ -1,0 +1,97 @@
+#include <algorithm>
+
+#include "scene/build.hpp"
+
+namespace reye::scene {
+
+base::Analysis analysis_of(const Entry& root) {
+  const auto name = root.text("analysis");
+  if (name == "plane_stress") return base::Analysis::plane_stress;
+  if (name == "axisymmetric") return base::Analysis::axisymmetric;
+  return base::Analysis::plane_strain;
+}
+
+std::map<std::string, material::Material> materials_of(const Entry& root) {
+  std::map<std::string, material::Material> materials;
+  for (const auto& entry : root.all("material"))
+    materials[entry.name()] = material::LinearElastic{.E_MPa = entry.number("E_MPa"), .nu = entry.number("nu")};
+  return materials;
+}
+
+std::map<std::string, BodyMaterial> body_materials_of(const Entry& root) {
+  std::map<std::string, BodyMaterial> materials;
+  for (const auto& entry : root.all("body"))
+    materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar")};
+  return materials;
+}
+
+namespace {
+
+void check_body(const Entry& entry, base::Analysis analysis, Issues& issues) {
+  const bool rigid = entry.flag("rigid");
+  if (entry.given("at") && entry.given("name"))
+    issues.push_back({entry.key("name"), entry.written("name"), "a body is found by `at` or by `name`, not by both"});
+  if (rigid) refuse(entry, {"material", "b_bar"}, "a rigid body takes none", issues);
+  if (!rigid && !entry.given("material"))
+    issues.push_back({entry.key("material"), "", "missing; a body has a material or is rigid"});
+  if (!rigid && analysis == base::Analysis::plane_stress && entry.flag("b_bar"))
+    issues.push_back({entry.key("b_bar"), entry.written("b_bar"), "plane stress does not lock"});
+}
+
+}  // namespace
+
+std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues) {
+  std::vector<cad::BodyOptions> bodies;
+  for (const auto& entry : root.all("body")) {
+    check_body(entry, analysis_of(root), issues);
+    const auto mesh = entry.at("mesh");
+    cad::BodyOptions body;
+    body.name = entry.name();
+    body.at = entry.pair("at");
+    if (entry.given("name")) body.label = entry.text("name");
+    body.rigid = entry.flag("rigid");
+    body.mesh.element = mesh.text("element") == "tri" ? mesh::CellKind::tri3 : mesh::CellKind::quad4;
+    body.mesh.far_size_mm = mesh.number("far_size_mm");
+    body.mesh.growth = mesh.number("growth");
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issues) {
+  std::vector<cad::BoundaryOptions> boundaries;
+  for (const auto& entry : root.all("boundary")) {
+    cad::BoundaryOptions boundary;
+    boundary.name = entry.name();
+    boundary.body = entry.text("body");
+    boundary.nearest_mm = entry.pair("nearest_mm");
+    if (entry.given("type")) boundary.type = entry.text("type");
+    if (const auto box = entry.numbers("box_mm"); box.size() == 4) {
+      boundary.box_mm = {box[0], box[1], box[2], box[3]};
+      if (box[0] >= box[2] || box[1] >= box[3])
+        issues.push_back({entry.key("box_mm"), entry.written("box_mm"),
+                          "must be [x_min, y_min, x_max, y_max] with x_min < x_max and y_min < y_max"});
+    }
+    if (!entry.given("box_mm") && !entry.given("type") && !entry.given("nearest_mm"))
+      issues.push_back({entry.key(), "", "needs at least one of box_mm, type, nearest_mm"});
+    boundaries.push_back(boundary);
+  }
+  return boundaries;
+}
+
+bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> names, Issues& issues) {
+  const auto given = std::count_if(names.begin(), names.end(), [&](auto name) { return entry.given(name); });
+  if (given == 1) return true;
+  std::string list;
+  for (const auto name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  issues.push_back({entry.key(), "", (given == 0 ? "needs one of " : "takes only one of ") + list});
+  return false;
+}
+
+void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule,
+            Issues& issues) {
+  for (const auto name : names)
+    if (entry.given(name)) issues.push_back({entry.key(name), entry.written(name), rule});
+}
+
+}  // namespace reye::scene

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <set>
+
+#include "scene/build.hpp"
+
+namespace reye::scene {
+
+namespace {
+
+/// 1 mm^3/J = 1e-3 mm^2/N.
+constexpr double per_J = 1e-3;
+
+/// The coefficients of the named law; those of the other one are refused, they would be ignored.
+wear::Law wear_of(const Entry& wear, Issues& issues) {
+  wear::Law law;
+  if (!wear.is_table()) return law;
+  if (wear.text("law") == "energy") {
+    law.kind = wear::LawKind::energy;
+    law.secondary = per_J * wear.number("secondary_mm3_per_J");
+    law.primary = per_J * wear.number("primary_mm3_per_J");
+    refuse(wear, {"secondary_per_MPa", "primary_per_MPa"}, "belongs to Archard's law; energy takes mm3_per_J", issues);
+    if (!wear.given("secondary_mm3_per_J") && !wear.given("primary_mm3_per_J"))
+      issues.push_back({wear.key(), "", "needs secondary_mm3_per_J, primary_mm3_per_J or both"});
+  } else if (wear.text("law") == "archard") {
+    law.kind = wear::LawKind::archard;
+    law.secondary = wear.number("secondary_per_MPa");
+    law.primary = wear.number("primary_per_MPa");
+    refuse(wear, {"secondary_mm3_per_J", "primary_mm3_per_J"}, "belongs to the energy law; Archard's takes per_MPa",
+           issues);
+    if (!wear.given("secondary_per_MPa") && !wear.given("primary_per_MPa"))
+      issues.push_back({wear.key(), "", "needs secondary_per_MPa, primary_per_MPa or both"});
+  }
+  return law;
+}
+
+void check_sides(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
+  const auto flag = [&](const std::string& rule) {
+    issues.push_back({entry.key("primary"), entry.written("primary"), rule});
+  };
+  if (entry.given("primary") && contact.primary.empty()) flag("must name at least one boundary");
+  std::set<std::string> seen;
+  for (const auto& name : contact.primary) {
+    if (name == contact.secondary) flag("\"" + name + "\" is also the secondary side");
+    if (!seen.insert(name).second) flag("names \"" + name + "\" twice");
+  }
+}
+
+void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
+  if (!contact.wear.wears() || contact.friction > 0.0) return;
+  const auto wear = entry.at("wear");
+  if (contact.wear.kind == wear::LawKind::energy)
+    issues.push_back({wear.key("law"), wear.written("law"), "without friction no energy is dissipated; use friction > 0 or archard"});
+  else if (!contact.imposed)
+    issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
+}
+
+contact::ContactOptions contact_of(const Entry& entry, Issues& issues) {
+  contact::ContactOptions contact;
+  contact.name = entry.name();
+  contact.secondary = entry.text("secondary");
+  contact.primary = entry.texts("primary");
+  contact.friction = entry.number("friction");
+  contact.wear = wear_of(entry.at("wear"), issues);
+  contact.imposed = entry.given("imposed_sliding_mm");
+  contact.imposed_sliding_mm = entry.number("imposed_sliding_mm");
+  contact.implicit_wear = entry.flag("implicit");
+  contact.search_mm = entry.number("search_mm");
+  contact.c_normal = entry.number("c_normal");
+  contact.c_tangential = entry.number("c_tangential");
+  return contact;
+}
+
+}  // namespace
+
+std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues) {
+  std::vector<contact::ContactOptions> contacts;
+  for (const auto& entry : root.all("contact")) {
+    contacts.push_back(contact_of(entry, issues));
+    check_sides(entry, contacts.back(), issues);
+    check_friction(entry, contacts.back(), issues);
+  }
+  return contacts;
+}
+
+std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries) {
+  std::vector<cad::FineZone> zones;
+  for (const auto& entry : root.all("contact")) {
+    const auto place = entry.at("fine_zone");
+    if (!place.is_table()) continue;
+    auto edges = entry.texts("primary");
+    edges.insert(edges.begin(), entry.text("secondary"));
+    cad::FineZone zone;
+    // An edge named only in the geometry file may belong to any body: the zone then refines all.
+    for (const auto& edge : edges) {
+      const auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](auto& b) { return b.name == edge; });
+      if (found == boundaries.end()) {
+        zone.bodies.clear();
+        break;
+      }
+      if (std::find(zone.bodies.begin(), zone.bodies.end(), found->body) == zone.bodies.end())
+        zone.bodies.push_back(found->body);
+    }
+    zone.centre_mm = place.pair("centre_mm").value_or(base::Vec2(0.0, 0.0));
+    zone.half_width_mm = place.number("half_width_mm");
+    zone.depth_mm = place.number("depth_mm");
+    zone.size_mm = place.number("size_mm");
+    zone.angle_deg = place.number("angle_deg");
+    zones.push_back(zone);
+  }
+  return zones;
+}
+
+}  // namespace reye::scene

@@ -1,0 +1,58 @@
+#include "scene/build.hpp"
+
+namespace reye::scene {
+
+std::map<std::string, History> histories_of(const Entry& root) {
+  return root.at("history").histories();
+}
+
+std::vector<Step> steps_of(const Entry& root) {
+  std::vector<Step> steps;
+  for (const auto& entry : root.all("step")) {
+    Step step;
+    step.name = entry.given("name") ? entry.text("name") : "step " + std::to_string(steps.size() + 1);
+    step.play = entry.texts("play");
+    step.increments = entry.whole("increments");
+    step.wear = entry.flag("wear");
+    step.cycles = entry.number("cycles");
+    step.jump = entry.number("jump");
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
+  std::vector<Limit> limits;
+  const bool axisymmetric = analysis_of(root) == base::Analysis::axisymmetric;
+  const auto* amount = axisymmetric ? "volume_mm3" : "area_mm2";
+  const auto* other = axisymmetric ? "area_mm2" : "volume_mm3";
+  for (const auto& entry : root.all("limit")) {
+    if (entry.given(other))
+      refuse(entry, {other}, (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(amount),
+             issues);
+    else
+      exactly_one(entry, {"depth_mm", amount}, issues);
+    limits.push_back({.name = entry.name(),
+                      .contact = entry.text("contact"),
+                      .side = entry.text("side"),
+                      .depth_mm = entry.maybe_number("depth_mm"),
+                      .area_mm2 = entry.maybe_number(amount),
+                      .stop = entry.flag("stop")});
+  }
+  return limits;
+}
+
+Output output_of(const Entry& root) {
+  Output output;
+  const auto entry = root.at("output");
+  const auto frames = entry.at("frames");
+  output.frames_every_cycles = frames.number("every_cycles");
+  output.frames_every_increment = frames.flag("every_increment");
+  for (const auto& probe : entry.all("probes"))
+    output.probes.push_back({.name = probe.name(),
+                             .body = probe.text("body"),
+                             .at_mm = probe.pair("at_mm").value_or(base::Vec2(0.0, 0.0))});
+  return output;
+}
+
+}  // namespace reye::scene

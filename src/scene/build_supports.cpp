@@ -1,0 +1,96 @@
+#include "scene/build.hpp"
+
+namespace reye::scene {
+
+namespace {
+
+struct Keys {
+  std::string_view moved, loaded, other;  ///< `other`: the force key of the other kind of problem
+};
+
+Keys keys_of(std::string_view motion, bool axisymmetric) {
+  if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", ""};
+  return axisymmetric ? Keys{"motion_mm", "force_N", "force_N_per_mm"} : Keys{"motion_mm", "force_N_per_mm", "force_N"};
+}
+
+body::Motion motion_of(const Entry& support, std::string_view name, bool axisymmetric, Issues& issues) {
+  const auto place = support.at(name);
+  if (!place.is_table())
+    return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free, .history = {}};
+  const auto keys = keys_of(name, axisymmetric);
+  if (name == "rotation" && axisymmetric) {
+    issues.push_back({place.key(), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
+    return {};
+  }
+  if (!keys.other.empty() && place.given(keys.other)) {
+    issues.push_back({place.key(keys.other), place.written(keys.other),
+                      (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(keys.loaded)});
+    return {};
+  }
+  if (!exactly_one(place, {keys.moved, keys.loaded}, issues)) return {};
+  const bool moved = place.given(keys.moved);
+  return {.drive = moved ? body::Drive::moved : body::Drive::loaded,
+          .amplitude = place.number(moved ? keys.moved : keys.loaded),
+          .history = place.text("history")};
+}
+
+bool loaded(const body::Support& support) {
+  return support.x.drive == body::Drive::loaded || support.y.drive == body::Drive::loaded ||
+         support.rotation.drive == body::Drive::loaded;
+}
+
+void check_axes(const Entry& entry, const body::Support& support, Issues& issues) {
+  if (!support.edge_axes) return;
+  refuse(entry, {"x", "y"}, "does not go with tangent and normal", issues);
+  refuse(entry, {"angle_deg"}, "tangent and normal follow the edge", issues);
+  refuse(entry, {"point_mm"}, "a point has no tangent and normal; use angle_deg", issues);
+  if (support.rigid)
+    issues.push_back({entry.key(), "", "a rigid or loaded edge moves along x and y; turn them by angle_deg"});
+}
+
+void check_rigid(const Entry& entry, const body::Support& support, Issues& issues) {
+  if (support.point_mm) {
+    refuse(entry, {"rotation"}, "a point does not rotate", issues);
+    refuse(entry, {"rigid"}, "a point is no edge", issues);
+  } else if (!support.rigid) {
+    refuse(entry, {"rotation"}, "needs a rigid edge", issues);
+    if (loaded(support))
+      issues.push_back({entry.key("rigid"), entry.written("rigid"), "a force or moment needs a rigid edge; or use [load]"});
+  }
+  if (!support.point_mm) refuse(entry, {"body"}, "an edge has its own body", issues);
+}
+
+body::Support support_of(const Entry& entry, bool axisymmetric, Issues& issues) {
+  body::Support support;
+  support.name = entry.name();
+  support.edge = entry.text("edge");
+  support.point_mm = entry.pair("point_mm");
+  support.body = entry.text("body");
+  support.angle_deg = entry.number("angle_deg");
+  support.edge_axes = entry.given("tangent") || entry.given("normal");
+  support.x = motion_of(entry, support.edge_axes ? "tangent" : "x", axisymmetric, issues);
+  support.y = motion_of(entry, support.edge_axes ? "normal" : "y", axisymmetric, issues);
+  support.rotation = motion_of(entry, "rotation", axisymmetric, issues);
+  const bool by_default = !support.point_mm && (entry.given("rotation") || loaded(support));
+  support.rigid = entry.maybe_flag("rigid").value_or(by_default);
+  return support;
+}
+
+}  // namespace
+
+std::vector<body::Support> supports_of(const Entry& root, Issues& issues) {
+  std::vector<body::Support> supports;
+  const bool axisymmetric = analysis_of(root) == base::Analysis::axisymmetric;
+  for (const auto& entry : root.all("support")) {
+    supports.push_back(support_of(entry, axisymmetric, issues));
+    exactly_one(entry, {"edge", "point_mm"}, issues);
+    check_axes(entry, supports.back(), issues);
+    check_rigid(entry, supports.back(), issues);
+    if (!entry.given("x") && !entry.given("y") && !entry.given("tangent") && !entry.given("normal") &&
+        !entry.given("rotation"))
+      issues.push_back({entry.key(), "", "names no motion: x, y, tangent, normal or rotation"});
+  }
+  return supports;
+}
+
+}  // namespace reye::scene

@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "scene/document.hpp"
+#include "scene/keys.hpp"
+
+/// Each key by itself against the table: known, of its type, in its range, not missing.
+namespace reye::scene {
+
+using Issues = std::vector<base::Issue>;
+
+void check(const Node& root, const Spec& spec, Issues& issues);
+
+/// The rule of a range in words, e.g. `must lie in (-1, 0.5)`; empty when every number will do.
+std::string rule_of(const Key& key);
+
+/// `"a", "b" or "c"` from `a|b|c`; without quotes for numbers.
+std::string choices_of(const Key& key);
+
+/// Shortest number that reads back the same.
+std::string shown(double number);
+
+}  // namespace reye::scene

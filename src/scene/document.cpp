@@ -1,0 +1,114 @@
+#include "scene/document.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace reye::scene {
+
+namespace {
+
+/// The lines of the file, to show values as the user wrote them.
+struct Source {
+  std::vector<std::string> lines;
+
+  explicit Source(const std::string& toml) : lines(1) {
+    for (const char c : toml) {
+      if (c == '\n')
+        lines.emplace_back();
+      else
+        lines.back() += c;
+    }
+  }
+
+  /// Offset in bytes of a column, which counts characters.
+  static std::size_t offset(const std::string& line, unsigned column) {
+    std::size_t at = 0;
+    for (unsigned seen = 1; at < line.size(); ++at) {
+      const bool starts_character = (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U;
+      if (starts_character && seen++ == column) break;
+    }
+    return at;
+  }
+
+  /// A value on one line; long or broken values are shortened, they help nobody in a message.
+  std::string slice(const toml::source_region& region) const {
+    const auto& line = lines.at(region.begin.line - 1);
+    const auto from = offset(line, region.begin.column);
+    const bool one_line = region.end.line == region.begin.line;
+    auto value = line.substr(from, one_line ? offset(line, region.end.column) - from : std::string::npos);
+    while (!value.empty() && (value.back() == '\r' || value.back() == ' ')) value.pop_back();
+    constexpr std::size_t longest = 60;
+    if (value.size() > longest) value.resize(longest);
+    return one_line && value.size() < longest ? value : value + " ...";
+  }
+};
+
+Node convert(const toml::node& value, const Source& source, std::string key, std::string name);
+
+void add_children(Node& node, const toml::table& table, const Source& source) {
+  std::vector<std::tuple<toml::source_position, Node>> placed;
+  for (const auto& [name, value] : table) {
+    const std::string child(name.str());
+    placed.emplace_back(name.source().begin,
+                        convert(value, source, node.key.empty() ? child : node.key + '.' + child, child));
+    if (name.source().begin) std::get<Node>(placed.back()).line = static_cast<int>(name.source().begin.line);
+  }
+  std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {
+    return std::get<0>(a) < std::get<0>(b);
+  });
+  for (auto& [place, child] : placed) node.children.push_back(std::move(child));
+}
+
+void add_elements(Node& node, const toml::array& list, const Source& source) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto index = '[' + std::to_string(i) + ']';
+    node.children.push_back(convert(*list.get(i), source, node.key + index, node.name + index));
+  }
+}
+
+Node convert(const toml::node& value, const Source& source, std::string key, std::string name) {
+  Node node{.kind = NodeKind::other, .key = std::move(key), .name = std::move(name), .written = {}, .text = {},
+            .children = {}};
+  if (value.source().begin) {
+    node.line = static_cast<int>(value.source().begin.line);
+    if (!value.is_table() && !value.is_array_of_tables()) node.written = source.slice(value.source());
+  }
+  if (const auto* table = value.as_table()) {
+    node.kind = NodeKind::table;
+    add_children(node, *table, source);
+  } else if (const auto* list = value.as_array()) {
+    node.kind = NodeKind::list;
+    add_elements(node, *list, source);
+  } else if (const auto* text = value.as_string()) {
+    node.kind = NodeKind::text;
+    node.text = text->get();
+  } else if (const auto* flag = value.as_boolean()) {
+    node.kind = NodeKind::flag;
+    node.flag = flag->get();
+  } else if (const auto number = value.value<double>()) {
+    node.kind = value.is_integer() ? NodeKind::whole : NodeKind::number;
+    node.number = *number;
+  }
+  return node;
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view child) const {
+  const auto found = std::find_if(children.begin(), children.end(), [&](const Node& n) { return n.name == child; });
+  return found == children.end() ? nullptr : &*found;
+}
+
+Node parse(const std::string& toml) {
+  try {
+    auto root = convert(toml::parse(toml), Source(toml), "", "");
+    root.line = 1;
+    return root;
+  } catch (const toml::parse_error& error) {
+    throw SyntaxError(std::string(error.description()), static_cast<int>(error.source().begin.line));
+  }
+}
+
+}  // namespace reye::scene

@@ -1,0 +1,101 @@
+#include "scene/entry.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+namespace reye::scene {
+
+const Node* Entry::value(std::string_view name, NodeKind kind) const {
+  assert(spec_->find(name) && "only keys of the table are read");
+  const auto* found = node_ ? node_->find(name) : nullptr;
+  if (!found) return nullptr;
+  const bool fits = kind == NodeKind::number ? found->is_number() : found->kind == kind;
+  return fits ? found : nullptr;
+}
+
+std::string_view Entry::fallback(std::string_view name) const {
+  const auto* key = spec_->find(name)->key;
+  return key && key->fallback != required ? key->fallback : std::string_view{};
+}
+
+std::string Entry::written(std::string_view name) const {
+  const auto* found = node_ ? node_->find(name) : nullptr;
+  return found ? found->written : "";
+}
+
+Entry Entry::at(std::string_view name) const { return {node_ ? node_->find(name) : nullptr, spec_->find(name)}; }
+
+std::vector<Entry> Entry::all(std::string_view name) const {
+  const auto* place = spec_->find(name);
+  const auto* found = node_ ? node_->find(name) : nullptr;
+  std::vector<Entry> entries;
+  if (!found) return entries;
+  for (const auto& child : found->children)
+    if (child.kind == NodeKind::table) entries.emplace_back(&child, place->list ? place : place->any.get());
+  return entries;
+}
+
+std::string Entry::text(std::string_view name) const {
+  const auto* found = value(name, NodeKind::text);
+  return found ? found->text : std::string(fallback(name));
+}
+
+std::vector<std::string> Entry::texts(std::string_view name) const {
+  std::vector<std::string> list;
+  if (const auto* found = value(name, NodeKind::list))
+    for (const auto& child : found->children)
+      if (child.kind == NodeKind::text) list.push_back(child.text);
+  return list;
+}
+
+double Entry::number(std::string_view name) const {
+  const auto* found = value(name, NodeKind::number);
+  if (found && std::isfinite(found->number)) return found->number;
+  return std::strtod(std::string(fallback(name)).c_str(), nullptr);
+}
+
+int Entry::whole(std::string_view name) const {
+  constexpr double most = 1e9;  // larger ones have been reported; they must not reach the cast
+  return static_cast<int>(std::clamp(number(name), -most, most));
+}
+
+bool Entry::flag(std::string_view name) const {
+  const auto* found = value(name, NodeKind::flag);
+  return found ? found->flag : fallback(name) == "true";
+}
+
+std::optional<bool> Entry::maybe_flag(std::string_view name) const {
+  const auto* found = value(name, NodeKind::flag);
+  return found ? std::optional(found->flag) : std::nullopt;
+}
+
+std::optional<double> Entry::maybe_number(std::string_view name) const {
+  return value(name, NodeKind::number) ? std::optional(number(name)) : std::nullopt;
+}
+
+std::vector<double> Entry::numbers(std::string_view name) const {
+  std::vector<double> list;
+  if (const auto* found = value(name, NodeKind::list))
+    for (const auto& child : found->children) list.push_back(child.number);
+  return list;
+}
+
+std::map<std::string, std::vector<std::array<double, 2>>> Entry::histories() const {
+  std::map<std::string, std::vector<std::array<double, 2>>> tables;
+  if (!node_) return tables;
+  for (const auto& child : node_->children) {
+    auto& points = tables[child.name];
+    for (const auto& point : child.children)
+      if (point.children.size() == 2) points.push_back({point.children[0].number, point.children[1].number});
+  }
+  return tables;
+}
+
+std::optional<base::Vec2> Entry::pair(std::string_view name) const {
+  const auto list = numbers(name);
+  return list.size() == 2 ? std::optional(base::Vec2(list[0], list[1])) : std::nullopt;
+}
+
+}  // namespace reye::scene

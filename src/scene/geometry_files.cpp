@@ -1,0 +1,75 @@
+#include "scene/geometry_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "scene/sha256.hpp"
+
+namespace reye::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs", ".brep", ".geo", ".msh"};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The rule that a file breaks; empty when it can be given to the geometry stage.
+std::string broken_rule(const fs::path& file) {
+  if (std::find(std::begin(extensions), std::end(extensions), lower(file.extension().string())) == std::end(extensions))
+    return "not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh";
+  std::error_code error;
+  const auto status = fs::status(file, error);
+  if (!fs::exists(status)) return "no such file";
+  if (!fs::is_regular_file(status)) return "is not a file";
+  std::string bytes;
+  if (!read_bytes(file.string(), bytes)) return "cannot be read";
+  return bytes.empty() ? "is empty" : "";
+}
+
+}  // namespace
+
+std::vector<std::string> geometry_files(const Entry& root, const std::string& path, Issues& issues) {
+  const auto folder = fs::absolute(path).parent_path();
+  const auto names = root.texts("geometry");
+  if (root.given("geometry") && names.empty() && root.written("geometry") == "[]")
+    issues.push_back({"geometry", "[]", "names no file"});
+  std::vector<std::string> files;
+  std::set<std::string> seen;
+  for (const auto& name : names) {
+    const auto file = (folder / name).lexically_normal();
+    auto rule = broken_rule(file);
+    if (rule.empty() && !seen.insert(file.string()).second) rule = "is named twice";
+    if (!rule.empty()) issues.push_back({"geometry", '"' + name + '"', rule});
+    files.push_back(file.string());
+  }
+  return files;
+}
+
+bool read_bytes(const std::string& path, std::string& bytes) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return false;
+  bytes.assign(std::istreambuf_iterator<char>(file), {});
+  return !file.bad();
+}
+
+std::string digest(const std::string& scene_text, const std::vector<std::string>& files) {
+  auto all = std::to_string(scene_text.size()) + '\n' + scene_text;
+  for (const auto& file : files) {
+    std::string bytes;
+    read_bytes(file, bytes);
+    all += std::to_string(bytes.size()) + '\n' + bytes;
+  }
+  return sha256(all);
+}
+
+}  // namespace reye::scene

@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/check.hpp"
+#include "scene/entry.hpp"
+
+namespace reye::scene {
+
+/// The geometry files of the scene at `path`, absolute; unsupported, missing, empty and unreadable ones are issues.
+std::vector<std::string> geometry_files(const Entry& root, const std::string& path, Issues& issues);
+
+/// The bytes of a file; false when it cannot be read.
+bool read_bytes(const std::string& path, std::string& bytes);
+
+/// SHA-256 over the scene's text and the geometry files in their order, each with its length,
+/// so that bytes cannot wander from one file to the next unseen.
+std::string digest(const std::string& scene_text, const std::vector<std::string>& files);
+
+}  // namespace reye::scene

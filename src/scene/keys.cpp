@@ -1,0 +1,199 @@
+#include "scene/keys.hpp"
+
+namespace reye::scene {
+
+namespace {
+
+constexpr Range any{};
+constexpr Range positive{.low = 0.0, .low_open = true};
+constexpr Range at_least(double low) { return {.low = low}; }
+constexpr Range one_of(std::string_view choices, std::string_view later = {}) {
+  return {.choices = choices, .later = later};
+}
+
+constexpr Key table[] = {
+    {"title", Type::text, "", "", any, "headline of the results; without it the scene's name"},
+    {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
+     "idealisation; axisymmetric: r = x >= 0, axis y"},
+    {"geometry", Type::texts, "", "required", any,
+     "geometry files in mm (.step .stp .iges .igs .brep .geo .msh); paths count from the scene file"},
+    {"shape", Type::text, "", "on", one_of("on|off"), "off: wear stays in the gap, the surfaces do not move"},
+
+    {"material.*.law", Type::text, "", "linear_elastic", one_of("linear_elastic"), "stress law"},
+    {"material.*.E_MPa", Type::number, "MPa", "required", positive, "Young's modulus"},
+    {"material.*.nu", Type::number, "", "required",
+     {.low = -1.0, .high = 0.5, .low_open = true, .high_open = true}, "Poisson's ratio"},
+
+    {"body.*.at", Type::pair, "mm", "", any, "a point inside the body"},
+    {"body.*.name", Type::text, "", "", any,
+     "label in the geometry (STEP product, physical surface); with neither `at` nor `name` the body's own name"},
+    {"body.*.material", Type::text, "", "", any, "one of the materials; a rigid body takes none"},
+    {"body.*.rigid", Type::flag, "", "false", any, "the body does not deform"},
+    {"body.*.b_bar", Type::flag, "", "", any,
+     "cure against volumetric locking; without it on for quads in plane strain and axisymmetry"},
+    {"body.*.kinematics", Type::text, "", "small", one_of("small", "finite"), "strain measure"},
+    {"body.*.order", Type::whole, "", "1", one_of("1", "2"), "polynomial order of the elements"},
+    {"body.*.mesh.element", Type::text, "", "quad", one_of("quad|tri"), "kind of the elements"},
+    {"body.*.mesh.far_size_mm", Type::number, "mm", "", positive,
+     "element size away from contacts; without it a twentieth of the body's diagonal"},
+    {"body.*.mesh.growth", Type::number, "", "1.3", {.low = 1.0, .high = 3.0, .low_open = true},
+     "ratio of neighbouring element sizes away from fine zones"},
+
+    {"boundary.*.body", Type::text, "", "required", any, "the body whose edges are named"},
+    {"boundary.*.box_mm", Type::box, "mm", "", any, "edges wholly inside [x_min, y_min, x_max, y_max]"},
+    {"boundary.*.type", Type::text, "", "", one_of("line|circle|spline"), "edges of this kind"},
+    {"boundary.*.nearest_mm", Type::pair, "mm", "", any, "the one edge nearest to this point"},
+
+    {"contact.*.secondary", Type::text, "", "required", any,
+     "boundary that carries the multipliers; of a deformable body"},
+    {"contact.*.primary", Type::texts, "", "required", any, "boundaries it may touch"},
+    {"contact.*.friction", Type::number, "", "0.0", at_least(0.0), "Coulomb coefficient"},
+    {"contact.*.dual", Type::text, "", "linear", one_of("linear", "quadratic"), "basis of the multipliers"},
+    {"contact.*.implicit", Type::flag, "", "true", any, "an increment's own wear stands inside its equations"},
+    {"contact.*.imposed_sliding_mm", Type::number, "mm", "", any,
+     "slip as a number per play of a step; without it slip comes from the motion"},
+    {"contact.*.search_mm", Type::number, "mm", "", positive,
+     "facets farther apart are not paired; without it chosen from the bodies"},
+    {"contact.*.c_normal", Type::number, "", "1.0", positive, "factor of the normal complementarity function"},
+    {"contact.*.c_tangential", Type::number, "", "1.0", positive,
+     "factor of the tangential complementarity function"},
+    {"contact.*.wear.law", Type::text, "", "required", one_of("energy|archard"),
+     "removed volume = coefficient x frictional work, or x pressure x slip"},
+    {"contact.*.wear.{secondary,primary}_mm3_per_J", Type::number, "mm^3/J", "0.0", at_least(0.0),
+     "coefficient of each side, energy law"},
+    {"contact.*.wear.{secondary,primary}_per_MPa", Type::number, "1/MPa", "0.0", at_least(0.0),
+     "coefficient of each side, Archard's law"},
+    {"contact.*.fine_zone.centre_mm", Type::pair, "mm", "required", any, "middle of the fine mesh"},
+    {"contact.*.fine_zone.half_width_mm", Type::number, "mm", "required", positive,
+     "half extent along the contact"},
+    {"contact.*.fine_zone.depth_mm", Type::number, "mm", "required", positive, "extent into both bodies"},
+    {"contact.*.fine_zone.size_mm", Type::number, "mm", "required", positive, "element size inside"},
+    {"contact.*.fine_zone.angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
+
+    {"support.*.edge", Type::text, "", "", any, "boundary that is held or moved; or"},
+    {"support.*.point_mm", Type::pair, "mm", "", any, "the node nearest to this point"},
+    {"support.*.body", Type::text, "", "", any, "body of the point; without it the body whose node is nearest"},
+    {"support.*.angle_deg", Type::number, "degree", "0.0", any, "x and y of the support turned by this angle"},
+    {"support.*.rigid", Type::flag, "", "", any,
+     "the edge moves as a rigid line; without it true when a rotation is named or a motion is loaded"},
+    {"support.*.{x,y,tangent,normal}", Type::text, "", "free", one_of("fixed|free"),
+     "motion along x, y, or along the edge and out of it"},
+    {"support.*.{x,y,tangent,normal}.motion_mm", Type::number, "mm", "", any, "imposed motion"},
+    {"support.*.{x,y,tangent,normal}.force_N_per_mm", Type::number, "N/mm", "", any,
+     "force on the whole edge, plane problems"},
+    {"support.*.{x,y,tangent,normal}.force_N", Type::number, "N", "", any,
+     "force on the whole ring, axisymmetric problems"},
+    {"support.*.{x,y,tangent,normal}.history", Type::text, "", "", any,
+     "its factor over a step; without it full from the start"},
+    {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"), "rotation of a rigid edge"},
+    {"support.*.rotation.motion_rad", Type::number, "rad", "", any, "imposed rotation"},
+    {"support.*.rotation.moment_N_mm_per_mm", Type::number, "N mm/mm", "", any, "moment about the edge's middle"},
+    {"support.*.rotation.history", Type::text, "", "", any, "its factor over a step"},
+
+    {"load.*.edge", Type::text, "", "", any, "boundary under pressure or traction; or"},
+    {"load.*.pressure_MPa", Type::number, "MPa", "", any, "pressure, > 0 pushes on the body"},
+    {"load.*.traction_MPa", Type::pair, "MPa", "", any, "traction in x and y, added to the pressure"},
+    {"load.*.interval_mm", Type::pair, "mm", "", at_least(0.0),
+     "only on this arc length, from the end with smaller x (then smaller y)"},
+    {"load.*.point_mm", Type::pair, "mm", "", any, "the node nearest to this point; or"},
+    {"load.*.force_N_per_mm", Type::pair, "N/mm", "", any, "force at the point, plane problems"},
+    {"load.*.force_N", Type::pair, "N", "", any, "force on the whole ring, axisymmetric problems"},
+    {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},
+    {"load.*.force_N_per_mm3", Type::pair, "N/mm^3", "", any, "force per volume on the body"},
+    {"load.*.history", Type::text, "", "", any, "its factor over a step; without it full from the start"},
+
+    {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1"},
+
+    {"step[].name", Type::text, "", "", any, "name in messages; without it its number"},
+    {"step[].play", Type::texts, "", "[]", any, "histories played; the others hold their last factor"},
+    {"step[].increments", Type::whole, "", "1", at_least(1.0), "equal parts of the step; corners are always ends"},
+    {"step[].wear", Type::flag, "", "true", any, "false: nothing wears in this step"},
+    {"step[].cycles", Type::number, "", "0", at_least(0.0), "how often it is repeated; 0: a load step, no cycle"},
+    {"step[].jump", Type::number, "", "1", at_least(1.0), "cycles per block"},
+    {"step[].jump.tolerance", Type::refused, "", "", any,
+     "this version takes a fixed number of cycles per block, as in jump = 100"},
+
+    {"limit.*.contact", Type::text, "", "required", any, "contact that is watched"},
+    {"limit.*.side", Type::text, "", "secondary", one_of("secondary|primary|sum"), "side that is watched"},
+    {"limit.*.depth_mm", Type::number, "mm", "", positive, "largest wear depth; or"},
+    {"limit.*.area_mm2", Type::number, "mm^2", "", positive, "worn area, plane problems; or"},
+    {"limit.*.volume_mm3", Type::number, "mm^3", "", positive, "worn volume, axisymmetric problems"},
+    {"limit.*.stop", Type::flag, "", "false", any, "true: the run ends there"},
+
+    {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
+     "cycles between frames; 0: first and last state of each step only"},
+    {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
+    {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
+    {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
+
+    {"solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"},
+    {"solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"},
+};
+
+/// `{a,b}_c` as a_c, b_c.
+std::vector<std::string> alternatives(const std::string& segment) {
+  const auto open = segment.find('{'), close = segment.find('}');
+  if (open == std::string::npos) return {segment};
+  std::vector<std::string> names;
+  for (const auto& part : split(std::string_view(segment).substr(open + 1, close - open - 1), ','))
+    names.push_back(segment.substr(0, open) + part + segment.substr(close + 1));
+  return names;
+}
+
+Spec& below(Spec& place, std::string name) {
+  if (name == "*") {
+    if (!place.any) place.any = std::make_unique<Spec>();
+    return *place.any;
+  }
+  const bool list = name.ends_with("[]");
+  if (list) name.resize(name.size() - 2);
+  for (auto& [known, child] : place.named)
+    if (known == name) return *child;
+  place.named.emplace_back(name, std::make_unique<Spec>());
+  place.named.back().second->list = list;
+  return *place.named.back().second;
+}
+
+void insert(Spec& place, std::span<const std::string> segments, const Key& key) {
+  if (segments.empty()) {
+    place.key = &key;
+    return;
+  }
+  for (const auto& name : alternatives(segments.front())) insert(below(place, name), segments.subspan(1), key);
+}
+
+}  // namespace
+
+bool Range::holds(double value) const {
+  return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+std::span<const Key> keys() { return table; }
+
+const Spec* Spec::find(std::string_view name) const {
+  for (const auto& [known, child] : named)
+    if (known == name) return child.get();
+  return any.get();
+}
+
+const Spec& spec() {
+  static const Spec root = [] {
+    Spec tree;
+    for (const auto& key : keys()) insert(tree, split(key.pattern, '.'), key);
+    return tree;
+  }();
+  return root;
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+}  // namespace reye::scene

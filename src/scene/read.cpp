@@ -1,0 +1,126 @@
+#include "scene/read.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scene/build.hpp"
+#include "scene/geometry_files.hpp"
+#include "scene/validate.hpp"
+
+namespace reye::scene {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Lines = std::map<std::string, int>;
+
+void add_lines(const Node& node, Lines& lines) {
+  if (!node.key.empty()) lines[node.key] = node.line;
+  for (const auto& child : node.children) add_lines(child, lines);
+}
+
+/// The line of the longest part of the key that the file has.
+int line_of(std::string key, const Lines& lines) {
+  while (!key.empty()) {
+    if (const auto found = lines.find(key); found != lines.end()) return found->second;
+    const auto cut = key.find_last_of(".[");
+    key.resize(cut == std::string::npos ? 0 : cut);
+  }
+  return 1;
+}
+
+std::string in_words(const base::Issue& issue, int line, const std::string& path) {
+  auto text = path + ':' + std::to_string(line) + ": ";
+  if (!issue.key.empty()) text += issue.key + (issue.value.empty() ? "" : " = " + issue.value) + ": ";
+  return text + issue.rule;
+}
+
+std::vector<std::string> in_words(Issues& issues, const Lines& lines, const std::string& path) {
+  std::stable_sort(issues.begin(), issues.end(),
+                   [&](const auto& a, const auto& b) { return line_of(a.key, lines) < line_of(b.key, lines); });
+  std::vector<std::string> texts;
+  for (const auto& issue : issues) texts.push_back(in_words(issue, line_of(issue.key, lines), path));
+  return texts;
+}
+
+base::InputError located(Issues issues, const Lines& lines, const std::string& path) {
+  std::string text;
+  for (const auto& line : in_words(issues, lines, path)) text += (text.empty() ? "" : "\n") + line;
+  return {std::move(issues), text};
+}
+
+std::string text_of(const std::string& path) {
+  std::error_code error;
+  std::string text;
+  if (!fs::is_regular_file(path, error) || !read_bytes(path, text)) {
+    const base::Issue issue{"", "", fs::exists(path, error) ? "cannot be read" : "no such file"};
+    throw base::InputError({issue}, path + ": " + issue.rule);
+  }
+  return text;
+}
+
+Node document_of(const std::string& text, const std::string& path) {
+  try {
+    return parse(text);
+  } catch (const SyntaxError& error) {
+    const base::Issue issue{"", "", std::string("is not TOML: ") + error.what()};
+    throw base::InputError({issue}, in_words(issue, error.line, path));
+  }
+}
+
+std::string name_of(const std::string& path) {
+  const auto file = fs::absolute(path).lexically_normal();
+  return file.filename() == "scene.toml" ? file.parent_path().filename().string() : file.stem().string();
+}
+
+void build(const Entry& root, Scene& scene, Issues& issues) {
+  scene.title = root.given("title") ? root.text("title") : scene.name;
+  scene.analysis = analysis_of(root);
+  scene.shape = root.text("shape") == "on";
+  scene.max_newton = root.at("solver").whole("max_newton");
+  scene.max_cutbacks = root.at("solver").whole("max_cutbacks");
+  scene.materials = materials_of(root);
+  scene.body_material = body_materials_of(root);
+  scene.geometry.axisymmetric = scene.analysis == base::Analysis::axisymmetric;
+  scene.geometry.files = geometry_files(root, scene.path, issues);
+  scene.geometry.bodies = bodies_of(root, issues);
+  scene.geometry.boundaries = boundaries_of(root, issues);
+  scene.geometry.fine_zones = fine_zones_of(root, scene.geometry.boundaries);
+  scene.contacts = contacts_of(root, issues);
+  scene.supports = supports_of(root, issues);
+  add_loads(root, scene, issues);
+  scene.histories = histories_of(root);
+  scene.steps = steps_of(root);
+  scene.limits = limits_of(root, issues);
+  scene.output = output_of(root);
+}
+
+}  // namespace
+
+Scene read(const std::string& path) {
+  const auto text = text_of(path);
+  const auto document = document_of(text, path);
+  Scene scene;
+  scene.path = path;
+  scene.name = name_of(path);
+  add_lines(document, scene.lines);
+
+  Issues issues;
+  check(document, spec(), issues);
+  const Entry root(&document, &spec());
+  build(root, scene, issues);
+  validate(root, scene, issues);
+  if (!issues.empty()) throw located(std::move(issues), scene.lines, path);
+
+  auto odd = suspicious(root, scene);
+  scene.warnings = in_words(odd, scene.lines, path);
+  scene.sha256 = digest(text, scene.geometry.files);
+  return scene;
+}
+
+base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues) {
+  return located(issues, scene.lines, scene.path);
+}
+
+}  // namespace reye::scene

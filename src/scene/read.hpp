@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+#include "scene/scene.hpp"
+
+namespace reye::scene {
+
+/// The scene in the file at `path`. Everything wrong with it is collected and thrown as one
+/// base::InputError, one line per issue, in the order of the file:
+/// `scene.toml:9: material.steel.nu = 0.5: must lie in (-1, 0.5)`, with `path` as the caller gave it.
+/// Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
+Scene read(const std::string& path);
+
+/// The issues of a lower room in the same form; the line is that of the longest part of the key
+/// that the file has (line 1 when it has none).
+base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues);
+
+/// The table of keys as markdown, for the README.
+std::string reference();
+
+}  // namespace reye::scene
