@@ -1,0 +1,23 @@
+#pragma once
+#include <vector>
+
+#include "cad/part.hpp"
+#include "cad/size_field.hpp"
+#include "cad/zone.hpp"
+
+namespace reye::cad {
+
+/// The nodes of a closed loop in order, without repeating the first, and the edge each segment lies on:
+/// `edge[i]` carries the segment from node i to the next. `corner` marks nodes that may end a run of the outline:
+/// all ends of edges and stretches.
+struct DividedLoop {
+  Points nodes;
+  std::vector<int> edge;
+  std::vector<bool> corner;
+};
+
+/// Divides the edges of a loop by the size field. Stretches of fine zones, on each side of the zone's centre,
+/// are divided equally by the zone's size. `even`: an even number between any two corners, as all-quad meshing needs.
+DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even);
+
+}  // namespace reye::cad

@@ -1,0 +1,94 @@
+#include <gmsh.h>
+
+#include <algorithm>
+
+#include "cad/gmsh_model.hpp"
+
+namespace reye::cad {
+
+namespace {
+
+using Tag = std::size_t;
+
+struct Elements {
+  int nodes_each = 0;
+  std::vector<Tag> nodes;
+};
+
+Elements elements_of(int dim, int tag) {
+  std::vector<int> types;
+  std::vector<std::vector<Tag>> ids, nodes;
+  gmsh::model::mesh::getElements(types, ids, nodes, dim, tag);
+  if (types.empty()) return {};
+  return {static_cast<int>(nodes[0].size() / ids[0].size()), nodes[0]};
+}
+
+/// Node tags of a part in ascending order: their places are the part's own node numbers.
+std::vector<Tag> distinct(std::vector<Tag> tags) {
+  std::sort(tags.begin(), tags.end());
+  tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
+  return tags;
+}
+
+int place(const std::vector<Tag>& sorted, Tag tag) {
+  const auto found = std::lower_bound(sorted.begin(), sorted.end(), tag);
+  return found != sorted.end() && *found == tag ? static_cast<int>(found - sorted.begin()) : -1;
+}
+
+void name_edges(RawMesh& mesh, const std::vector<Tag>& tags) {
+  gmsh::vectorpair curves;
+  gmsh::model::getEntities(curves, 1);
+  for (const auto& [dim, curve] : curves) {
+    const std::set<std::string> names = physical_names(1, curve);
+    if (names.empty()) continue;
+    const Elements edges = elements_of(1, curve);
+    for (std::size_t i = 0; i + 1 < edges.nodes.size(); i += 2) {
+      const auto [a, b] = std::minmax({place(tags, edges.nodes[i]), place(tags, edges.nodes[i + 1])});
+      if (a >= 0) mesh.names[{a, b}].insert(names.begin(), names.end());
+    }
+  }
+}
+
+RawMesh make_mesh(const Elements& elements) {
+  RawMesh mesh;
+  mesh.kind = elements.nodes_each == 3 ? mesh::CellKind::tri3 : mesh::CellKind::quad4;
+  const std::vector<Tag> tags = distinct(elements.nodes);
+  for (Tag tag : tags) {
+    std::vector<double> x, parameters;
+    gmsh::model::mesh::getNode(tag, x, parameters);
+    mesh.nodes.emplace_back(x[0], x[1], x[2]);
+  }
+  for (std::size_t i = 0; i < elements.nodes.size(); i += elements.nodes_each) {
+    mesh::Cell cell{-1, -1, -1, -1};
+    for (int k = 0; k < elements.nodes_each; ++k) cell[k] = place(tags, elements.nodes[i + k]);
+    mesh.cells.push_back(cell);
+  }
+  name_edges(mesh, tags);
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<RawPart> parts_from_mesh() {
+  gmsh::vectorpair faces;
+  gmsh::model::getEntities(faces, 2);
+  std::vector<RawPart> parts;
+  std::vector<Elements> elements;
+  for (const auto& [dim, tag] : faces) {
+    const Elements own = elements_of(2, tag);
+    if (own.nodes.empty()) continue;
+    bool group = false;
+    const std::string label = surface_label(tag, group);
+    std::size_t k = 0;
+    while (k < parts.size() && !(group && parts[k].group && parts[k].label == label)) ++k;
+    if (k == parts.size()) {
+      parts.push_back({label, group, {}, {}, {}});
+      elements.push_back({own.nodes_each, {}});
+    }
+    elements[k].nodes.insert(elements[k].nodes.end(), own.nodes.begin(), own.nodes.end());
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) parts[k].mesh = make_mesh(elements[k]);
+  return parts;
+}
+
+}  // namespace reye::cad

@@ -1,0 +1,43 @@
+#pragma once
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cad/edge.hpp"
+#include "mesh/mesh.hpp"
+
+/// What a file holds, in space, before it is mapped to the plane of the scene.
+namespace reye::cad {
+
+using Vec3 = Eigen::Vector3d;
+
+struct RawCurve {
+  int tag = 0;  ///< within its file: curves of the same tag are the same curve
+  EdgeType type = EdgeType::line;
+  std::vector<Vec3> points;
+  std::vector<Vec3> directions;
+  std::set<std::string> names;
+};
+
+/// A mesh that came with the file.
+struct RawMesh {
+  std::vector<Vec3> nodes;
+  mesh::CellKind kind = mesh::CellKind::quad4;
+  std::vector<mesh::Cell> cells;
+  std::map<std::pair<int, int>, std::set<std::string>> names;  ///< of edges (smaller node first), by physical curve
+};
+
+struct RawPart {
+  std::string label;
+  bool group = false;  ///< the label is a physical group: its faces are one body
+  std::vector<RawCurve> curves;
+  std::vector<Vec3> surface_points;  ///< inside faces not known to be plane, to see whether they are
+  RawMesh mesh;
+};
+
+/// Reads one file in the running session: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, lengths in mm.
+/// Throws base::InputError (key "geometry", value the path) for what cannot be used.
+std::vector<RawPart> read_file(const std::string& path);
+
+}  // namespace reye::cad

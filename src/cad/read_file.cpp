@@ -1,0 +1,108 @@
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "cad/gmsh_model.hpp"
+#include "cad/session.hpp"
+
+namespace reye::cad {
+
+namespace {
+
+constexpr const char* formats = ".step .stp .iges .igs .brep .geo .geo_unrolled .msh";
+
+[[noreturn]] void refuse(const std::string& path, const std::string& rule) {
+  throw base::InputError({{"geometry", "\"" + path + "\"", rule}});
+}
+
+std::string extension(const std::string& path) {
+  std::string ext = std::filesystem::path(path).extension().string();
+  std::transform(ext.begin(), ext.end(), ext.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ext;
+}
+
+/// gmsh opens missing and empty files without complaint, so they are looked at first.
+void check_readable(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file");
+  if (!std::filesystem::is_regular_file(path, error)) refuse(path, "is not a file");
+  if (!std::ifstream(path)) refuse(path, "the file cannot be read");
+  if (std::filesystem::file_size(path, error) == 0) refuse(path, "the file is empty");
+}
+
+enum class Format { shapes, script, mesh };
+
+Format format_of(const std::string& path) {
+  const std::string ext = extension(path);
+  for (const char* shape : {".step", ".stp", ".iges", ".igs", ".brep"})
+    if (ext == shape) return Format::shapes;
+  if (ext == ".geo" || ext == ".geo_unrolled") return Format::script;
+  if (ext == ".msh") return Format::mesh;
+  refuse(path, "the format must be one of " + std::string(formats));
+}
+
+/// Loads the file into the current model and returns the first error gmsh logged, "" if none.
+std::string load(const std::string& path, Format format) {
+  const Silence silence;
+  // Sticky in gmsh: whatever an earlier import or script left is overruled each time.
+  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
+  gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
+  gmsh::option::setNumber("Geometry.OCCScaling", 1);
+  gmsh::logger::start();
+  try {
+    if (format == Format::shapes) {
+      gmsh::vectorpair shapes;
+      gmsh::model::occ::importShapes(path, shapes);
+      gmsh::model::occ::synchronize();
+    } else {
+      gmsh::merge(path);
+    }
+  } catch (const std::string& message) {
+    gmsh::logger::stop();
+    return message.empty() ? "unknown error" : message;
+  }
+  std::vector<std::string> log;
+  gmsh::logger::get(log);
+  gmsh::logger::stop();
+  gmsh::option::setNumber("General.Terminal", 0);
+  for (const std::string& line : log)
+    if (line.starts_with("Error")) return line.substr(line.find_first_not_of(": ", 5));
+  return "";
+}
+
+void check_content(const std::string& path, Format format) {
+  gmsh::vectorpair faces, solids;
+  gmsh::model::getEntities(faces, 2);
+  gmsh::model::getEntities(solids, 3);
+  if (faces.empty()) refuse(path, "holds no face");
+  if (!solids.empty()) refuse(path, "holds a solid; bodies are planar faces: export the section instead");
+  if (format != Format::mesh) return;
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 2);
+  if (types.empty()) refuse(path, "holds no mesh of triangles or quadrilaterals");
+  if (types.size() > 1 || (types[0] != 2 && types[0] != 3))
+    refuse(path, "the mesh must be all triangles of 3 nodes or all quadrilaterals of 4 nodes");
+}
+
+}  // namespace
+
+std::vector<RawPart> read_file(const std::string& path) {
+  const Format format = format_of(path);
+  check_readable(path);
+  try {
+    gmsh::model::add("import");
+    const std::string error = load(path, format);
+    if (!error.empty()) refuse(path, "gmsh cannot read it: " + error);
+    check_content(path, format);
+    std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces();
+    gmsh::model::remove();
+    return parts;
+  } catch (const std::string& message) {
+    refuse(path, "gmsh cannot use it: " + message);
+  }
+}
+
+}  // namespace reye::cad

@@ -1,0 +1,33 @@
+#pragma once
+#include <vector>
+
+#include "cad/size_field.hpp"
+#include "mesh/mesh.hpp"
+
+namespace reye::cad {
+
+/// A closed run of nodes bounding what is still to be meshed, body on the left, first node not repeated.
+struct RegionLoop {
+  std::vector<int> nodes;
+  std::vector<bool> corner;  ///< nodes that must stay corners of coarse elements; at least two
+};
+
+/// A mesh in the making: nodes, cells made so far, and the loops round what is left (outer first).
+struct Region {
+  Points X;
+  mesh::CellKind kind = mesh::CellKind::quad4;
+  std::vector<mesh::Cell> cells;
+  std::vector<RegionLoop> loops;
+};
+
+/// Covers a smooth stretch of the outline, from node `first` to node `last` of one loop, with `layers` rows of
+/// quadrilaterals (or pairs of triangles) along its normals, `depth` thick altogether, and takes them out of
+/// what is left. Changes nothing and returns false where the rows would fold or come near other outline.
+bool add_layers(Region& region, int first, int last, int layers, double depth);
+
+/// Meshes what is left by gmsh in the running session. The nodes of the loops stay exactly where they are; sizes
+/// inside follow the field. All-quad meshes need an even number of nodes between corners.
+/// Throws base::MeshError when no algorithm gives cells of one kind with positive Jacobians.
+void fill(Region& region, const SizeField& size);
+
+}  // namespace reye::cad

@@ -1,0 +1,125 @@
+#include "mesh/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "base/errors.hpp"
+#include "mesh/measure.hpp"
+#include "mesh/outline.hpp"
+
+namespace reye::mesh {
+
+namespace {
+
+using Edge = std::pair<int, int>;
+
+std::string at(const Vec2& p) {
+  std::ostringstream text;
+  text << " at (" << p.x() << ", " << p.y() << ")";
+  return text.str();
+}
+
+/// Applies f(e1, e2) to the two edges leaving each corner and keeps the smallest result.
+template <class F>
+double smallest_over_corners(const Points& X, CellKind kind, const Cell& cell, F f) {
+  const int corners = nodes_per_cell(kind);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < corners; ++i) {
+    const Vec2& corner = X[cell[i]];
+    smallest = std::min(smallest, f(X[cell[(i + 1) % corners]] - corner, X[cell[(i + corners - 1) % corners]] - corner));
+  }
+  return smallest;
+}
+
+void check_nodes(const Mesh& mesh) {
+  std::vector<bool> used(mesh.X.size(), false);
+  const auto mark = [&](int node, const char* whose) {
+    if (node < 0 || node >= mesh.node_count())
+      throw base::MeshError(std::string(whose) + " names node " + std::to_string(node) + ", which does not exist");
+    used[node] = true;
+  };
+  for (const Cell& cell : mesh.cells)
+    for (int i = 0; i < nodes_per_cell(mesh.kind); ++i) mark(cell[i], "a cell");
+  if (mesh.cells.empty())
+    for (const Chain& loop : mesh.outline)
+      for (int node : loop) mark(node, "the outline");
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    if (!mesh.X[node].allFinite()) throw base::MeshError("node " + std::to_string(node) + " has no finite position");
+    if (!used[node]) throw base::MeshError("node " + std::to_string(node) + at(mesh.X[node]) + " belongs to no cell");
+  }
+}
+
+void check_cells(const Mesh& mesh) {
+  for (int cell = 0; cell < mesh.cell_count(); ++cell)
+    if (!(scaled_jacobian(mesh.X, mesh.kind, mesh.cells[cell]) > 0.0))
+      throw base::MeshError("cell " + std::to_string(cell) + at(mesh.X[mesh.cells[cell][0]]) +
+                            " has a corner that is folded over or flat");
+}
+
+std::set<Edge> edges_of(const std::vector<Chain>& chains) {
+  std::set<Edge> edges;
+  for (const Chain& chain : chains)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges.insert({chain[i], chain[i + 1]});
+  return edges;
+}
+
+void check_outline(const Mesh& mesh) {
+  if (mesh.outline.empty()) throw base::MeshError("the body has no outline");
+  for (std::size_t k = 0; k < mesh.outline.size(); ++k) {
+    const Chain& loop = mesh.outline[k];
+    if (!is_closed(loop)) throw base::MeshError("loop " + std::to_string(k) + " of the outline is not closed");
+    if ((enclosed_area(mesh.X, loop) > 0.0) != (k == 0))
+      throw base::MeshError("loop " + std::to_string(k) + " of the outline" + at(mesh.X[loop[0]]) +
+                            " does not have the body on its left");
+  }
+  if (!mesh.cells.empty() && edges_of(mesh.outline) != edges_of(outline_of(mesh.X, mesh.kind, mesh.cells)))
+    throw base::MeshError("the outline is not that of the cells");
+}
+
+void check_boundaries(const Mesh& mesh) {
+  const std::set<Edge> outline = edges_of(mesh.outline);
+  for (const auto& [name, chains] : mesh.boundaries) {
+    for (const Chain& chain : chains) {
+      if (chain.size() < 2) throw base::MeshError("boundary '" + name + "' has a chain without an edge");
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        if (!outline.contains({chain[i], chain[i + 1]}))
+          throw base::MeshError("boundary '" + name + "' leaves the outline at node " + std::to_string(chain[i]) +
+                                at(mesh.X[chain[i]]));
+    }
+  }
+}
+
+}  // namespace
+
+double scaled_jacobian(const Points& X, CellKind kind, const Cell& cell) {
+  return smallest_over_corners(X, kind, cell, [](const Vec2& a, const Vec2& b) {
+    const double lengths = a.norm() * b.norm();
+    return lengths > 0.0 ? base::cross(a, b) / lengths : 0.0;
+  });
+}
+
+double smallest_angle(const Points& X, CellKind kind, const Cell& cell) {
+  return smallest_over_corners(X, kind, cell,
+                               [](const Vec2& a, const Vec2& b) { return std::atan2(base::cross(a, b), a.dot(b)); });
+}
+
+PoorestCell poorest_cell(const Mesh& mesh) {
+  PoorestCell poorest;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const double quality = scaled_jacobian(mesh.X, mesh.kind, mesh.cells[cell]);
+    if (poorest.cell < 0 || quality < poorest.scaled_jacobian) poorest = {cell, quality};
+  }
+  return poorest;
+}
+
+void check(const Mesh& mesh) {
+  check_nodes(mesh);
+  check_cells(mesh);
+  check_outline(mesh);
+  check_boundaries(mesh);
+}
+
+}  // namespace reye::mesh
