@@ -76,7 +76,7 @@ class LinearBody {
   const std::vector<int>& contact_nodes() const;               ///< mesh nodes
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
-  const Matrix& tangent(const Vector& q) const;                ///< S, constant
+  const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
@@ -89,8 +89,11 @@ class LinearBody {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// A body without elements: q = (u_x, u_y, theta) of its reference point (the centre of its first supported
-/// edge, else of its bounding box); x = c + u + R(theta) (X - c), finite rotation.
+/// A body without elements: q = (u_x, u_y, theta) of its reference point c (the centre of its first support,
+/// edge or point, else of its bounding box); x = c + u + R(theta) (X - c), finite rotation. u_x and u_y are along
+/// the axes of that first support (x and y unless it is turned). All three motions are retained; those held by
+/// no column have residual q and tangent one: in axisymmetry x and rotation, and the rotation where a node-wise
+/// support holds an edge against it.
 class RigidBody {
  public:
   RigidBody(ShapePtr shape, const BodyInput& input);
@@ -99,7 +102,9 @@ class RigidBody {
   const std::vector<int>& contact_nodes() const;
   NodePosition position(int contact_node, const Vector& q) const;
   NodeFreedom freedom(int contact_node) const;
-  Matrix tangent(const Vector& q) const;
+  /// Derivative of `residual`: what the moment of dead loads changes with the rotation (zero without factors),
+  /// and one on the diagonal of a motion the body itself holds (see below).
+  Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;
   Vector residual(const Vector& q, const Vector& load_factors) const;
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;

@@ -1,0 +1,95 @@
+#include "body/edges.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "fem/assemble_loads.hpp"
+
+namespace reye::body {
+
+using base::Vec2;
+using mesh::Boundary;
+using mesh::Mesh;
+
+namespace {
+
+/// Calls visit(first node, second node) for every facet of the boundary.
+template <class Visit>
+void for_each_facet(const Boundary& boundary, Visit visit) {
+  for (const auto& chain : boundary)
+    for (size_t k = 0; k + 1 < chain.size(); ++k) visit(chain[k], chain[k + 1]);
+}
+
+Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
+  Vec2 sum{0.0, 0.0};
+  double total = 0.0;
+  for_each_facet(boundary, [&](int a, int b) {
+    const double h = (mesh.X[b] - mesh.X[a]).norm();
+    sum += 0.5 * h * (mesh.X[a] + mesh.X[b]);
+    total += h;
+  });
+  return sum / total;
+}
+
+/// Tangent at every node: mean of the unit tangents of its facets; of the whole edge when rigid.
+std::vector<Vec2> tangents(const Mesh& mesh, const Boundary& boundary, const SupportPlace& place) {
+  std::map<int, Vec2> at_node;
+  Vec2 whole{0.0, 0.0};
+  for_each_facet(boundary, [&](int a, int b) {
+    const Vec2 chord = mesh.X[b] - mesh.X[a];
+    for (int node : {a, b}) at_node.try_emplace(node, Vec2::Zero()).first->second += chord.normalized();
+    whole += chord;
+  });
+  std::vector<Vec2> result;
+  for (int node : place.nodes) result.push_back((place.rigid ? whole : at_node.at(node)).normalized());
+  return result;
+}
+
+void set_turned_axes(SupportPlace& place, double angle_deg) {
+  const double angle = angle_deg * std::numbers::pi / 180.0;
+  const bool turned = angle_deg != 0.0;  // keeps x and y free of round-off
+  const Vec2 x = turned ? Vec2{std::cos(angle), std::sin(angle)} : Vec2{1.0, 0.0};
+  place.x_axis.assign(place.nodes.size(), x);
+  place.y_axis.assign(place.nodes.size(), Vec2{-x.y(), x.x()});
+}
+
+SupportPlace place_at_point(const Mesh& mesh, const Support& support) {
+  if (support.rotation.drive != Drive::free)
+    throw base::InputError({{"support." + support.name + ".rotation", "", "a point has no rotation; support an edge"}});
+  SupportPlace place;
+  place.nodes = {fem::nearest_node(mesh, *support.point_mm)};
+  place.centre = mesh.X[place.nodes.front()];
+  set_turned_axes(place, support.angle_deg);
+  return place;
+}
+
+}  // namespace
+
+bool is_rigid(const Support& s) {
+  if (s.point_mm) return false;
+  return s.rigid || s.rotation.drive != Drive::free || s.x.drive == Drive::loaded || s.y.drive == Drive::loaded;
+}
+
+bool SupportPlace::straight() const {
+  for (const Vec2& axis : x_axis)
+    if ((axis - x_axis.front()).norm() > 1e-9) return false;
+  return true;
+}
+
+SupportPlace place_support(const Mesh& mesh, const Support& support) {
+  if (support.point_mm) return place_at_point(mesh, support);
+  const Boundary& boundary = fem::boundary_of(mesh, support.edge, "support." + support.name + ".edge");
+  SupportPlace place;
+  place.rigid = is_rigid(support);
+  place.nodes = mesh::nodes_of(boundary);
+  place.centre = centroid(mesh, boundary);
+  set_turned_axes(place, support.angle_deg);
+  if (!support.edge_axes) return place;
+  place.x_axis = tangents(mesh, boundary, place);
+  for (size_t k = 0; k < place.nodes.size(); ++k) place.y_axis[k] = base::right_of(place.x_axis[k]);
+  return place;
+}
+
+}  // namespace reye::body

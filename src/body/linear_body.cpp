@@ -1,0 +1,105 @@
+#include <utility>
+
+#include "body/columns.hpp"
+#include "body/operator.hpp"
+#include "fem/assemble_loads.hpp"
+#include "fem/stiffness.hpp"
+
+namespace reye::body {
+
+using base::SparseMatrix;
+
+namespace {
+
+/// One load of the scene, on the unknowns y and condensed to q (both for history factor 1).
+struct CondensedLoad {
+  Vector full;
+  Vector condensed;
+};
+
+/// Throws base::InputError when a contact boundary is unknown, before anything indexes by it.
+const BodyInput& checked(const mesh::Mesh& mesh, const BodyInput& input) {
+  for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
+  return input;
+}
+
+}  // namespace
+
+struct LinearBody::Impl {
+  ShapePtr shape;
+  Columns columns;
+  SparseMatrix B;
+  algebra::SchurFactor factor;
+  std::vector<LoadColumn> names;
+  std::vector<CondensedLoad> loads;
+
+  Impl(ShapePtr s, const BodyInput& input)
+      : shape(std::move(s)),
+        columns(number_columns(shape->mesh, checked(shape->mesh, input))),
+        B(columns.expansion()),
+        factor(reduced_stiffness(input), columns.retained) {
+    add_loads(input, input.boundary_loads);
+    add_loads(input, input.point_loads);
+    add_loads(input, input.body_forces);
+  }
+
+  /// B^T K B
+  SparseMatrix reduced_stiffness(const BodyInput& input) const {
+    const SparseMatrix K = fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar);
+    const SparseMatrix KB = K * B;
+    return B.transpose() * KB;
+  }
+
+  template <class Load>
+  void add_loads(const BodyInput& input, const std::vector<Load>& list) {
+    for (const Load& load : list) {
+      Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
+      Vector condensed = factor.condense(full);
+      names.push_back({load.name, load.history});
+      loads.push_back({std::move(full), std::move(condensed)});
+    }
+  }
+};
+
+LinearBody::LinearBody(ShapePtr shape, const BodyInput& input)
+    : impl_(std::make_shared<const Impl>(std::move(shape), input)) {}
+
+int LinearBody::dofs() const { return impl_->columns.retained; }
+int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
+const std::vector<int>& LinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
+const Matrix& LinearBody::tangent(const Vector&, const Vector&) const { return impl_->factor.schur(); }
+const std::vector<SupportColumn>& LinearBody::support_columns() const { return impl_->columns.supports; }
+const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
+
+NodePosition LinearBody::position(int contact_node, const Vector& q) const {
+  const int node = impl_->columns.contact_nodes[contact_node];
+  NodePosition p;
+  p.x = impl_->shape->mesh.X[node];
+  for (Term term : impl_->columns.terms[node]) {
+    term.column -= impl_->columns.interior;  // from the unknowns y to q: all columns of a contact node are retained
+    p.x += q[term.column] * term.direction;
+    p.terms[p.count++] = term;
+  }
+  return p;
+}
+
+NodeFreedom LinearBody::freedom(int contact_node) const {
+  return impl_->columns.freedom[impl_->columns.contact_nodes[contact_node]];
+}
+
+Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
+  Vector r = impl_->factor.schur() * q;
+  for (size_t i = 0; i < impl_->loads.size(); ++i) r -= load_factors[i] * impl_->loads[i].condensed;
+  return r;
+}
+
+std::vector<Vec2> LinearBody::recover(const Vector& q, const Vector& load_factors) const {
+  Vector f = Vector::Zero(full_dofs());
+  for (size_t i = 0; i < impl_->loads.size(); ++i) f += load_factors[i] * impl_->loads[i].full;
+  const Vector u = impl_->B * impl_->factor.recover(f, q);
+  std::vector<Vec2> nodal(impl_->shape->mesh.X.size());
+  for (size_t node = 0; node < nodal.size(); ++node) nodal[node] = u.segment<2>(2 * node);
+  return nodal;
+}
+
+}  // namespace reye::body
