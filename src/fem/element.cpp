@@ -1,5 +1,6 @@
 #include "fem/element.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <string>
 

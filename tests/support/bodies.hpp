@@ -1,0 +1,74 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "body/operator.hpp"
+#include "fem/assemble_loads.hpp"
+
+/// Bodies and a plain solve of one linear body, for tests of all rooms.
+namespace reye::support {
+
+inline body::BodyInput elastic(double E_MPa, double nu, base::Analysis analysis = base::Analysis::plane_strain) {
+  body::BodyInput input;
+  input.name = "body";
+  input.material = material::LinearElastic{E_MPa, nu};
+  input.analysis = analysis;
+  return input;
+}
+
+inline body::Motion moved(double amplitude) { return {body::Drive::moved, amplitude, ""}; }
+inline body::Motion loaded(double amplitude) { return {body::Drive::loaded, amplitude, ""}; }
+
+/// Both directions of every node of an edge held.
+inline body::Support fixed_edge(const std::string& name, const std::string& edge) {
+  body::Support s;
+  s.name = name;
+  s.edge = edge;
+  s.x.drive = s.y.drive = body::Drive::fixed;
+  return s;
+}
+
+/// All load vectors of a body, in the order of its `loads()`.
+inline std::vector<base::Vector> load_vectors(const mesh::Mesh& mesh, const body::BodyInput& input) {
+  std::vector<base::Vector> f;
+  for (const auto& load : input.boundary_loads) f.push_back(fem::load_vector(mesh, input.analysis, load));
+  for (const auto& load : input.point_loads) f.push_back(fem::load_vector(mesh, input.analysis, load));
+  for (const auto& load : input.body_forces) f.push_back(fem::load_vector(mesh, input.analysis, load));
+  return f;
+}
+
+struct LinearSolution {
+  base::Vector q;
+  base::Vector factors;  ///< all ones
+};
+
+inline const body::Motion& motion_of(const body::BodyInput& input, const body::SupportColumn& column) {
+  const body::Support& s = input.supports[column.support];
+  return column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
+}
+
+/// Solves one linear body without contact, all histories at factor one: r(q) = loads on the columns.
+inline LinearSolution solve_linear(const body::LinearBody& b, const body::BodyInput& input) {
+  LinearSolution s{base::Vector::Zero(b.dofs()), base::Vector::Ones(static_cast<int>(b.loads().size()))};
+  base::Matrix K = b.tangent(s.q);
+  std::vector<int> imposed;
+  base::Vector force = base::Vector::Zero(b.dofs());
+  for (const auto& c : b.support_columns()) {
+    const body::Motion& m = motion_of(input, c);
+    if (m.drive == body::Drive::loaded) force[c.column] += m.amplitude;
+    if (m.drive != body::Drive::fixed && m.drive != body::Drive::moved) continue;
+    imposed.push_back(c.column);
+    s.q[c.column] = m.drive == body::Drive::moved ? m.amplitude : 0.0;
+  }
+  base::Vector rhs = force - b.residual(s.q, s.factors);
+  for (int column : imposed) {
+    K.row(column).setZero();
+    K.col(column).setZero();
+    K(column, column) = 1.0;
+    rhs[column] = 0.0;
+  }
+  if (b.dofs() > 0) s.q += algebra::solve_dense(K, rhs);
+  return s;
+}
+
+}  // namespace reye::support
