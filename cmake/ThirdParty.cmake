@@ -1,5 +1,7 @@
 # Every third-party library, found once; which room may name it is decided in src/CMakeLists.txt.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)   # the dev preset is a debug build
+find_package(CGAL 5.5 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)

@@ -7,6 +7,8 @@
 
 namespace reye::adapt {
 
+class RelocationCache;
+
 /// Volume removed at the nodes of one boundary since the last shape step
 /// [mm^2 per mm; mm^3 in axisymmetry], in the order of mesh::nodes_of(boundary). Never negative.
 struct WornBoundary {
@@ -21,15 +23,18 @@ struct QualityBound {
 
 struct ShapeStepResult {
   body::ShapePtr shape;     ///< null when the step failed
-  double removed = 0.0;     ///< volume of the strip between old and new outline
-  double theta = 1.0;       ///< the factor that made the strip exact
-  double min_quality = 1.0;
+  double removed = 0.0;     ///< volume of the strip between old and new outline, measured on the stored coordinates
+  double theta = 1.0;       ///< the factor that made the strip exact; of several parts, the one farthest from 1
+  double min_quality = 1.0; ///< smallest scaled Jacobian of the new mesh
+  int parts = 1;            ///< sub-steps the motion was split into
   std::string failure;      ///< empty; else the element, where it is, and the cause
 };
 
 /// Moves the worn boundaries of X inwards along their normals so that the strip between old and new outline
 /// has exactly the removed volume, and lets the interior follow by a pseudo-elastic relocation.
+/// No wear returns the same shape. `cache` keeps the factor of the relocation between calls; without it the
+/// result is the same to the last bit. Throws std::out_of_range when a boundary name is not in the mesh.
 ShapeStepResult evolve(const body::ShapePtr& shape, base::Analysis analysis, const std::vector<WornBoundary>& worn,
-                       const QualityBound& bound = {});
+                       const QualityBound& bound = {}, RelocationCache* cache = nullptr);
 
 }  // namespace reye::adapt

@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "adapt/shape_step.hpp"
+#include "adapt/strip.hpp"
+#include "mesh/mesh.hpp"
+
+namespace reye::adapt {
+
+/// Neighbours of every node along the closed outline, body on the left; -1 for nodes inside.
+struct Outline {
+  std::vector<int> before, after;
+  bool holds(int node) const { return after[node] >= 0; }
+};
+
+Outline outline_of(const mesh::Mesh& mesh);
+
+/// What one outline node loses, told apart by the facets on which it was worn: the one before the node, the
+/// one after it, or both together (shared by their lengths).
+struct WornNode {
+  int node = -1;
+  double before = 0.0, after = 0.0, both = 0.0;
+  double total() const { return before + after + both; }
+};
+
+/// The worn nodes in ascending order, boundaries that share nodes added up; nodes without loss left out.
+std::vector<WornNode> worn_nodes(const mesh::Mesh& mesh, const std::vector<WornBoundary>& worn);
+
+/// Every outline facet with at least one worn node.
+std::vector<Facet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes);
+
+/// Where a worn node goes so that to first order its strip has the volume it lost, with W = volume / nodal
+/// length on each side.
+/// Smooth outline: along the averaged normal of its worn facets. Corner (turning more than 50 degrees): to the
+/// place where both facets are offset by their own W, so a corner worn on one side slides along the other.
+Vec2 nodal_step(Analysis analysis, const Points& X, const Outline& outline, const WornNode& worn);
+
+/// A moved outline, or why it could not be moved.
+struct MovedOutline {
+  Points X;             ///< all nodes; those inside as they were
+  double theta = 1.0;   ///< of all parts, the one farthest from 1
+  int parts = 1;
+  std::string failure;
+};
+
+/// Moves the worn nodes by their whole loss, in as many equal parts as the limits on one part ask for
+/// (README, 3).
+MovedOutline move_outline(Analysis analysis, const mesh::Mesh& mesh, const Outline& outline,
+                          const std::vector<WornNode>& nodes);
+
+}  // namespace reye::adapt

@@ -1,0 +1,44 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "mesh/mesh.hpp"
+
+namespace reye::adapt {
+
+using base::Points;
+
+/// Carries a motion of the outline into the interior of the mesh a shape was born on.
+/// Energy: sum over cells of 1/area int |Grad v|^2, an elastic body that is stiff where its cells are small, so
+/// that small cells move nearly rigidly and large ones give way; both components share one factor.   (README, 4)
+class InteriorMotion {
+ public:
+  explicit InteriorMotion(const mesh::Mesh& born);
+  ~InteriorMotion();
+
+  /// Displacement of every node for displacements given on the outline (values at inner nodes are not read).
+  /// Linear in them and without memory: where inner nodes end up depends on the outline alone.
+  Points extend(Points displacement) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
+/// Factors kept between shape steps, one for each living mesh of birth. Throwing it away changes no bit.
+/// Safe to share between threads.
+class RelocationCache {
+ public:
+  std::shared_ptr<const InteriorMotion> of(const std::shared_ptr<const mesh::Mesh>& born);
+
+ private:
+  struct Entry {
+    std::weak_ptr<const mesh::Mesh> born;
+    std::shared_ptr<const InteriorMotion> motion;
+  };
+  std::mutex mutex_;
+  std::map<const mesh::Mesh*, Entry> entries_;
+};
+
+}  // namespace reye::adapt
