@@ -28,9 +28,12 @@ std::map<int, Sides> sides_of(const mesh::Boundary& boundary) {
 }
 
 void add_loss(WornNode& node, const Sides& sides, double volume) {
-  if (sides.before && sides.after) node.both += volume;
-  else if (sides.before) node.before += volume;
-  else node.after += volume;
+  if (sides.before && sides.after)
+    node.both += volume;
+  else if (sides.before)
+    node.before += volume;
+  else
+    node.after += volume;
 }
 
 Vec2 unit(const Vec2& v) { return v / v.norm(); }

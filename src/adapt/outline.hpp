@@ -38,8 +38,8 @@ Vec2 nodal_step(Analysis analysis, const Points& X, const Outline& outline, cons
 
 /// A moved outline, or why it could not be moved.
 struct MovedOutline {
-  Points X;             ///< all nodes; those inside as they were
-  double theta = 1.0;   ///< of all parts, the one farthest from 1
+  Points X;            ///< all nodes; those inside as they were
+  double theta = 1.0;  ///< of all parts, the one farthest from 1
   int parts = 1;
   std::string failure;
 };

@@ -50,7 +50,7 @@ Split split(const mesh::Mesh& mesh) {
 
 struct InteriorMotion::Impl {
   Split split;
-  SparseMatrix coupling;  ///< inner x outline
+  SparseMatrix coupling;                    ///< inner x outline
   std::optional<algebra::Cholesky> factor;  ///< none without inner nodes
   mutable std::mutex solving;               ///< the factor has one workspace
 };

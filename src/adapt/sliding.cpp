@@ -10,7 +10,7 @@ namespace {
 struct Marks {
   std::vector<char> stop;  ///< ends of straight sides
   std::vector<char> worn;
-  double slack = 0.0;      ///< what round-off may do to a position [mm]
+  double slack = 0.0;  ///< what round-off may do to a position [mm]
 };
 
 Marks marks_of(const mesh::Mesh& born, const std::vector<WornNode>& worn) {

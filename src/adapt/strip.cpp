@@ -10,11 +10,11 @@ double swept_volume(Analysis analysis, const std::array<Vec2, 2>& facet, const s
   const auto& [a, b] = facet;
   const auto& [da, db] = displacement;
   const Vec2 e = b - a;
-  const double first = 0.5 * base::cross(e, db);                                // triangle a, b, b + db
-  const double second = 0.5 * (base::cross(e, da) + base::cross(db, da));       // triangle a, b + db, a + da
+  const double first = 0.5 * base::cross(e, db);                           // triangle a, b, b + db
+  const double second = 0.5 * (base::cross(e, da) + base::cross(db, da));  // triangle a, b + db, a + da
   if (analysis != Analysis::axisymmetric) return first + second;
   const double r = a.x() + b.x() + b.x() + db.x(), s = a.x() + b.x() + db.x() + a.x() + da.x();
-  return 2.0 * std::numbers::pi / 3.0 * (first * r + second * s);               // Pappus, exact for triangles
+  return 2.0 * std::numbers::pi / 3.0 * (first * r + second * s);  // Pappus, exact for triangles
 }
 
 double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,

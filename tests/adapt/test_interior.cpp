@@ -29,7 +29,8 @@ double column_height(const Mesh& m, int i, int nx, int row) {
 TEST(Interior, SurfaceElementsMoveNearlyRigidly) {
   const auto mesh = graded();
   const double height = column_height(mesh, 30, 60, 15);
-  const auto result = evolve(make_shape(mesh), plane, {worn_by(mesh, "top", [&](Vec2 x) { return 0.5 * height * dent(x); })});
+  const auto result =
+      evolve(make_shape(mesh), plane, {worn_by(mesh, "top", [&](Vec2 x) { return 0.5 * height * dent(x); })});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_GT(result.min_quality, 0.9);
   for (int i = 0; i <= 60; ++i)
@@ -42,7 +43,8 @@ TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
   const double height = column_height(mesh, 30, 60, 15);
   auto shape = make_shape(mesh);
   for (int step = 0; step < 20; ++step) {
-    const auto result = evolve(shape, plane, {worn_by(shape->mesh, "top", [&](Vec2 x) { return 0.2 * height * dent(x); })});
+    const auto result =
+        evolve(shape, plane, {worn_by(shape->mesh, "top", [&](Vec2 x) { return 0.2 * height * dent(x); })});
     ASSERT_TRUE(result.shape) << result.failure;
     shape = result.shape;
   }
@@ -54,9 +56,11 @@ TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
 TEST(Interior, PathIndependent) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 8, .distortion = 0.5});
   auto ten = make_shape(mesh);
-  for (int step = 0; step < 10; ++step) ten = evolve(ten, plane, {worn_by(ten->mesh, "top", [](Vec2) { return 0.001; })}).shape;
+  for (int step = 0; step < 10; ++step)
+    ten = evolve(ten, plane, {worn_by(ten->mesh, "top", [](Vec2) { return 0.001; })}).shape;
   const auto one = evolve(make_shape(mesh), plane, {worn_by(mesh, "top", [](Vec2) { return 0.01; })}).shape;
-  for (int node = 0; node < mesh.node_count(); ++node) EXPECT_NEAR((ten->mesh.X[node] - one->mesh.X[node]).norm(), 0.0, 1e-14);
+  for (int node = 0; node < mesh.node_count(); ++node)
+    EXPECT_NEAR((ten->mesh.X[node] - one->mesh.X[node]).norm(), 0.0, 1e-14);
 }
 
 // A motion that all outline nodes share carries the inner nodes along rigidly, however distorted the cells.

@@ -21,7 +21,8 @@ TEST(Refusal, PoorElementIsNamed) {
   auto shape = make_shape(mesh);
   adapt::ShapeStepResult result;
   for (int step = 0; step < 40; ++step) {
-    result = evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2 x) { return std::abs(x.x() - 1.0) < 0.1 ? 0.03 : 0.0; })},
+    result = evolve(shape, plane,
+                    {worn_by(shape->mesh, "top", [](Vec2 x) { return std::abs(x.x() - 1.0) < 0.1 ? 0.03 : 0.0; })},
                     {.min_scaled_jacobian = 0.5});
     if (!result.shape) break;
     shape = result.shape;
@@ -37,8 +38,10 @@ TEST(Refusal, PoorElementIsNamed) {
 TEST(Refusal, CauseCountsFromBirth) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 8, .ny = 4});
   auto shape = make_shape(mesh);
-  for (int step = 0; step < 4; ++step) shape = evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2) { return 0.025; })}).shape;
-  const auto result = evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2) { return 0.025; })}, {.min_scaled_jacobian = 1.1});
+  for (int step = 0; step < 4; ++step)
+    shape = evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2) { return 0.025; })}).shape;
+  const auto result =
+      evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2) { return 0.025; })}, {.min_scaled_jacobian = 1.1});
   EXPECT_THAT(result.failure, HasSubstr("is 0.5 times the height of the element below"));
 }
 

@@ -57,7 +57,9 @@ TEST(StripVolume, Axisymmetric) {
   for (double start : {0.0, 0.5}) {
     const auto mesh = rectangle({.corner = {start, 0.0}, .size = {2.0, 1.0}, .nx = 20, .ny = 8});
     expect_exact(mesh, worn_by(mesh, "top", dent(0.015, 0.4, 1.13), Analysis::axisymmetric), Analysis::axisymmetric);
-    expect_exact(mesh, worn_by(mesh, "right", [](Vec2) { return 0.01; }, Analysis::axisymmetric),
+    expect_exact(mesh,
+                 worn_by(
+                     mesh, "right", [](Vec2) { return 0.01; }, Analysis::axisymmetric),
                  Analysis::axisymmetric);
   }
 }
@@ -86,7 +88,8 @@ TEST(StripVolume, ChainEndWithinAFace) {
 // Flat uniform wear moves a face exactly parallel, sliding corners included, and needs no correction.
 TEST(StripVolume, UniformWearStaysParallel) {
   const auto mesh = block();
-  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "top", [](Vec2) { return 0.01; })});
+  const auto result =
+      evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "top", [](Vec2) { return 0.01; })});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_NEAR(result.theta, 1.0, 1e-14);
   EXPECT_EQ(result.parts, 1);
@@ -99,7 +102,8 @@ TEST(StripVolume, UniformWearStaysParallel) {
 // A corner slides along a free side that leans, so that the worn face still advances by its depth.
 TEST(StripVolume, CornerSlidesAlongALeaningSide) {
   const auto mesh = mapped(block(), [](Vec2 x) { return Vec2(x.x() + 0.3 * x.y() * (x.x() - 1.0), x.y()); });
-  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "top", [](Vec2) { return 1e-4; })});
+  const auto result =
+      evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "top", [](Vec2) { return 1e-4; })});
   ASSERT_TRUE(result.shape) << result.failure;
   const int corner = node_at(mesh, {2.3, 1.0});
   const Vec2 moved = result.shape->mesh.X[corner] - mesh.X[corner];
@@ -110,7 +114,9 @@ TEST(StripVolume, CornerSlidesAlongALeaningSide) {
 // A parabola worn into a circle leaves the circle moved along its own normals, to the order of the facets.
 TEST(StripVolume, ParabolaOnACircle) {
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = 90});
-  const auto profile = [](Vec2 x) { return 1e-3 * std::max(0.0, 1.0 - std::pow((std::atan2(x.y(), x.x()) - 0.8) / 0.4, 2)); };
+  const auto profile = [](Vec2 x) {
+    return 1e-3 * std::max(0.0, 1.0 - std::pow((std::atan2(x.y(), x.x()) - 0.8) / 0.4, 2));
+  };
   const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "right", profile)});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_NEAR(result.theta, 1.0, 1e-3);
@@ -127,7 +133,8 @@ TEST(StripVolume, TinyStepsAddUp) {
   auto shape = make_shape(mesh);
   double asked = 0.0, removed = 0.0;
   for (int step = 0; step < 200; ++step) {
-    const auto worn = worn_by(shape->mesh, "right", [&](Vec2 x) { return 1e-6 * (1.0 + std::sin(9.0 * x.x() + step)); });
+    const auto worn =
+        worn_by(shape->mesh, "right", [&](Vec2 x) { return 1e-6 * (1.0 + std::sin(9.0 * x.x() + step)); });
     const auto result = evolve(shape, Analysis::plane_strain, {worn});
     ASSERT_TRUE(result.shape) << result.failure;
     asked += sum(worn);

@@ -48,7 +48,8 @@ inline long double content(const Mesh& m, Analysis analysis) {
   for (const auto& loop : m.outline)
     for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
       const long double x = m.X[loop[k]].x(), y = m.X[loop[k]].y(), u = m.X[loop[k + 1]].x(), v = m.X[loop[k + 1]].y();
-      total += analysis == Analysis::axisymmetric ? pi / 3.0L * (x * x + x * u + u * u) * (v - y) : (x * v - u * y) / 2.0L;
+      total +=
+          analysis == Analysis::axisymmetric ? pi / 3.0L * (x * x + x * u + u * u) * (v - y) : (x * v - u * y) / 2.0L;
     }
   return total;
 }

@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Reye on an empty Debian 12: installs what is missing, builds, then runs the demo, the tests or a case.
+#
+#   bash apps/setup.sh demo           the fretting demo; ends with where its page, pictures and series lie
+#   bash apps/setup.sh test           the test suite without the slow ones
+#   bash apps/setup.sh build          packages and build only
+#   bash apps/setup.sh results CASE   remakes results/CASE and compares; CASE = all does every one
+#
+# As root or with sudo. A second call installs nothing and rebuilds nothing.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+packages=(
+  g++ cmake ninja-build make pkg-config git ca-certificates python3
+  libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libcgal-dev libvtk9-dev
+  libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libcereal-dev
+  libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
+)
+build=build
+
+usage() {
+  sed -n '2,9s/^# \{0,1\}//p' apps/setup.sh
+  exit 2
+}
+
+missing_packages() {
+  local package
+  for package in "${packages[@]}"; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || echo "$package"
+  done
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    env DEBIAN_FRONTEND=noninteractive "$@"
+  elif command -v sudo >/dev/null; then
+    sudo env DEBIAN_FRONTEND=noninteractive "$@"
+  else
+    echo "setup: packages are missing; run as root or install sudo: $*" >&2
+    exit 1
+  fi
+}
+
+install_missing() {
+  local missing
+  mapfile -t missing < <(missing_packages)
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  echo "setup: installing ${missing[*]}"
+  as_root apt-get -o Acquire::Retries=3 update </dev/null
+  as_root apt-get -o Acquire::Retries=3 install -y --no-install-recommends "${missing[@]}" </dev/null
+}
+
+build_all() {
+  [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+  cmake --build "$build"
+}
+
+run_demo() {
+  local out="$build/fretting_demo.out"
+  "$build/bin/reye" run geo/fretting_demo/scene.toml --out "$out"
+  [ -f "$out/report.html" ] || "$build/bin/reye" report "$out"
+  python3 apps/results.py table "$out"
+}
+
+[ $# -ge 1 ] || usage
+case "$1" in
+  demo | test | build) [ $# -eq 1 ] || usage ;;
+  results) [ $# -eq 2 ] || usage ;;
+  *) usage ;;
+esac
+
+install_missing
+build_all
+case "$1" in
+  demo) run_demo ;;
+  test) ctest --test-dir "$build" --output-on-failure -LE slow -j2 ;;
+  results) python3 apps/results.py compare "$2" ;;
+esac
