@@ -1,0 +1,160 @@
+#include "algebra/factor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
+
+#include "base/errors.hpp"
+
+namespace {
+
+using namespace reye;
+using base::Matrix;
+using base::SparseMatrix;
+using base::Vector;
+
+/// Springs between neighbours of an nx times ny grid, two motions per node with a cross coupling; held to the
+/// ground with stiffness `ground`. Without ground any common translation is free.
+SparseMatrix grid(int nx, int ny, double ground, double softness = 1.0) {
+  std::vector<base::Triplet> t;
+  const auto couple = [&](int a, int b, double kx, double ky, double kxy) {
+    const double k[2][2] = {{kx, kxy}, {kxy, ky}};
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        t.emplace_back(2 * a + i, 2 * a + j, k[i][j]);
+        t.emplace_back(2 * b + i, 2 * b + j, k[i][j]);
+        t.emplace_back(2 * a + i, 2 * b + j, -k[i][j]);
+        t.emplace_back(2 * b + i, 2 * a + j, -k[i][j]);
+      }
+  };
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const int a = j * nx + i;
+      const double stiff = 100.0 * (1.0 + 0.5 * softness * std::sin(7.0 * a));
+      if (i + 1 < nx) couple(a, a + 1, 3 * stiff, stiff, 0.3 * stiff);
+      if (j + 1 < ny) couple(a, a + nx, stiff, 3 * stiff, -0.2 * stiff);
+      for (int c = 0; c < 2; ++c) t.emplace_back(2 * a + c, 2 * a + c, ground);
+    }
+  SparseMatrix K(2 * nx * ny, 2 * nx * ny);
+  K.setFromTriplets(t.begin(), t.end());
+  return K;
+}
+
+Matrix dense_schur(const SparseMatrix& K, int c) {
+  const Matrix D = K;
+  const int i = static_cast<int>(D.rows()) - c;
+  if (i == 0) return D;
+  return D.bottomRightCorner(c, c) - D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).llt().solve(D.topRightCorner(i, c));
+}
+
+Vector wave(int n) { return Vector::LinSpaced(n, 0.0, 9.0).array().sin() + 0.3; }
+
+// The Schur complement must equal the dense computation to 1e-12, held or floating, whatever the split.
+TEST(schur, equals_dense) {
+  for (double ground : {0.0, 5.0})
+    for (int retained : {2, 7, 30, 150, 199, 200}) {
+      const SparseMatrix K = grid(10, 10, ground);
+      const algebra::SchurFactor f(K, retained);
+      const Matrix S = dense_schur(K, retained);
+      EXPECT_LT((f.schur() - S).norm(), 1e-12 * K.norm()) << "retained " << retained << " ground " << ground;
+      EXPECT_EQ((f.schur() - f.schur().transpose()).norm(), 0.0);
+    }
+}
+
+// A free translation must stay free in the Schur complement: S times it vanishes to round-off.
+TEST(schur, floating_motion_costs_nothing) {
+  const algebra::SchurFactor f(grid(40, 25, 0.0), 80);
+  Vector along_x = Vector::Zero(80);
+  for (int k = 0; k < 80; k += 2) along_x[k] = 1.0;
+  EXPECT_LT((f.schur() * along_x).norm(), 1e-12 * f.schur().norm());
+}
+
+// Condensed equations plus recovery must give the direct solution to 1e-11.
+TEST(schur, condense_and_recover_equal_direct_solution) {
+  for (int retained : {0, 1, 20, 200}) {
+    const SparseMatrix K = grid(10, 10, 2.0);
+    const algebra::SchurFactor f(K, retained);
+    const Vector load = wave(200);
+    Matrix S = f.schur();
+    const Vector u_c = algebra::solve_dense(S, f.condense(load));
+    const Vector u = f.recover(load, u_c);
+    const Vector direct = algebra::Cholesky(K).solve(load);
+    EXPECT_LT((u - direct).norm(), 1e-11 * direct.norm()) << retained;
+    EXPECT_LT((K * u - load).norm(), 1e-11 * load.norm());
+  }
+}
+
+// Refactoring must give what a new factorisation gives, with the same pattern and with another one.
+TEST(schur, refactor_equals_fresh) {
+  algebra::SchurFactor f(grid(9, 8, 0.0), 16);
+  for (const SparseMatrix& K : {grid(9, 8, 0.0, -0.7), grid(12, 7, 1.0)}) {
+    f.refactor(K);
+    const algebra::SchurFactor fresh(K, 16);
+    EXPECT_EQ((f.schur() - fresh.schur()).norm(), 0.0);
+    const Vector load = wave(static_cast<int>(K.rows()));
+    EXPECT_EQ((f.condense(load) - fresh.condense(load)).norm(), 0.0);
+  }
+}
+
+// A singular or indefinite interior, a value that is not finite and an impossible split must be SolveErrors.
+TEST(schur, failures_are_solve_errors) {
+  SparseMatrix K = grid(6, 6, 0.0);
+  EXPECT_THROW(algebra::SchurFactor(K, 0), base::SolveError);   // both translations free inside
+  EXPECT_THROW(algebra::SchurFactor(K, 1), base::SolveError);   // one still free
+  EXPECT_THROW(algebra::SchurFactor(K, 73), base::SolveError);
+  SparseMatrix negative = -1.0 * grid(6, 6, 1.0);
+  EXPECT_THROW(algebra::SchurFactor(negative, 6), base::SolveError);
+  K.coeffRef(5, 5) = std::nan("");
+  EXPECT_THROW(algebra::SchurFactor(K, 6), base::SolveError);
+}
+
+// A factor that failed must work again once it is given a good matrix.
+TEST(schur, recovers_after_failure) {
+  const SparseMatrix K = grid(6, 6, 1.0);
+  algebra::SchurFactor f(K, 10);
+  const Matrix before = f.schur();
+  EXPECT_THROW(f.refactor(SparseMatrix(-1.0 * K)), base::SolveError);
+  f.refactor(K);
+  EXPECT_EQ((f.schur() - before).norm(), 0.0);
+}
+
+// The plain factor must solve for several right-hand sides and refuse singular matrices.
+TEST(cholesky, solves_and_refuses) {
+  const SparseMatrix K = grid(12, 9, 1.0);
+  Matrix b(K.rows(), 3);
+  for (int j = 0; j < 3; ++j) b.col(j) = (j + 1.0) * wave(static_cast<int>(K.rows())).array().pow(j + 1);
+  algebra::Cholesky f(K);
+  EXPECT_LT((K * f.solve(b) - b).norm(), 1e-12 * b.norm());
+  const SparseMatrix other = grid(12, 9, 3.0);
+  f.refactor(other);
+  EXPECT_LT((other * f.solve(b) - b).norm(), 1e-12 * b.norm());
+  EXPECT_THROW(f.refactor(grid(12, 9, 0.0)), base::SolveError);
+}
+
+// The dense solve must be exact for unsymmetric, badly scaled systems.
+TEST(dense, solves_badly_scaled_systems) {
+  const int n = 40;
+  Matrix A(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) A(i, j) = std::sin(1.0 + i * 3.7 + j * j * 0.9) + (i == j ? 4.0 : 0.0);
+  const Vector x = wave(n);
+  const Vector rows = Vector::LinSpaced(n, -9.0, 6.0).unaryExpr([](double e) { return std::pow(10.0, e); });
+  A = rows.asDiagonal() * A;
+  const Vector b = A * x;
+  EXPECT_LT((algebra::solve_dense(A, b) - x).norm(), 1e-12 * x.norm());
+}
+
+// A singular matrix must be a SolveError: a zero row, equal columns, a value that is not finite.
+TEST(dense, singular_is_a_solve_error) {
+  Matrix zero_row = Matrix::Identity(4, 4);
+  zero_row(2, 2) = 0.0;
+  Matrix equal = Matrix::Identity(4, 4);
+  equal.col(3) = equal.col(1);
+  Matrix bad = Matrix::Identity(4, 4);
+  bad(0, 1) = INFINITY;
+  for (Matrix* A : {&zero_row, &equal, &bad}) EXPECT_THROW(algebra::solve_dense(*A, Vector::Ones(4)), base::SolveError);
+}
+
+}  // namespace
