@@ -141,13 +141,16 @@ Figure last_tractions(const RunData& run, const ContactData& contact) {
   return figure;
 }
 
+Line side_line(sim::Side side) {
+  return {.label = side_name(side), .colour = line_colour(side == sim::Side::secondary ? 0 : 1)};
+}
+
 /// A value of each frame against its cycle, one line per side.
 template <class Value>
 Figure per_frame(const ContactData& contact, Figure figure, const Value& value) {
   for (const auto& surface : contact.sides) {
-    Line line;
-    line.label = side_name(surface.side);
-    line.colour = line_colour(surface.side == sim::Side::secondary ? 0 : 1);
+    Line line = side_line(surface.side);
+    line.dots = surface.frames.size() <= 40;
     for (const auto& rows : surface.frames) {
       line.x.push_back(rows.cycle);
       line.y.push_back(value(surface, rows));
@@ -159,17 +162,36 @@ Figure per_frame(const ContactData& contact, Figure figure, const Value& value) 
   return figure;
 }
 
-Figure depth_over_cycles(const RunData& run, const ContactData& contact) {
+double deepest_of(const ContactData& contact) {
   double deepest = 0.0;
   for (const auto& surface : contact.sides) deepest = std::max(deepest, largest(surface.table.column("wear_depth_mm")));
-  const Unit unit = length_unit(deepest);
+  return deepest;
+}
+
+/// The history knows the depth at every increment, but only the largest of all contacts.
+void depth_from_history(const RunData& run, double factor, Figure& figure) {
+  for (const auto side : {sim::Side::secondary, sim::Side::primary}) {
+    Line line = side_line(side);
+    line.x = run.history.column("cycle");
+    line.y = run.history.column(std::string("depth_max_") + side_name(side) + "_mm");
+    for (double& y : line.y) y *= factor;
+    if (largest(line.y) > 0.0) figure.lines.push_back(std::move(line));
+  }
+  figure.x_label = "cycles";
+  figure.y_from_zero = true;
+}
+
+Figure depth_over_cycles(const RunData& run, const ContactData& contact) {
+  const Unit unit = length_unit(deepest_of(contact));
   Figure figure{.id = "depth-" + file_part(contact.name),
                 .title = title_of(run, contact, "Largest wear depth"),
                 .y_label = "depth, " + unit.name};
+  if (run.contacts.size() == 1) depth_from_history(run, unit.factor, figure);
+  if (!figure.lines.empty()) return figure;
   return per_frame(contact, figure, [&](const SurfaceTable& surface, const FrameRows& rows) {
-    const auto& h = surface.table.column("wear_depth_mm");
-    return unit.factor * *std::max_element(h.begin() + static_cast<std::ptrdiff_t>(rows.begin),
-                                           h.begin() + static_cast<std::ptrdiff_t>(rows.end));
+    const auto first = surface.table.column("wear_depth_mm").begin();
+    return unit.factor * *std::max_element(first + static_cast<std::ptrdiff_t>(rows.begin),
+                                           first + static_cast<std::ptrdiff_t>(rows.end));
   });
 }
 
@@ -183,82 +205,32 @@ Figure worn_over_cycles(const RunData& run, const ContactData& contact) {
   });
 }
 
-void add_contact(const RunData& run, const ContactData& contact, std::vector<Figure>& all) {
-  if (contact.sides.empty()) return;
-  const std::string name = file_part(contact.name);
-  bool worn = false;
+/// Worn profiles of both sides to one scale.
+void add_profiles(const RunData& run, const ContactData& contact, std::vector<Figure>& all) {
+  const double deepest = deepest_of(contact);
+  const Unit unit = length_unit(deepest);
   for (const auto& surface : contact.sides) {
-    const double deepest = largest(surface.table.column("wear_depth_mm"));
-    if (deepest == 0.0) continue;
-    worn = true;
+    if (largest(surface.table.column("wear_depth_mm")) == 0.0) continue;
     const std::string side = side_name(surface.side);
-    const Unit unit = length_unit(deepest);
-    all.push_back(over_cycles(surface, {"profile-" + name + '-' + side,
+    all.push_back(over_cycles(surface, {"profile-" + file_part(contact.name) + '-' + side,
                                         title_of(run, contact, "Worn profile, " + side + " side"), "wear_depth_mm",
                                         "wear depth, " + unit.name, unit.factor, true}));
+    all.back().y_range = Range{0.0, deepest * unit.factor};
   }
+}
+
+void add_contact(const RunData& run, const ContactData& contact, std::vector<Figure>& all) {
+  if (contact.sides.empty()) return;
+  add_profiles(run, contact, all);
   const SurfaceTable& first = contact.sides.front();
   if (first.frames.size() > 1)
-    all.push_back(over_cycles(first, {"pressure-" + name, title_of(run, contact, "Contact pressure over cycles"),
-                                      "pressure_MPa", "pressure, MPa"}));
+    all.push_back(over_cycles(first, {"pressure-" + file_part(contact.name),
+                                      title_of(run, contact, "Contact pressure over cycles"), "pressure_MPa",
+                                      "pressure, MPa"}));
   all.push_back(last_tractions(run, contact));
-  if (!worn || first.frames.size() < 2) return;
+  if (deepest_of(contact) == 0.0 || first.frames.size() < 2) return;
   all.push_back(depth_over_cycles(run, contact));
   all.push_back(worn_over_cycles(run, contact));
-}
-
-void add_energy(const RunData& run, std::vector<Figure>& all) {
-  const std::string energy = suffixes(run.identity.analysis).energy;
-  const auto& y = run.history.column("energy_" + energy);
-  const auto& cycle = run.history.column("cycle");
-  if (largest(y) == 0.0) return;
-  const bool ring = run.identity.analysis == base::Analysis::axisymmetric;
-  Figure figure{.id = "energy", .title = "Energy dissipated by friction", .x_label = "cycles",
-                .y_label = ring ? "energy, mJ" : "energy, mJ per mm"};
-  const bool cycles = largest(cycle) > 0.0;
-  Line line{.x = cycle, .y = y};
-  if (!cycles) {
-    figure.x_label = "increment";
-    for (std::size_t i = 0; i < line.x.size(); ++i) line.x[i] = static_cast<double>(i + 1);
-  }
-  figure.y_from_zero = true;
-  figure.lines.push_back(std::move(line));
-  all.push_back(std::move(figure));
-}
-
-/// Rows of the last play of the last step: back to where the progress starts again.
-std::size_t last_play(const Table& history) {
-  const auto& progress = history.column("progress");
-  const auto& step = history.column("step");
-  std::size_t first = history.rows() - 1;
-  while (first > 0 && step[first - 1] == step[first] && progress[first - 1] < progress[first]) --first;
-  return first;
-}
-
-void add_forces(const RunData& run, std::vector<Figure>& all) {
-  const Table& history = run.history;
-  if (history.rows() < 2) return;
-  const std::size_t first = last_play(history);
-  if (history.rows() - first < 3) return;
-  const std::string unit = suffixes(run.identity.analysis).force;
-  const auto& progress = history.column("progress");
-  Figure figure{.id = "forces",
-                .title = "Support forces through the last '" + history.word(history.column("step").back()) + "'",
-                .x_label = "progress of the step",
-                .y_label = unit == "N" ? "force on the body, N" : "force on the body, N per mm"};
-  for (std::size_t c = 8; c < history.columns.size(); ++c) {
-    std::string name = history.columns[c].substr(0, history.columns[c].rfind(unit) - 1);
-    const bool along_y = name.back() == 'y';
-    name = name.substr(0, name.size() - std::string("_force_x").size()) + (along_y ? ", y" : ", x");
-    const auto from = static_cast<std::ptrdiff_t>(first);
-    Line line{.label = name,
-              .x = {progress.begin() + from, progress.end()},
-              .y = {history.values[c].begin() + from, history.values[c].end()},
-              .colour = line_colour((c - 8) / 2),
-              .dashed = along_y};
-    if (largest(line.y) > 0.0) figure.lines.push_back(std::move(line));
-  }
-  if (!figure.lines.empty()) all.push_back(std::move(figure));
 }
 
 }  // namespace
@@ -266,8 +238,7 @@ void add_forces(const RunData& run, std::vector<Figure>& all) {
 std::vector<Figure> figures(const RunData& run) {
   std::vector<Figure> all;
   for (const auto& contact : run.contacts) add_contact(run, contact, all);
-  add_energy(run, all);
-  add_forces(run, all);
+  for (auto& figure : history_figures(run)) all.push_back(std::move(figure));
   return all;
 }
 

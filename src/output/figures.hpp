@@ -11,4 +11,7 @@ namespace reye::output {
 /// then energy against cycles and the forces on the supports through the last load cycle.
 std::vector<Figure> figures(const RunData& run);
 
+/// The part of them that comes from history.csv: energy and support forces.
+std::vector<Figure> history_figures(const RunData& run);
+
 }  // namespace reye::output

@@ -147,7 +147,12 @@ std::string draw_line(const Line& full, const Layout& at) {
     down = finite;
   }
   if (path.empty()) return {};
-  return "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + line.colour + '"' +
+  std::string dots;
+  for (std::size_t i = 0; line.dots && i < line.x.size(); ++i)
+    if (std::isfinite(line.x[i]) && std::isfinite(line.y[i]))
+      dots += "<circle" + attribute("cx", at.px(line.x[i])) + attribute("cy", at.py(line.y[i])) +
+              " r=\"3\" fill=\"" + line.colour + "\"/>\n";
+  return dots + "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + line.colour + '"' +
          attribute("stroke-width", line.width) + " stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
          (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
 }
@@ -176,7 +181,7 @@ Layout lay_out(const Figure& figure, std::vector<LegendEntry>& legend) {
   at.top = lay_out_legend(figure, at.right, legend);
   at.bottom = at.top + plot_height;
   at.x = figure.x_range ? widened(*figure.x_range) : range_of(figure.lines, true, {});
-  at.y = range_of(figure.lines, false, figure.x_range);
+  at.y = figure.y_range ? widened(*figure.y_range) : range_of(figure.lines, false, figure.x_range);
   if (figure.y_from_zero) at.y = widened({std::min(at.y.low, 0.0), std::max(at.y.high, 0.0)});
   at.y = rounded_out(at.y);
   at.y_down = figure.y_down;
@@ -192,8 +197,8 @@ std::string svg(const Figure& figure) {
   out += text_at(left, 22.0, figure.title, {.size = 15.0, .bold = true});
   out += draw_legend(legend) + draw_axes(figure, at);
   const std::string clip = "clip-" + figure.id;
-  out += "<clipPath id=\"" + clip + "\"><rect" + attribute("x", left) + attribute("y", at.top - 2.0) +
-         attribute("width", at.right - left) + attribute("height", at.bottom - at.top + 4.0) + "/></clipPath>\n";
+  out += "<clipPath id=\"" + clip + "\"><rect" + attribute("x", left - 4.0) + attribute("y", at.top - 4.0) +
+         attribute("width", at.right - left + 8.0) + attribute("height", at.bottom - at.top + 8.0) + "/></clipPath>\n";
   out += "<g clip-path=\"url(#" + clip + ")\">\n";
   for (const auto& line : figure.lines) out += draw_line(line, at);
   out += "</g>\n";

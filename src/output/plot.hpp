@@ -14,6 +14,7 @@ struct Line {
   std::string colour = "#1f5fa8";
   double width = 1.8;
   bool dashed = false;
+  bool dots = false;  ///< mark the points: few values, or values far apart
 };
 
 /// Explains lines coloured by a value with `scale_colour`.
@@ -28,6 +29,7 @@ struct Figure {
   std::vector<Line> lines{};
   std::optional<ColourScale> scale{};
   std::optional<Range> x_range{};  ///< else from the data
+  std::optional<Range> y_range{};
   bool y_down = false;           ///< depth grows downwards
   bool y_from_zero = false;
 };

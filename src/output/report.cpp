@@ -26,7 +26,7 @@ p { margin: 4px 0; }
 .done { background: #2f8f5b; } .failed { background: #b8352a; } .interrupted, .open { background: #b08900; }
 table { border-collapse: collapse; margin: 6px 0 10px; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 4px 18px 4px 0; border-bottom: 1px solid #eceff2; vertical-align: top; }
-th { font-weight: 600; } thead th { color: #6a717c; font-size: 13px; }
+th { font-weight: 600; } tbody th { font-weight: 400; } thead th { color: #6a717c; font-size: 13px; }
 td.number { text-align: right; } th.number { text-align: right; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 18px; }
 figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
@@ -67,13 +67,23 @@ std::string page(const RunData& run, const std::vector<Figure>& all) {
          "</p>\n</body>\n</html>\n";
 }
 
+/// The folder for separate figures, without those of a former report.
+fs::path emptied_figures(const std::string& dir) {
+  const auto folder = fs::path(dir) / "figures";
+  fs::create_directories(folder);
+  std::vector<fs::path> former;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".svg") former.push_back(entry.path());
+  for (const auto& path : former) fs::remove(path);
+  return folder;
+}
+
 }  // namespace
 
 void write_report(const std::string& dir) {
   const RunData run = read_run(dir);
   const auto all = figures(run);
-  const auto folder = fs::path(dir) / "figures";
-  fs::create_directories(folder);
+  const auto folder = emptied_figures(dir);
   for (const auto& figure : all) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
   atomic_write((fs::path(dir) / "report.html").string(), page(run, all));
 }

@@ -28,16 +28,30 @@ std::vector<std::string> cells_of(std::string_view line) {
   return cells;
 }
 
-/// A cell as number, or as index into the words met so far.
-double cell_value(const std::string& cell, std::map<std::string, double>& index, std::vector<std::string>& words) {
+double number_of(const std::string& cell) {
   double value = 0.0;
   const char* end = cell.data() + cell.size();
   const auto result = std::from_chars(cell.data(), end, value);
-  if (result.ec == std::errc{} && result.ptr == end) return value;
-  const auto [entry, fresh] = index.try_emplace(cell, static_cast<double>(words.size()));
-  if (fresh) words.push_back(cell);
-  return entry->second;
+  if (result.ec != std::errc{} || result.ptr != end) throw std::runtime_error("'" + cell + "' is no number");
+  return value;
 }
+
+/// Indices of texts in the order they were met.
+class Words {
+ public:
+  double index(const std::string& word) {
+    const auto [entry, fresh] = index_.try_emplace(word, static_cast<double>(words_.size()));
+    if (fresh) words_.push_back(word);
+    return entry->second;
+  }
+  std::vector<std::string> take() { return std::move(words_); }
+
+ private:
+  std::map<std::string, double> index_;
+  std::vector<std::string> words_;
+};
+
+bool is_text(const std::string& column) { return column == "step" || column == "status"; }
 
 /// A new frame begins where the cycle changes or the arc length starts again.
 std::vector<FrameRows> frames_of(const Table& table) {
@@ -71,7 +85,7 @@ const std::vector<double>& Table::column(std::string_view name) const {
 
 Table parse_csv(const std::string& text) {
   Table table;
-  std::map<std::string, double> index;
+  Words words;
   std::size_t start = 0, number = 0;
   for (auto end = text.find('\n'); end != std::string::npos; start = end + 1, end = text.find('\n', start)) {
     const auto cells = cells_of(std::string_view(text).substr(start, end - start));
@@ -83,8 +97,10 @@ Table parse_csv(const std::string& text) {
     if (cells.size() != table.columns.size())
       throw std::runtime_error("line " + std::to_string(number) + " has " + std::to_string(cells.size()) +
                                " cells, not " + std::to_string(table.columns.size()));
-    for (std::size_t c = 0; c < cells.size(); ++c) table.values[c].push_back(cell_value(cells[c], index, table.words));
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      table.values[c].push_back(is_text(table.columns[c]) ? words.index(cells[c]) : number_of(cells[c]));
   }
+  table.words = words.take();
   return table;
 }
 

@@ -12,7 +12,7 @@
 /// What the report reads back from an output folder.
 namespace reye::output {
 
-/// A CSV table by columns. A cell that is no number holds the index of its text in `words`.
+/// A CSV table by columns. The text columns (step, status) hold indices into `words`.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> values;  ///< one vector per column
@@ -25,7 +25,8 @@ struct Table {
   const std::string& word(double cell) const { return words.at(static_cast<std::size_t>(cell)); }
 };
 
-/// Reads a table; a last line that a kill left half is dropped. Throws when a row has another width.
+/// Reads a table; a last line that a kill left half is dropped.
+/// Throws when a row has another width or a cell is no number.
 Table parse_csv(const std::string& text);
 
 /// Rows [begin, end) of a surface table that belong to one frame.

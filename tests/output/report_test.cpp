@@ -1,0 +1,108 @@
+#include "output/report.hpp"
+
+#include <gtest/gtest.h>
+#include <vtk-9.1/vtkNew.h>
+#include <vtk-9.1/vtkXMLDataParser.h>
+
+#include "output/figures.hpp"
+#include "output/files.hpp"
+#include "sample_run.hpp"
+
+using namespace reye::output;
+
+namespace {
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Whether an XML parser accepts the text.
+bool well_formed(const std::string& xml) {
+  vtkNew<vtkXMLDataParser> parser;
+  return parser->vtkXMLParser::Parse(xml.c_str(), static_cast<unsigned>(xml.size())) != 0;
+}
+
+std::string page_of(const std::string& dir) { return read_text((sample::fs::path(dir) / "report.html").string()); }
+
+}  // namespace
+
+// The page of a finished run is well-formed, holds every figure and section, and needs nothing from outside.
+TEST(Report, IsWholeAndSelfContained) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 40);
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(well_formed(page));
+  EXPECT_FALSE(well_formed(page.substr(0, page.size() / 2)));
+  for (const char* id : {"profile-pad-secondary", "profile-pad-primary", "pressure-pad", "tractions-pad", "depth-pad",
+                         "worn-pad", "energy", "forces"}) {
+    EXPECT_TRUE(holds(page, "<figure id=\"" + std::string(id) + "\">")) << id;
+    EXPECT_TRUE(well_formed(read_text(dir / ("figures/" + std::string(id) + ".svg")))) << id;
+  }
+  for (const char* section : {"Results", "Ledger", "The run", "Where the time went", "Skipped, and why",
+                              "Cut-backs, and why"})
+    EXPECT_TRUE(holds(page, "<h2>" + std::string(section) + "</h2>")) << section;
+  for (const char* outside : {"src=", "href=", "@import", "url(http"}) EXPECT_FALSE(holds(page, outside)) << outside;
+}
+
+// Text of the user is shown as text, not taken for markup.
+TEST(Report, EscapesText) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  EXPECT_TRUE(holds(page_of(dir.str()), "<h1>Cylinder on flat &lt;steel &amp; steel&gt;</h1>"));
+}
+
+// A killed run without summary, with half a row in its tables, still gives a page that says so.
+TEST(Report, WorksOnAKilledRun) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 20);
+  sample::fs::remove(dir / "summary.json");
+  append_text(dir / "history.csv", "wear,12");
+  append_text(dir / "surface_pad_secondary.csv", "18000,0.3,");
+  write_report(dir.str());
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(well_formed(page));
+  EXPECT_TRUE(holds(page, "not finished"));
+  EXPECT_TRUE(holds(page, "profile-pad-secondary"));
+}
+
+// A run that failed at once, without frames, gives a page with its reason and no figures.
+TEST(Report, WorksWithoutFrames) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  auto summary = sample::summary();
+  summary.status = reye::sim::RunStatus::failed;
+  summary.reason = "no convergence in step 'press'";
+  summary.contacts.clear();
+  writer.finish(summary);
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(well_formed(page));
+  EXPECT_TRUE(holds(page, "no convergence in step 'press'"));
+  EXPECT_FALSE(holds(page, "<figure id"));
+}
+
+// A folder without a run is an error.
+TEST(Report, RefusesAnEmptyFolder) {
+  sample::TemporaryFolder dir;
+  EXPECT_THROW(write_report(dir.str()), std::runtime_error);
+}
+
+// Figures left by an earlier, richer report are not taken for figures of this one.
+TEST(Report, DropsFiguresOfFormerReports) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  atomic_write(dir / "figures/depth-gone.svg", "<svg/>");
+  write_report(dir.str());
+  EXPECT_FALSE(sample::fs::exists(dir / "figures/depth-gone.svg"));
+}
+
+// The surface table falls into one set of rows per frame, also when two frames have the same cycle.
+TEST(RunData, FramesOfOneCycleStayApart) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  for (const double cycle : {0.0, 0.0, 5.0}) writer.frame(sample::frame(cycle, 4));
+  const auto run = read_run(dir.str());
+  ASSERT_EQ(run.contacts.size(), 1u);
+  ASSERT_EQ(run.contacts[0].sides.size(), 2u);
+  EXPECT_EQ(run.contacts[0].sides[0].frames.size(), 3u);
+  EXPECT_EQ(run.contacts[0].sides[0].frames[1].end, 10u);
+}

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "output/files.hpp"
+#include "output/run_writer.hpp"
+#include "sample_run.hpp"
+
+using namespace reye::output;
+
+namespace {
+
+/// Every file of a folder with its bytes.
+std::map<std::string, std::string> contents(const std::string& dir) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : sample::fs::recursive_directory_iterator(dir))
+    if (entry.is_regular_file())
+      all[sample::fs::relative(entry.path(), dir).string()] = read_text(entry.path().string());
+  return all;
+}
+
+void play(RunWriter& writer, int first, int last) {
+  for (int block = first; block < last; ++block) {
+    writer.increment(sample::increment(40, 100.0 * block));
+    writer.frame(sample::frame(100.0 * block, 4 + block));
+  }
+}
+
+}  // namespace
+
+// Two runs give the same bytes in every file.
+TEST(RunWriter, SameInputSameBytes) {
+  sample::TemporaryFolder a, b;
+  sample::write_run(a.str(), 6);
+  sample::write_run(b.str(), 6);
+  EXPECT_EQ(contents(a.str()), contents(b.str()));
+}
+
+// A run killed after its checkpoint and resumed there leaves the same bytes as the unbroken run.
+TEST(RunWriter, ResumedRunEqualsUnbrokenRun) {
+  sample::TemporaryFolder whole, broken;
+  RunWriter unbroken(whole.str(), sample::scene());
+  unbroken.begin();
+  play(unbroken, 0, 5);
+  unbroken.finish(sample::summary());
+
+  RunWriter killed(broken.str(), sample::scene());
+  killed.begin();
+  play(killed, 0, 2);
+  const Counters at_checkpoint = killed.counters();
+  play(killed, 2, 4);
+  append_text(broken / "history.csv", "wear, half a ro");
+  RunWriter resumed(broken.str(), sample::scene());
+  resumed.resume(at_checkpoint);
+  EXPECT_EQ(resumed.counters(), at_checkpoint);
+  play(resumed, 2, 5);
+  resumed.finish(sample::summary());
+  EXPECT_EQ(contents(whole.str()), contents(broken.str()));
+}
+
+// A checkpoint from before the first frame leaves no rows of a later one behind.
+TEST(RunWriter, ResumesFromBeforeTheFirstFrame) {
+  sample::TemporaryFolder dir;
+  RunWriter killed(dir.str(), sample::scene());
+  killed.begin();
+  const Counters start = killed.counters();
+  play(killed, 0, 2);
+  RunWriter resumed(dir.str(), sample::scene());
+  resumed.resume(start);
+  EXPECT_FALSE(sample::fs::exists(dir / "surface_pad_secondary.csv"));
+  EXPECT_EQ(read_text(dir / "series.pvd").find("DataSet"), std::string::npos);
+}
+
+// A restart takes away the summary of the run it continues, so that it is not taken for the whole.
+TEST(RunWriter, ResumeRemovesTheOldSummary) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  RunWriter writer(dir.str(), sample::scene());
+  writer.resume({});
+  EXPECT_FALSE(sample::fs::exists(dir / "summary.json"));
+  EXPECT_FALSE(sample::fs::exists(dir / "report.html"));
+}
+
+// What is logged before the run begins is not lost.
+TEST(RunWriter, KeepsTheEarlyLog) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.log("plan: nothing skipped");
+  EXPECT_FALSE(sample::fs::exists(dir / "log.txt"));
+  writer.begin();
+  writer.log("block 1");
+  EXPECT_EQ(read_text(dir / "log.txt"), "plan: nothing skipped\nblock 1\n");
+}
+
+// After every frame both collections name exactly the frames that are there, whole.
+TEST(RunWriter, CollectionsAreWholeAfterEachFrame) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  for (int k = 0; k < 3; ++k) {
+    play(writer, k, k + 1);
+    const std::string pvd = read_text(dir / "series.pvd");
+    EXPECT_NE(pvd.find("</VTKFile>"), std::string::npos);
+    const std::string last = "frames/bodies_00000" + std::to_string(k) + ".vtu";
+    EXPECT_NE(pvd.find("timestep=\"" + std::to_string(100 * k) + "\" group=\"\" part=\"0\" file=\"" + last), std::string::npos);
+    EXPECT_TRUE(sample::fs::exists(dir / last));
+    EXPECT_NE(read_text(dir / "surfaces.pvd").find("frames/surface_00000" + std::to_string(k) + ".vtp"), std::string::npos);
+  }
+}

@@ -1,0 +1,161 @@
+#pragma once
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "output/run_writer.hpp"
+
+/// A made-up fretting run of a block on a flat and a rigid bar: enough to fill every output.
+namespace sample {
+
+namespace fs = std::filesystem;
+using reye::base::Analysis;
+using reye::base::Vec2;
+namespace sim = reye::sim;
+
+/// A folder of its own for the running test, removed at its end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "reye_output_XXXXXX").string();
+    path_ = ::mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string str() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
+inline reye::scene::Scene scene(Analysis analysis = Analysis::plane_strain) {
+  reye::scene::Scene scene;
+  scene.title = "Cylinder on flat <steel & steel>";
+  scene.name = "fretting";
+  scene.sha256 = "abc123";
+  scene.analysis = analysis;
+  scene.contacts.push_back({.name = "pad", .secondary = "face", .primary = {"round"}, .friction = 0.9, .wear = {}});
+  for (const char* name : {"holder", "shaker"}) {
+    reye::body::Support support;
+    support.name = name;
+    scene.supports.push_back(support);
+  }
+  return scene;
+}
+
+/// nx by ny quads on [-1, 1] x [y0, y0 + 0.5].
+inline reye::mesh::Mesh block(int nx, int ny, double y0) {
+  reye::mesh::Mesh mesh;
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) mesh.X.emplace_back(-1.0 + 2.0 * i / nx, y0 + 0.5 * j / ny);
+  const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) mesh.cells.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)});
+  reye::mesh::Chain loop;
+  for (int i = 0; i < nx; ++i) loop.push_back(id(i, 0));
+  for (int j = 0; j < ny; ++j) loop.push_back(id(nx, j));
+  for (int i = nx; i > 0; --i) loop.push_back(id(i, ny));
+  for (int j = ny; j >= 0; --j) loop.push_back(id(0, j));
+  mesh.outline = {loop};
+  return mesh;
+}
+
+/// A rigid bar: outline only.
+inline reye::mesh::Mesh bar() {
+  reye::mesh::Mesh mesh;
+  mesh.X = {{-1.0, 1.0}, {1.0, 1.0}, {1.0, 1.2}, {-1.0, 1.2}};
+  mesh.outline = {{0, 1, 2, 3, 0}};
+  return mesh;
+}
+
+inline sim::BodyFrame body_frame(const std::string& name, reye::mesh::Mesh mesh, double u_y) {
+  sim::BodyFrame frame;
+  frame.name = name;
+  const auto nodes = mesh.X.size();
+  const bool rigid = mesh.cells.empty();
+  frame.mesh = std::make_shared<const reye::mesh::Mesh>(std::move(mesh));
+  frame.u.assign(nodes, Vec2(0.25, u_y));
+  if (!rigid) frame.stress_MPa.assign(nodes, {-100.0, -200.0, 30.0, -90.0});
+  frame.wear_depth_mm.assign(nodes, 0.0);
+  return frame;
+}
+
+/// Nodes [first, first + count) of a body as a surface with a wear scar that grows with the cycle.
+inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame& frame, int first, int count, double cycle) {
+  sim::SurfaceRecord s{.contact = "pad", .side = side, .body = body, .node = {}, .arc_length_mm = {}, .x_mm = {}, .y_mm = {},
+                       .pressure_MPa = {}, .shear_MPa = {}, .slip_mm = {}, .wear_depth_mm = {}, .status = {}};
+  const double grown = cycle / 18000.0, a = 0.12 + 0.35 * std::sqrt(grown), p0 = 400.0 * 0.12 / a;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 X = frame.mesh->X[static_cast<std::size_t>(first + i)];
+    const double r = X.x() / a, hertz = std::abs(r) < 1.0 ? std::sqrt(1.0 - r * r) : 0.0;
+    s.node.push_back(first + i);
+    s.arc_length_mm.push_back(X.x() + 1.0);
+    s.x_mm.push_back(X.x());
+    s.y_mm.push_back(X.y());
+    s.pressure_MPa.push_back(p0 * hertz);
+    s.shear_MPa.push_back(0.9 * p0 * hertz * (std::abs(r) > 0.5 ? 1.0 : 0.3 + 2.8 * r * r));
+    s.slip_mm.push_back(cycle * 0.05 * hertz);
+    s.wear_depth_mm.push_back((side == sim::Side::secondary ? 0.0025 : 0.0016) * grown * hertz * hertz);
+    s.status.push_back(hertz == 0.0 ? 0 : (std::abs(r) < 0.5 ? 1 : 2));
+  }
+  return s;
+}
+
+/// nx sets the fineness, so that two frames can differ in topology.
+inline sim::Frame frame(double cycle, int nx = 8) {
+  sim::Frame f{.cycle = cycle, .step = "wear", .bodies = {}, .surfaces = {}};
+  f.bodies.push_back(body_frame("flat", block(nx, 2, -0.5), -0.01));
+  f.bodies.push_back(body_frame("pad, upper", block(nx, 2, 0.0), -0.02));
+  f.bodies.push_back(body_frame("bar", bar(), -0.03));
+  f.surfaces.push_back(surface(sim::Side::secondary, 0, f.bodies[0], 2 * (nx + 1), nx + 1, cycle));
+  f.surfaces.push_back(surface(sim::Side::primary, 1, f.bodies[1], 0, nx + 1, cycle));
+  return f;
+}
+
+inline sim::IncrementRecord increment(int k, double cycle) {
+  const double t = k / 40.0, force = 12.0 * std::sin(2.0 * M_PI * t);
+  return {.step = "wear, main", .cycle = cycle, .progress = t, .newton = 3, .pressure_max_MPa = 400.0 / 3.0,
+          .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
+          .energy_mJ = 0.9 * cycle + t, .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}};
+}
+
+inline sim::Summary summary(Analysis analysis = Analysis::plane_strain) {
+  sim::Summary s;
+  s.title = scene().title;
+  s.cycles = 18000.0;
+  s.contacts.push_back({.name = "pad", .peak_pressure_MPa = 102.3, .contact_half_width_mm = 0.47, .stick_half_width_mm = {},
+                        .normal_force = 18.5, .tangential_force = 12.0, .dissipated_energy = 16200.5,
+                        .secondary = {0.0025, 1.61e-3, 0.92}, .primary = {0.0016, 1.06e-3, 0.92},
+                        .ledger_relative_error = 3.1e-14});
+  s.probes["edge"] = Vec2(1e-3, -2e-3);
+  s.life_cycles = {{"deep", 17000.0}, {"deeper", std::nullopt}};
+  s.counts = {.blocks = 180, .increments = 7250, .newton_iterations = 21750, .factorisations = 361, .remeshes = 0, .cutbacks = 2};
+  s.wall_s = 120.0;
+  s.cpu_s = 118.0;
+  s.peak_rss_MB = 340.0;
+  s.room_seconds = {{"algebra", 40.0}, {"mortar", 30.5}, {"solver", 20.25}, {"output", 3.0}};
+  s.skipped = {"body 'flat': geometric nonlinearity, strains stay small", "plasticity: no body yields"};
+  s.cutback_reasons = {"cycle 0, step 'press': no convergence in 30 iterations"};
+  s.scene_sha256 = scene().sha256;
+  s.analysis = analysis;
+  return s;
+}
+
+/// A whole run with 10 frames in `dir`.
+inline void write_run(const std::string& dir, int nx = 200) {
+  reye::output::RunWriter writer(dir, scene());
+  writer.begin();
+  writer.log("run begins");
+  for (int block = 0; block <= 9; ++block) {
+    const double cycle = 2000.0 * block;
+    for (int k = 1; k <= 40; ++k) writer.increment(increment(k, cycle));
+    writer.frame(frame(cycle, nx));
+  }
+  writer.finish(summary());
+}
+
+}  // namespace sample

@@ -1,0 +1,87 @@
+#include "output/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "sample_run.hpp"
+
+using Json = nlohmann::ordered_json;
+using Keys = std::vector<std::string>;
+
+namespace {
+
+Json read(const reye::sim::Summary& summary) { return Json::parse(reye::output::summary_json(summary)); }
+
+Keys keys(const Json& object) {
+  Keys all;
+  for (const auto& item : object.items()) all.push_back(item.key());
+  return all;
+}
+
+}  // namespace
+
+// The keys of a plane problem are those of the contract, in its order; extra ones come after.
+TEST(Summary, PlaneKeysAreTheContract) {
+  const Json json = read(sample::summary());
+  EXPECT_EQ(keys(json), (Keys{"title", "status", "reason", "cycles", "contacts", "probes", "life_cycles",
+                              "estimated_error", "counts", "wall_s", "cpu_s", "peak_rss_MB", "version", "scene_sha256",
+                              "room_seconds", "skipped", "cutback_reasons"}));
+  const Json& pad = json["contacts"]["pad"];
+  EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
+                             "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
+                             "secondary", "primary", "ledger_relative_error"}));
+  for (const char* side : {"secondary", "primary"})
+    EXPECT_EQ(keys(pad[side]), (Keys{"max_depth_mm", "worn_area_mm2", "scar_width_mm"}));
+  EXPECT_EQ(keys(json["estimated_error"]), (Keys{"cycle_jump", "discretisation"}));
+  EXPECT_EQ(keys(json["counts"]),
+            (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes", "cutbacks"}));
+  EXPECT_EQ(keys(json["probes"]["edge"]), (Keys{"u_x_mm", "u_y_mm"}));
+}
+
+// Axisymmetric scenes give forces, energies and volumes of the whole circumference.
+TEST(Summary, AxisymmetricKeysAreTheContract) {
+  const Json json = read(sample::summary(sample::Analysis::axisymmetric));
+  const Json& pad = json["contacts"]["pad"];
+  EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm", "normal_force_N",
+                             "tangential_force_N", "dissipated_energy_mJ", "secondary", "primary",
+                             "ledger_relative_error"}));
+  EXPECT_EQ(keys(pad["primary"]), (Keys{"max_depth_mm", "worn_volume_mm3", "scar_width_mm"}));
+}
+
+// What is unknown is null: an empty optional, a limit not reached, a run without limits, no reason.
+TEST(Summary, UnknownIsNull) {
+  auto summary = sample::summary();
+  Json json = read(summary);
+  EXPECT_TRUE(json["contacts"]["pad"]["stick_half_width_mm"].is_null());
+  EXPECT_EQ(json["life_cycles"]["deep"], 17000.0);
+  EXPECT_TRUE(json["life_cycles"]["deeper"].is_null());
+  EXPECT_TRUE(json["estimated_error"]["cycle_jump"].is_null());
+  EXPECT_TRUE(json["reason"].is_null());
+  summary.life_cycles.clear();
+  EXPECT_TRUE(read(summary)["life_cycles"].is_null());
+}
+
+// What is not finite is written as null, never as NaN or inf.
+TEST(Summary, NotFiniteIsNull) {
+  auto summary = sample::summary();
+  summary.contacts[0].secondary.max_depth_mm = std::numeric_limits<double>::quiet_NaN();
+  summary.contacts[0].peak_pressure_MPa = std::numeric_limits<double>::infinity();
+  const Json json = read(summary);
+  EXPECT_TRUE(json["contacts"]["pad"]["secondary"]["max_depth_mm"].is_null());
+  EXPECT_TRUE(json["contacts"]["pad"]["peak_pressure_MPa"].is_null());
+}
+
+// Values and status read back exactly.
+TEST(Summary, ValuesReadBack) {
+  auto summary = sample::summary();
+  summary.status = reye::sim::RunStatus::interrupted;
+  summary.reason = "stopped by the user";
+  summary.contacts[0].normal_force = 0.1 + 0.2;
+  const Json json = read(summary);
+  EXPECT_EQ(json["status"], "interrupted");
+  EXPECT_EQ(json["reason"], "stopped by the user");
+  EXPECT_EQ(json["contacts"]["pad"]["normal_force_N_per_mm"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["counts"]["increments"], 7250);
+}
