@@ -37,7 +37,7 @@ TEST(Interior, SurfaceElementsMoveNearlyRigidly) {
     EXPECT_NEAR(column_height(result.shape->mesh, i, 60, 15), column_height(mesh, i, 60, 15), 0.05 * height) << i;
 }
 
-// Elements stay sound through wear of several times their height.
+// Elements stay sound through wear of four times their height, and those at the surface keep theirs within 12 %.
 TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
   const auto mesh = graded();
   const double height = column_height(mesh, 30, 60, 15);
@@ -49,6 +49,8 @@ TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
     shape = result.shape;
   }
   EXPECT_GT(mesh::poorest_cell(shape->mesh).scaled_jacobian, 0.5);
+  for (int i = 0; i <= 60; ++i)  // the large cells below have given way; the scar edge is a kink
+    EXPECT_NEAR(column_height(shape->mesh, i, 60, 15), column_height(mesh, i, 60, 15), 0.12 * height) << i;
   EXPECT_NO_THROW(mesh::check(shape->mesh));
 }
 

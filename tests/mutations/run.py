@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Runs the mutations of mutations.json; see run.sh.
+
+A mutation is {"name", "file", "find", "replace", "tests": {executable: gtest filter}}: `find` stands exactly once in
+`file`; with `replace` in its place every executable named must fail under its filter (a crash or a hang counts).
+The same filters pass before anything is changed, so that only the mutation can be what is seen.
+"""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+COPIED = ("CMakeLists.txt", "cmake", "src", "apps", "tests", "geo", "results")
+TIME_LIMIT_S = 300
+
+
+def place_lost(mutation):
+    """Why the mutation cannot be applied; empty when it can."""
+    file = ROOT / mutation["file"]
+    if not file.is_file():
+        return f"no file {mutation['file']}"
+    count = file.read_text(encoding="utf-8").count(mutation["find"])
+    return "" if count == 1 else f"'{mutation['find']}' stands {count} times in {mutation['file']}"
+
+
+def check_places(mutations):
+    lost = [(m["name"], why) for m in mutations if (why := place_lost(m))]
+    for name, why in lost:
+        print(f"  place lost  {name}: {why}")
+    return not lost
+
+
+def copy_tree(scratch):
+    """The working tree as it is now; files that did not change keep their time, so that little is rebuilt."""
+    for name in COPIED:
+        source = ROOT / name
+        if source.is_file():
+            shutil.copy2(source, scratch / name)
+        elif source.is_dir():
+            shutil.copytree(source, scratch / name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.out"))
+
+
+def quiet(command, **options):
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                          text=True, **options)
+
+
+def build(scratch, executables):
+    """The compiler's words when the build fails, else empty."""
+    done = quiet(["ninja", "-C", str(scratch / "build"), *sorted(executables)])
+    return "" if done.returncode == 0 else done.stdout[-3000:]
+
+
+def passes(scratch, executable, pattern):
+    """True when at least one test ran and all passed."""
+    try:
+        done = quiet([str(scratch / "build" / "bin" / executable), f"--gtest_filter={pattern}"], timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        return False
+    if "Running 0 tests" in done.stdout:
+        raise SystemExit(f"{executable}: no test is named {pattern}")
+    return done.returncode == 0
+
+
+def prepare(scratch, mutations):
+    copy_tree(scratch)
+    done = quiet(["cmake", "-S", str(scratch), "-B", str(scratch / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
+    if done.returncode:
+        raise SystemExit(done.stdout[-3000:])
+    if words := build(scratch, {e for m in mutations for e in m["tests"]}):
+        raise SystemExit(f"the tree does not build unchanged:\n{words}")
+    for mutation in mutations:
+        for executable, pattern in mutation["tests"].items():
+            if not passes(scratch, executable, pattern):
+                raise SystemExit(f"{executable} fails under {pattern} before anything is changed")
+
+
+def survivors(scratch, mutation):
+    """The executables that still pass with the mutation in place; a mutation that does not build is an error."""
+    file = scratch / mutation["file"]
+    whole = file.read_text(encoding="utf-8")
+    file.write_text(whole.replace(mutation["find"], mutation["replace"]), encoding="utf-8")
+    try:
+        if words := build(scratch, mutation["tests"]):
+            raise SystemExit(f"'{mutation['name']}' does not build:\n{words}")
+        return [e for e, pattern in mutation["tests"].items() if passes(scratch, e, pattern)]
+    finally:
+        file.write_text(whole, encoding="utf-8")
+
+
+def run(scratch, mutations):
+    prepare(scratch, mutations)
+    missed = 0
+    for mutation in mutations:
+        alive = survivors(scratch, mutation)
+        missed += bool(alive)
+        print(f"  {'MISSED by ' + ', '.join(alive) if alive else 'caught'}  {mutation['name']}", flush=True)
+    print(f"{len(mutations) - missed} of {len(mutations)} mutations caught")
+    return 1 if missed else 0
+
+
+def main(arguments):
+    mutations = json.loads((HERE / "mutations.json").read_text(encoding="utf-8"))
+    check_only = "--check" in arguments
+    words = [a for a in arguments if a != "--check"]
+    chosen = [m for m in mutations if not words or any(w in m["name"] for w in words)]
+    if not check_places(chosen) or not chosen:
+        return 1
+    if check_only:
+        print(f"{len(chosen)} mutations find their place")
+        return 0
+    if kept := os.environ.get("REYE_MUTATIONS"):
+        scratch = pathlib.Path(kept)
+        scratch.mkdir(parents=True, exist_ok=True)
+        return run(scratch, chosen)
+    with tempfile.TemporaryDirectory(prefix="reye-mutations-") as scratch:
+        return run(pathlib.Path(scratch), chosen)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
