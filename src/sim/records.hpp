@@ -13,6 +13,7 @@
 namespace reye::sim {
 
 using base::Vec2;
+using base::Vector;
 
 /// One row of history.csv: the end of an accepted increment.
 struct IncrementRecord {

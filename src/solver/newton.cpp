@@ -149,8 +149,8 @@ void Newton::eliminate(const System& system, int contact, const Vector&) {
   for (int j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
     const double D = face.rows()[j].D;
-    const int terms = setup.freedom[j].free;  // the free columns of a node come first
-    for (int t = 0; t < terms; ++t) {
+    const int first = nodes[j].position.count - setup.freedom[j].free;  // a node's free columns come last
+    for (int t = first; t < nodes[j].position.count; ++t) {
       const auto& term = nodes[j].position.terms[t];
       const int row = nodes[j].shift + term.column;
       for (int c = 0; c < 2; ++c) {
@@ -182,8 +182,9 @@ void Newton::eliminate(const System& system, int contact, const Vector&) {
   for (int j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
     const bool traction_row = face.status()[j] == ContactStatus::slip || face.held();
+    const int first = nodes[j].position.count - setup.freedom[j].free;
     for (int t = 0; t < setup.freedom[j].free; ++t) {
-      const int row = nodes[j].shift + nodes[j].position.terms[t].column;
+      const int row = nodes[j].shift + nodes[j].position.terms[first + t].column;
       target[2 * j + t] = row;
       scale[2 * j + t] = t == 1 && traction_row ? face.rows()[j].D : setup.stiffness[j];
       At_.col(row).setZero();

@@ -1,0 +1,105 @@
+#include <cmath>
+
+#include "sim/block.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using body::Drive;
+
+/// q-space image of a unit translation of body b along d.
+Vector translation(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
+  const auto& op = system.bodies[b];
+  const int dofs = std::visit([](const auto& o) { return o.dofs(); }, op);
+  Vector t = Vector::Zero(dofs);
+  const Vector zero = Vector::Zero(dofs);
+  if (problem.rigid[b]) {
+    t.head<2>() = d;
+    return t;
+  }
+  std::visit(
+      [&](const auto& o) {
+        for (int k = 0; k < static_cast<int>(o.contact_nodes().size()); ++k) {
+          const auto p = o.position(k, zero);
+          for (int i = p.count - o.freedom(k).free; i < p.count; ++i) t[p.terms[i].column] = p.terms[i].direction.dot(d);
+        }
+        for (const auto& column : o.support_columns()) t[column.column] = column.direction.dot(d);
+      },
+      op);
+  return t;
+}
+
+double peak_factor(const Problem& problem, const std::string& history) {
+  if (history.empty()) return 1.0;
+  double peak = 0.0;
+  for (const auto& corner : problem.scene.histories.at(history))
+    if (std::abs(corner[1]) > std::abs(peak)) peak = corner[1];
+  return peak;
+}
+
+/// Force that drives body b along d: loaded support motions and loads at their peaks; empty when a support holds d.
+std::optional<double> driving_force(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
+  double force = 0.0;
+  const auto& op = system.bodies[b];
+  const auto& columns = std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
+  for (const auto& column : columns) {
+    const auto& s = problem.inputs[b].supports[column.support];
+    const auto& m = column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
+    const double share = column.direction.dot(d);
+    if (std::abs(share) < 1e-6) continue;
+    if (m.drive == Drive::fixed || m.drive == Drive::moved) return std::nullopt;
+    if (m.drive == Drive::loaded) force += share * m.amplitude * peak_factor(problem, m.history);
+  }
+  const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
+  Vector factors(static_cast<Eigen::Index>(loads.size()));
+  for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, loads[i].history);
+  const Vector t = translation(problem, system, b, d);
+  force -= std::visit([&](const auto& o) { return o.residual(Vector::Zero(t.size()), factors).dot(t); }, op);
+  return force;
+}
+
+/// Distance that body b can move along d until the first covered secondary node of its contacts meets.
+std::optional<double> free_way(const Problem& problem, const solver::System& system, const State& state, int b, const Vec2& d) {
+  std::optional<double> way;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const bool on_secondary = problem.contacts[c].secondary.body == b;
+    bool on_primary = false;
+    for (const auto& ref : problem.contacts[c].primary) on_primary = on_primary || ref.body == b;
+    if (!on_secondary && !on_primary) continue;
+    contact::Interface face;
+    auto sides = solver::positions(system, setup, state.solution.q);
+    face.begin(setup, state.solution.contacts[c], sides.secondary, sides.primary, {});
+    face.integrate(sides.secondary, sides.primary);
+    for (int j = 0; j < setup.secondary_count(); ++j) {
+      if (face.rows()[j].D < 0.5 * setup.secondary.area[j] || setup.cut[j]) continue;
+      const double closing = face.normal()[j].dot(d) * (on_secondary ? 1.0 : -1.0);
+      if (closing < 0.2) continue;
+      const double distance = face.gap()[j] / face.rows()[j].D / closing;
+      if (!way || distance < *way) way = distance;
+    }
+  }
+  return way;
+}
+
+}  // namespace
+
+void approach(const Problem& problem, State& state, const solver::System& system) {
+  for (int b = 0; b < problem.body_count(); ++b)
+    for (const Vec2& axis : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
+      const auto force = driving_force(problem, system, b, axis);
+      if (!force || std::abs(*force) < 1e-300) continue;
+      const Vec2 d = *force > 0.0 ? axis : Vec2(-axis);
+      const Vector t = translation(problem, system, b, d);
+      // The facet that is met changes on the way: repeat until nothing is left to close.
+      for (int round = 0; round < 50; ++round) {
+        const auto way = free_way(problem, system, state, b, d);
+        if (!way || (round == 0 && *way <= 0.0)) break;
+        state.solution.q.segment(system.offset[b], t.size()) += *way * t;
+        if (std::abs(*way) < 1e-14) break;
+      }
+    }
+}
+
+}  // namespace reye::sim

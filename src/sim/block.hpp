@@ -1,0 +1,37 @@
+#pragma once
+#include "sim/drive.hpp"
+#include "sim/run.hpp"
+
+namespace reye::sim {
+
+/// A state, or why there is none.
+struct Outcome {
+  State state;
+  std::string failure;  ///< empty when the state is accepted
+  bool interrupted = false;
+};
+
+/// The part of a step that one block plays.
+struct BlockSpan {
+  const scene::Step* step = nullptr;
+  double jump = 1.0;   ///< cycles of this block; 1 for a load step
+  bool cycles = false;
+};
+
+/// Zero displacement, fresh contacts.
+void begin_state(const Problem& problem, State& state, Cache& cache);
+
+/// Bodies apart and loaded by force are moved along the load, rigidly and by geometry alone, until the
+/// first secondary node meets its facet.
+void approach(const Problem& problem, State& state, const solver::System& system);
+
+/// All increments of one block, with cut-backs.
+Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
+
+/// Shape evolution of all worn bodies, then re-equilibration with the shear as history.
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span);
+
+/// Everything a picture needs of a state.
+Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);
+
+}  // namespace reye::sim

@@ -1,0 +1,97 @@
+#include "sim/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reye::sim {
+
+using body::Drive;
+
+double factor_at(const scene::History& history, double progress) {
+  if (progress <= history.front()[0]) return history.front()[1];
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    const auto &a = history[i - 1], &b = history[i];
+    if (progress <= b[0]) return a[1] + (b[1] - a[1]) * (progress - a[0]) / (b[0] - a[0]);
+  }
+  return history.back()[1];
+}
+
+std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
+  std::vector<double> ends;
+  for (int i = 1; i <= step.increments; ++i) ends.push_back(static_cast<double>(i) / step.increments);
+  for (const auto& name : step.play)
+    for (const auto& corner : scene.histories.at(name))
+      if (corner[0] > 0.0 && corner[0] < 1.0) ends.push_back(corner[0]);
+  std::sort(ends.begin(), ends.end());
+  const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9; };
+  ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
+  return ends;
+}
+
+std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
+                                         const std::map<std::string, double>& held) {
+  auto factors = held;
+  for (const auto& name : step.play) factors[name] = factor_at(scene.histories.at(name), progress);
+  return factors;
+}
+
+namespace {
+
+double of(const std::map<std::string, double>& factors, const std::string& history) {
+  return history.empty() ? 1.0 : factors.at(history);
+}
+
+const body::Motion& motion(const body::Support& support, int which) {
+  return which == 0 ? support.x : which == 1 ? support.y : support.rotation;
+}
+
+const std::vector<body::SupportColumn>& columns(const body::Operator& op) {
+  return std::visit([](const auto& b) -> const std::vector<body::SupportColumn>& { return b.support_columns(); }, op);
+}
+
+const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
+  return std::visit([](const auto& b) -> const std::vector<body::LoadColumn>& { return b.loads(); }, op);
+}
+
+contact::IncrementOptions contact_options(const contact::ContactOptions& options, const scene::Step& step, double share,
+                                          double jump) {
+  contact::IncrementOptions o;
+  o.jump = jump;
+  o.wear = step.wear && options.wear.wears();
+  if (options.imposed && (o.wear || !options.wear.wears())) o.imposed_slip = options.imposed_sliding_mm * share;
+  return o;
+}
+
+}  // namespace
+
+solver::Controls controls_at(const Problem& problem, const solver::System& system,
+                             const std::map<std::string, double>& factors, const scene::Step& step, double from,
+                             double to, double jump) {
+  solver::Controls controls;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    for (const auto& column : columns(system.bodies[b])) {
+      const auto& m = motion(problem.inputs[b].supports[column.support], column.motion);
+      const int global = system.offset[b] + column.column;
+      if (m.drive == Drive::fixed) controls.prescribed.emplace_back(global, 0.0);
+      if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, m.amplitude * of(factors, m.history));
+      if (m.drive == Drive::loaded) controls.forces.emplace_back(global, m.amplitude * of(factors, m.history));
+    }
+    const auto& list = loads(system.bodies[b]);
+    Vector f(static_cast<Eigen::Index>(list.size()));
+    for (std::size_t i = 0; i < list.size(); ++i) f[static_cast<Eigen::Index>(i)] = of(factors, list[i].history);
+    controls.load_factors.push_back(std::move(f));
+  }
+  for (const auto& contact : problem.contacts)
+    controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
+  return controls;
+}
+
+std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {
+  std::vector<Vec2> forces(problem.supports.size(), Vec2::Zero());
+  for (int b = 0; b < problem.body_count(); ++b)
+    for (const auto& column : columns(system.bodies[b]))
+      forces[problem.support_of[b][column.support]] += reactions[system.offset[b] + column.column] * column.direction;
+  return forces;
+}
+
+}  // namespace reye::sim

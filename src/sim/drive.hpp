@@ -1,0 +1,25 @@
+#pragma once
+#include "sim/problem.hpp"
+
+/// Histories, and what they impose at a moment of a step.
+namespace reye::sim {
+
+/// Factor of a history at a progress in [0, 1], linear between its corners.
+double factor_at(const scene::History& history, double progress);
+
+/// Ends of the increments of a step: equal parts, and every corner of the histories it plays.
+std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
+
+/// Factors of all histories while a step plays.
+std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
+                                         const std::map<std::string, double>& held);
+
+/// What is imposed at the given factors; `from`, `to`: the part of the step's play in this increment.
+solver::Controls controls_at(const Problem& problem, const solver::System& system,
+                             const std::map<std::string, double>& factors, const scene::Step& step, double from,
+                             double to, double jump);
+
+/// Force on the body of each support of the scene, in x and y.
+std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);
+
+}  // namespace reye::sim

@@ -1,0 +1,38 @@
+#pragma once
+#include <array>
+#include <optional>
+
+#include "sim/problem.hpp"
+
+/// Numbers and tables read off a state.
+namespace reye::sim {
+
+/// Both sides of a contact as tables along the boundary, from its end with smaller x.
+/// Pressure is force per length on X; a node covered by less than half reports lambda D / A.
+/// Shear is the traction on the secondary body along increasing arc length; the primary repeats M^T lambda / A.
+std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
+                                             const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
+
+/// Half width between the two zeros of straight lines through p^2 at the two outermost loaded nodes of each
+/// end; exact for p = p0 sqrt(1 - x^2 / a^2). Empty with fewer than four loaded nodes.
+std::optional<double> contact_half_width(const SurfaceRecord& surface);
+
+/// The same with (mu p - |q|)^2 at the outermost stick nodes; exact for Cattaneo-Mindlin.
+std::optional<double> stick_half_width(const SurfaceRecord& surface, double friction);
+
+/// Arc length where depth exceeds 0.5 % of its largest value, ends by linear interpolation.
+double scar_width(const SurfaceRecord& surface);
+
+/// Depth per surface node [mm]: removed volume over full nodal length on X.
+std::vector<double> depths(const mortar::Surface& surface, const std::vector<double>& removed);
+
+wear::Ledger ledger(const contact::ContactState& state);
+
+ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,
+                         const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
+
+/// The value a limit watches.
+double limit_measure(const scene::Limit& limit, const contact::Setup& setup, const contact::ContactState& state,
+                     const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
+
+}  // namespace reye::sim

@@ -1,0 +1,60 @@
+#include "sim/plan.hpp"
+
+#include <cstdio>
+
+namespace reye::sim {
+
+namespace {
+
+template <class... Args>
+std::string text(const char* format, Args... args) {
+  std::string line(512, '\0');
+  line.resize(static_cast<std::size_t>(std::snprintf(line.data(), line.size(), format, args...)));
+  return line;
+}
+
+void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
+  const auto& name = p.inputs[b].name;
+  const auto& mesh = p.shapes[b]->mesh;
+  if (p.rigid[b]) {
+    plan.lines.push_back(text("body %s: rigid, outline of %d nodes, 3 dofs", name.c_str(), mesh.node_count()));
+    plan.skipped.push_back("body " + name + " is rigid: no elements, no stiffness");
+    return;
+  }
+  const auto& linear = std::get<body::LinearBody>(system.bodies[b]);
+  plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
+                            mesh.cell_count(), mesh.kind == mesh::CellKind::quad4 ? "quads" : "triangles",
+                            linear.full_dofs(), linear.dofs()));
+  plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames");
+}
+
+void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
+  const auto& o = setup.options;
+  plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, friction %g, %s", o.name.c_str(),
+                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count(), o.friction,
+                            o.wear.kind == wear::LawKind::energy    ? "wear by dissipated energy"
+                            : o.wear.kind == wear::LawKind::archard ? "wear by Archard's law"
+                                                                    : "no wear"));
+  if (o.friction == 0.0) plan.skipped.push_back("contact " + o.name + " is frictionless: no stick and no slip rows");
+  if (!o.wear.wears()) plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
+  else if (!p.scene.shape) plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");
+  if (o.wear.wears() && o.wear.primary == 0.0) plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
+}
+
+}  // namespace
+
+Plan make_plan(const Problem& p, const solver::System& system) {
+  Plan plan;
+  for (int b = 0; b < p.body_count(); ++b) tell_body(p, system, b, plan);
+  for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
+  for (const auto& step : p.scene.steps) {
+    if (step.cycles > 0.0)
+      plan.lines.push_back(text("step \"%s\": %g cycles in blocks of %g, %d increments a cycle%s", step.name.c_str(),
+                                step.cycles, step.jump, step.increments, step.wear ? "" : ", no wear"));
+    else
+      plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), step.increments, step.wear ? "" : ", no wear"));
+  }
+  return plan;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,229 @@
+#include <algorithm>
+
+#include "base/errors.hpp"
+#include "cad/geometry.hpp"
+#include "scene/read.hpp"
+#include "sim/plan.hpp"
+#include "sim/problem.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using base::Issue;
+
+/// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
+class Resolver {
+ public:
+  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes) : scene_(scene), shapes_(shapes) {}
+
+  std::vector<Issue> issues;
+
+  /// -1 in `body` when nothing fits; an issue is noted under `key`.
+  contact::BoundaryRef boundary(const std::string& name, const std::string& key) {
+    std::vector<contact::BoundaryRef> found;
+    std::string known;
+    for (int b = 0; b < static_cast<int>(shapes_.size()); ++b)
+      for (const auto& [own, chains] : shapes_[b]->mesh.boundaries) {
+        const std::string full = scene_.geometry.bodies[b].name + "." + own;
+        if (own == name || full == name) found.push_back({b, own});
+        known += (known.empty() ? "" : ", ") + full;
+      }
+    if (found.size() == 1) return found.front();
+    issues.push_back({key, name, found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known)
+                                               : "more than one body has a boundary of this name; write body.name"});
+    return {-1, name};
+  }
+
+  /// The body whose node lies nearest to a point, or the one named.
+  int body_at(const std::string& named, const Vec2& point) const {
+    int best = -1;
+    double distance = 0.0;
+    for (int b = 0; b < static_cast<int>(shapes_.size()); ++b) {
+      if (!named.empty() && scene_.geometry.bodies[b].name != named) continue;
+      for (const auto& X : shapes_[b]->mesh.X)
+        if (const double d = (X - point).norm(); best < 0 || d < distance) {
+          best = b;
+          distance = d;
+        }
+    }
+    return best;
+  }
+
+ private:
+  const scene::Scene& scene_;
+  const std::vector<body::ShapePtr>& shapes_;
+};
+
+void place_supports(Problem& p, Resolver& resolve) {
+  for (const auto& support : p.scene.supports) {
+    PlacedSupport placed{support, -1};
+    if (support.point_mm) {
+      placed.body = resolve.body_at(support.body, *support.point_mm);
+    } else {
+      const auto ref = resolve.boundary(support.edge, "support." + support.name + ".edge");
+      placed.body = ref.body;
+      placed.support.edge = ref.boundary;
+    }
+    if (placed.body >= 0) {
+      p.inputs[placed.body].supports.push_back(placed.support);
+      p.support_of[placed.body].push_back(static_cast<int>(p.supports.size()));
+    }
+    p.supports.push_back(placed);
+  }
+}
+
+void place_loads(Problem& p, Resolver& resolve) {
+  for (auto load : p.scene.boundary_loads) {
+    const auto ref = resolve.boundary(load.edge, "load." + load.name + ".edge");
+    load.edge = ref.boundary;
+    if (ref.body >= 0) p.inputs[ref.body].boundary_loads.push_back(load);
+  }
+  for (const auto& load : p.scene.point_loads)
+    if (const int b = resolve.body_at(load.body, load.point_mm); b >= 0) p.inputs[b].point_loads.push_back(load);
+  for (const auto& load : p.scene.body_forces)
+    if (const int b = resolve.body_at(load.body, Vec2::Zero()); b >= 0) p.inputs[b].body_forces.push_back(load);
+}
+
+double modulus(const Problem& p, int body) {
+  if (p.rigid[body]) return 0.0;
+  return std::visit([](const auto& m) { return m.E_MPa; }, p.inputs[body].material);
+}
+
+/// Stiffness scale of a pair: harmonic mean of the deformable sides, the softer one rules.
+double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary, const std::vector<contact::BoundaryRef>& primary) {
+  double softest = modulus(p, secondary.body);
+  for (const auto& ref : primary)
+    if (!p.rigid[ref.body]) softest = std::min(softest, modulus(p, ref.body));
+  return softest;
+}
+
+void check_contact(const Problem& p, const PlacedContact& contact, std::vector<Issue>& issues) {
+  const std::string key = "contact." + contact.options.name;
+  const auto name = [&](int b) { return p.scene.geometry.bodies[b].name; };
+  if (p.rigid[contact.secondary.body])
+    issues.push_back({key + ".secondary", contact.options.secondary,
+                      "lies on the rigid body " + name(contact.secondary.body) + "; the secondary side must belong to a deformable body"});
+  for (const auto& ref : contact.primary) {
+    if (ref.body == contact.secondary.body)
+      issues.push_back({key + ".primary", ref.boundary, "lies on the same body as the secondary side (" + name(ref.body) + ")"});
+    if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
+      issues.push_back({key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
+  }
+}
+
+void place_contacts(Problem& p, Resolver& resolve) {
+  for (const auto& options : p.scene.contacts) {
+    const std::string key = "contact." + options.name;
+    PlacedContact placed;
+    placed.options = options;
+    placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
+    for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
+    const bool found = placed.secondary.body >= 0 &&
+                       std::all_of(placed.primary.begin(), placed.primary.end(), [](const auto& r) { return r.body >= 0; });
+    if (!found) continue;
+    check_contact(p, placed, resolve.issues);
+    placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
+    const auto retain = [&](const contact::BoundaryRef& ref) {
+      auto& list = p.inputs[ref.body].contact_boundaries;
+      if (std::find(list.begin(), list.end(), ref.boundary) == list.end()) list.push_back(ref.boundary);
+    };
+    retain(placed.secondary);
+    for (const auto& ref : placed.primary) retain(ref);
+    p.contacts.push_back(std::move(placed));
+  }
+}
+
+void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
+  for (const auto& contact : p.contacts) {
+    const auto& mesh = p.shapes[contact.secondary.body]->mesh;
+    const auto nodes = mesh::nodes_of(mesh.boundaries.at(contact.secondary.boundary));
+    for (const auto& support : p.inputs[contact.secondary.body].supports) {
+      if (!support.rigid || support.edge.empty()) continue;
+      const auto held = mesh::nodes_of(mesh.boundaries.at(support.edge));
+      const auto shared = std::count_if(nodes.begin(), nodes.end(),
+                                        [&](int n) { return std::find(held.begin(), held.end(), n) != held.end(); });
+      if (shared > 1 || support.edge == contact.secondary.boundary)
+        issues.push_back({"contact." + contact.options.name + ".secondary", contact.options.secondary,
+                          "lies on the rigid edge of support " + support.name + "; its nodes must be free to move"});
+    }
+  }
+}
+
+void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
+  for (int b = 0; b < p.body_count(); ++b) {
+    bool friction = false;
+    for (const auto& contact : p.contacts) {
+      bool here = contact.secondary.body == b;
+      for (const auto& ref : contact.primary) here = here || ref.body == b;
+      friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
+    }
+    for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
+      issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
+  }
+}
+
+void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
+  mortar::Integrator integrator;
+  for (const auto& setup : system.contacts) {
+    mortar::Placement place{&setup.secondary, &setup.primary, setup.secondary.X, setup.primary.X, setup.secondary.X,
+                            setup.primary.X, setup.cut, setup.analysis, setup.search};
+    if (integrator.values(place).empty())
+      issues.push_back({"contact." + setup.options.name, "",
+                        "no facet of the secondary side faces a primary one within search_mm = " + std::to_string(setup.search)});
+  }
+  (void)p;
+}
+
+body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& body) {
+  body::BodyInput input;
+  input.name = body.name;
+  input.analysis = scene.analysis;
+  if (body.rigid) return input;
+  const auto& choice = scene.body_material.at(body.name);
+  input.material = scene.materials.at(choice.material);
+  input.b_bar = choice.b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
+                                      scene.analysis != base::Analysis::plane_stress);
+  return input;
+}
+
+void refuse(const scene::Scene& scene, const std::vector<Issue>& issues) {
+  if (!issues.empty()) throw scene::located(scene, issues);
+}
+
+}  // namespace
+
+Problem prepare(const scene::Scene& scene) {
+  Problem p;
+  p.scene = scene;
+  cad::Geometry geometry;
+  try {
+    geometry = cad::build(scene.geometry);
+  } catch (const base::InputError& error) {
+    refuse(scene, error.issues());
+  }
+  for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
+    const auto& options = scene.geometry.bodies[b];
+    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b])));
+    p.rigid.push_back(options.rigid);
+    p.inputs.push_back(body_input(scene, options));
+  }
+  p.support_of.resize(p.inputs.size());
+  Resolver resolve(scene, p.shapes);
+  place_supports(p, resolve);
+  place_loads(p, resolve);
+  place_contacts(p, resolve);
+  refuse(scene, resolve.issues);
+  std::vector<Issue> issues;
+  check_secondary_edges(p, issues);
+  check_rigid_motions(p, issues);
+  refuse(scene, issues);
+  Cache cache;
+  const auto& system = system_of(p, initial_state(p), cache);
+  check_facing(p, system, issues);
+  refuse(scene, issues);
+  p.plan = make_plan(p, system);
+  return p;
+}
+
+}  // namespace reye::sim

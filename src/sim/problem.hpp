@@ -1,0 +1,82 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "adapt/relocation.hpp"
+#include "body/operator.hpp"
+#include "contact/setup.hpp"
+#include "scene/scene.hpp"
+#include "sim/records.hpp"
+#include "solver/newton.hpp"
+
+namespace reye::sim {
+
+/// A support of the scene with the body it acts on.
+struct PlacedSupport {
+  body::Support support;
+  int body = 0;
+};
+
+/// A contact of the scene with its boundaries found.
+struct PlacedContact {
+  contact::ContactOptions options;
+  contact::BoundaryRef secondary;
+  std::vector<contact::BoundaryRef> primary;
+  double modulus_MPa = 0.0;  ///< stiffness scale of the pair
+};
+
+/// What each body and contact is, what is skipped and why: what `plan` prints is what runs.
+struct Plan {
+  std::vector<std::string> lines;
+  std::vector<std::string> skipped;
+};
+
+/// Everything that does not change in a run.
+struct Problem {
+  scene::Scene scene;
+  std::vector<body::BodyInput> inputs;           ///< per body
+  std::vector<char> rigid;                       ///< per body
+  std::vector<std::vector<int>> support_of;      ///< per body: scene support of each of its own supports
+  std::vector<PlacedSupport> supports;           ///< in the order of the scene
+  std::vector<PlacedContact> contacts;
+  std::vector<body::ShapePtr> shapes;            ///< at the start
+  Plan plan;
+
+  int body_count() const { return static_cast<int>(inputs.size()); }
+};
+
+/// All that changes in a run, and nothing else. A value: copied, never half updated.
+struct State {
+  double cycle = 0.0;
+  int step = 0;
+  long block = 0;                                ///< blocks done in this step
+  std::map<std::string, double> factors;         ///< of every history
+  std::vector<body::ShapePtr> shapes;
+  solver::SolverState solution;
+  bool approached = false;                       ///< bodies apart have been moved until they touch
+  std::map<std::string, double> life_cycles;     ///< limits reached so far
+  std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
+  Counts counts;
+  std::vector<std::string> cutback_reasons;
+};
+
+/// Derived things, keyed by the shapes they came from; throwing it away changes no result.
+struct Cache {
+  std::vector<body::ShapePtr> shapes;
+  solver::System system;
+  solver::Newton newton;
+  adapt::RelocationCache relocation;
+  std::map<std::string, double> seconds;         ///< wall time by room
+};
+
+/// Reads geometry, finds names, meshes, checks. Throws base::InputError with located lines.
+Problem prepare(const scene::Scene& scene);
+
+/// The state before the first step.
+State initial_state(const Problem& problem);
+
+/// The system of equations on the state's shapes; unchanged bodies keep their operators.
+const solver::System& system_of(const Problem& problem, const State& state, Cache& cache);
+
+}  // namespace reye::sim

@@ -1,0 +1,187 @@
+#include "sim/run.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "sim/block.hpp"
+#include "sim/measure.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto s = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  return s(usage.ru_utime) + s(usage.ru_stime);
+}
+
+double peak_rss_MB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Cycles still to be played in a step after `block` blocks.
+double remaining(const scene::Step& step, long block) { return step.cycles - static_cast<double>(block) * step.jump; }
+
+bool step_over(const scene::Step& step, long block) {
+  return step.cycles > 0.0 ? remaining(step, block) <= 1e-9 * step.cycles : block > 0;
+}
+
+/// Notes limits that were crossed in the last block, by linear interpolation of their measure.
+bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before) {
+  bool stop = false;
+  for (const auto& limit : problem.scene.limits) {
+    const auto found = std::find_if(problem.contacts.begin(), problem.contacts.end(),
+                                    [&](const auto& c) { return c.options.name == limit.contact; });
+    const auto c = static_cast<std::size_t>(found - problem.contacts.begin());
+    const double now = limit_measure(limit, system.contacts[c], state.solution.contacts[c], state.shapes, *found);
+    const double before = state.limit_measure[limit.name];
+    const double bound = limit.depth_mm ? *limit.depth_mm : limit.area_mm2.value_or(0.0);
+    state.limit_measure[limit.name] = now;
+    if (now < bound || state.life_cycles.contains(limit.name)) continue;
+    state.life_cycles[limit.name] = cycle_before + (state.cycle - cycle_before) * (bound - before) / (now - before);
+    stop = stop || limit.stop;
+  }
+  return stop;
+}
+
+bool crosses(double before, double after, double every) {
+  return every > 0.0 && std::floor(after / every + 1e-9) > std::floor(before / every + 1e-9);
+}
+
+void probe(const Problem& problem, const Frame& frame, Summary& summary) {
+  for (const auto& p : problem.scene.output.probes)
+    for (const auto& body : frame.bodies) {
+      if (body.name != p.body) continue;
+      const auto& X = body.mesh->X;
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < X.size(); ++i)
+        if ((X[i] - p.at_mm).squaredNorm() < (X[best] - p.at_mm).squaredNorm()) best = i;
+      summary.probes[p.name] = body.u[best];
+    }
+}
+
+/// One run in progress: the loop over steps and blocks.
+class Runner {
+ public:
+  Runner(const Problem& problem, State& state, const Observer& observer) : p_(problem), state_(state), observer_(observer) {}
+
+  Summary go() {
+    const auto start = clock::now();
+    const double cpu = cpu_seconds();
+    play();
+    Summary s = summarise_run();
+    s.wall_s = std::chrono::duration<double>(clock::now() - start).count();
+    s.cpu_s = cpu_seconds() - cpu;
+    s.peak_rss_MB = peak_rss_MB();
+    return s;
+  }
+
+ private:
+  void play() {
+    try {
+      if (!state_.approached) {
+        begin_state(p_, state_, cache_);
+        show("start");
+      }
+      while (state_.step < static_cast<int>(p_.scene.steps.size())) {
+        const auto& step = p_.scene.steps[state_.step];
+        if (step_over(step, state_.block)) {
+          ++state_.step;
+          state_.block = 0;
+          continue;
+        }
+        if (!play_block(step)) return;
+      }
+    } catch (const base::SolveError& error) {
+      fail(error.what());
+    } catch (const base::MeshError& error) {
+      fail(error.what());
+    }
+  }
+
+  /// False when the run ends here.
+  bool play_block(const scene::Step& step) {
+    const double cycle_before = state_.cycle;
+    const BlockSpan span{&step, step.cycles > 0.0 ? std::min(step.jump, remaining(step, state_.block)) : 1.0, step.cycles > 0.0};
+    Outcome outcome = play_increments(p_, state_, cache_, span, observer_);
+    if (outcome.failure.empty() && !outcome.interrupted && p_.scene.shape && step.wear) {
+      Outcome moved = evolve_shape(p_, outcome.state, cache_, span);
+      moved.interrupted = false;
+      outcome = std::move(moved);
+    }
+    state_ = std::move(outcome.state);
+    if (!outcome.failure.empty()) return fail(outcome.failure);
+    if (outcome.interrupted) {
+      summary_.status = RunStatus::interrupted;
+      summary_.reason = "interrupted in step \"" + step.name + "\" at cycle " + std::to_string(state_.cycle);
+      show(step.name);
+      return false;
+    }
+    ++state_.block;
+    ++state_.counts.blocks;
+    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before);
+    if (stop || step_over(step, state_.block) || crosses(cycle_before, state_.cycle, p_.scene.output.frames_every_cycles))
+      show(step.name);
+    if (observer_.block) observer_.block(state_);
+    return !stop;
+  }
+
+  bool fail(const std::string& reason) {
+    summary_.status = RunStatus::failed;
+    summary_.reason = reason;
+    if (observer_.log) observer_.log("failed: " + reason);
+    show("last good state");
+    return false;
+  }
+
+  void show(const std::string& step) {
+    if (observer_.frame && state_.approached) observer_.frame(make_frame(p_, state_, cache_, step));
+  }
+
+  Summary summarise_run() {
+    Summary& s = summary_;
+    s.title = p_.scene.title;
+    s.cycles = state_.cycle;
+    s.analysis = p_.scene.analysis;
+    s.scene_sha256 = p_.scene.sha256;
+    s.skipped = p_.plan.skipped;
+    s.cutback_reasons = state_.cutback_reasons;
+    for (const auto& limit : p_.scene.limits) {
+      const auto found = state_.life_cycles.find(limit.name);
+      s.life_cycles[limit.name] = found == state_.life_cycles.end() ? std::nullopt : std::optional(found->second);
+    }
+    if (state_.approached) {
+      const auto& system = system_of(p_, state_, cache_);
+      for (std::size_t c = 0; c < system.contacts.size(); ++c)
+        s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
+      if (!p_.scene.output.probes.empty()) probe(p_, make_frame(p_, state_, cache_, ""), s);
+    }
+    s.counts = state_.counts;
+    s.room_seconds = cache_.seconds;
+    return s;
+  }
+
+  const Problem& p_;
+  State& state_;
+  const Observer& observer_;
+  Cache cache_;
+  Summary summary_;
+};
+
+}  // namespace
+
+Summary run(const Problem& problem, State& state, const Observer& observer) {
+  return Runner(problem, state, observer).go();
+}
+
+}  // namespace reye::sim
