@@ -123,11 +123,14 @@ std::optional<Filling> run_gmsh(const Region& region, const SizeField& size, con
   if (region.kind == mesh::CellKind::quad4) gmsh::model::mesh::setRecombine(2, 1);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) { return size({x, y}); });
   std::optional<Filling> filling;
+  // Errors inside gmsh's mesher are thrown in a parallel region and end the process unless it is told to go on.
+  gmsh::option::setNumber("General.AbortOnError", 0);
   try {
     gmsh::model::mesh::generate(2);
     filling = read_surface(region.kind);
   } catch (const std::string&) {  // another algorithm may do
   }
+  gmsh::option::setNumber("General.AbortOnError", 2);
   gmsh::model::mesh::removeSizeCallback();
   gmsh::model::remove();
   return filling;

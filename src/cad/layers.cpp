@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "cad/region.hpp"
 #include "mesh/quality.hpp"
@@ -30,7 +30,6 @@ Points inward_normals(const Region& region, const RegionLoop& loop, const std::v
     const Vec2& here = region.X[stretch[i]];
     const Vec2 in = (here - region.X[loop.nodes[(start + i + count - 1) % count]]).normalized();
     const Vec2 out = (region.X[loop.nodes[(start + i + 1) % count]] - here).normalized();
-    // At the ends the spacing jumps, so only the inner edge is told to be smooth.
     normals.push_back(-base::right_of((in + out).normalized()));
   }
   return normals;
@@ -80,24 +79,6 @@ bool is_clear(const Region& region, const Rows& rows, double depth) {
   return true;
 }
 
-std::vector<mesh::Cell> make_cells(const Rows& rows, mesh::CellKind kind) {
-  std::vector<mesh::Cell> cells;
-  for (std::size_t j = 0; j + 1 < rows.nodes.size(); ++j)
-    for (std::size_t i = 0; i + 1 < rows.nodes[j].size(); ++i) {
-      const int a = rows.nodes[j][i], b = rows.nodes[j][i + 1], c = rows.nodes[j + 1][i + 1], d = rows.nodes[j + 1][i];
-      if (kind == mesh::CellKind::quad4) {
-        cells.push_back({a, b, c, d});
-      } else if ((i + j) % 2 == 0) {  // diagonals in alternation: no direction is preferred
-        cells.push_back({a, b, c, -1});
-        cells.push_back({a, c, d, -1});
-      } else {
-        cells.push_back({a, b, d, -1});
-        cells.push_back({b, c, d, -1});
-      }
-    }
-  return cells;
-}
-
 /// Replaces the stretch in its loop by the way round the rows.
 void go_round(RegionLoop& loop, const Rows& rows) {
   const std::vector<int>& stretch = rows.nodes.front();
@@ -119,6 +100,24 @@ void go_round(RegionLoop& loop, const Rows& rows) {
 
 }  // namespace
 
+std::vector<mesh::Cell> cells_between(const std::vector<std::vector<int>>& rows, mesh::CellKind kind) {
+  std::vector<mesh::Cell> cells;
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j)
+    for (std::size_t i = 0; i + 1 < rows[j].size(); ++i) {
+      const int a = rows[j][i], b = rows[j][i + 1], c = rows[j + 1][i + 1], d = rows[j + 1][i];
+      if (kind == mesh::CellKind::quad4) {
+        cells.push_back({a, b, c, d});
+      } else if ((i + j) % 2 == 0) {
+        cells.push_back({a, b, c, -1});
+        cells.push_back({a, c, d, -1});
+      } else {
+        cells.push_back({a, b, d, -1});
+        cells.push_back({b, c, d, -1});
+      }
+    }
+  return cells;
+}
+
 bool add_layers(Region& region, int first, int last, int layers, double depth) {
   for (RegionLoop& loop : region.loops) {
     const std::vector<int> stretch = stretch_of(loop, first, last);
@@ -127,12 +126,12 @@ bool add_layers(Region& region, int first, int last, int layers, double depth) {
     if (!is_clear(region, rows, depth)) return false;
     Points X = region.X;
     X.insert(X.end(), rows.added.begin(), rows.added.end());
-    const std::vector<mesh::Cell> quads = make_cells(rows, mesh::CellKind::quad4);
+    const std::vector<mesh::Cell> quads = cells_between(rows.nodes, mesh::CellKind::quad4);
     constexpr double good = 0.7;
     for (const mesh::Cell& cell : quads)
       if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, cell) < good) return false;
     region.X = std::move(X);
-    const std::vector<mesh::Cell> cells = make_cells(rows, region.kind);
+    const std::vector<mesh::Cell> cells = cells_between(rows.nodes, region.kind);
     region.cells.insert(region.cells.end(), cells.begin(), cells.end());
     go_round(loop, rows);
     return true;

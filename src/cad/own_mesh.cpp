@@ -29,7 +29,7 @@ bool ends_at(const RawMesh& raw, const Points& X, const mesh::Chain& loop, std::
 
 EdgeType type_of(const Points& knots) {
   const Vec2 chord = knots.back() - knots.front();
-  const bool straight = std::all_of(knots.begin(), knots.end(), [&](const Vec2& p) {
+  const bool straight = knots.front() != knots.back() && std::all_of(knots.begin(), knots.end(), [&](const Vec2& p) {
     return std::abs(base::cross(chord, p - knots.front())) <= 1e-9 * chord.squaredNorm();
   });
   if (straight) return EdgeType::line;

@@ -21,6 +21,8 @@ std::vector<Vec3> triples(const std::vector<double>& flat) {
 /// Distance of the points from the chord between the first and the last.
 bool is_straight(const std::vector<Vec3>& points) {
   const Vec3 chord = points.back() - points.front();
+  const Vec3 halfway = points[points.size() / 2] - points.front();
+  if (chord.norm() <= 1e-9 * halfway.norm()) return false;  // closed
   return std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
     return chord.cross(p - points.front()).norm() <= 1e-9 * chord.squaredNorm();
   });

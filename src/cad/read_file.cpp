@@ -44,33 +44,29 @@ Format format_of(const std::string& path) {
   refuse(path, "the format must be one of " + std::string(formats));
 }
 
-/// Loads the file into the current model and returns the first error gmsh logged, "" if none.
-std::string load(const std::string& path, Format format) {
-  const Silence silence;
-  // Sticky in gmsh: whatever an earlier import or script left is overruled each time.
+void import_shapes(const std::string& path) {
+  gmsh::vectorpair shapes;
+  // The unit is sticky in gmsh and OCCT: whatever an earlier import left is overruled each time.
   gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
+  try {
+    gmsh::model::occ::importShapes(path, shapes);
+  } catch (const std::string& message) {
+    if (message.find("target unit") == std::string::npos) throw;
+    // Before its first STEP import OCCT does not know the setting; then its own default, mm, still holds.
+    gmsh::option::setString("Geometry.OCCTargetUnit", "");
+    gmsh::model::occ::importShapes(path, shapes);
+  }
+  gmsh::model::occ::synchronize();
+}
+
+/// Loads the file into the current model.
+void load(const std::string& path, Format format) {
+  const Silence silence;
   gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
   gmsh::option::setNumber("Geometry.OCCScaling", 1);
-  gmsh::logger::start();
-  try {
-    if (format == Format::shapes) {
-      gmsh::vectorpair shapes;
-      gmsh::model::occ::importShapes(path, shapes);
-      gmsh::model::occ::synchronize();
-    } else {
-      gmsh::merge(path);
-    }
-  } catch (const std::string& message) {
-    gmsh::logger::stop();
-    return message.empty() ? "unknown error" : message;
-  }
-  std::vector<std::string> log;
-  gmsh::logger::get(log);
-  gmsh::logger::stop();
-  gmsh::option::setNumber("General.Terminal", 0);
-  for (const std::string& line : log)
-    if (line.starts_with("Error")) return line.substr(line.find_first_not_of(": ", 5));
-  return "";
+  if (format == Format::shapes) import_shapes(path);
+  else gmsh::merge(path);
+  gmsh::option::setNumber("General.Terminal", 0);  // a script may have asked for talk
 }
 
 void check_content(const std::string& path, Format format) {
@@ -94,14 +90,13 @@ std::vector<RawPart> read_file(const std::string& path) {
   check_readable(path);
   try {
     gmsh::model::add("import");
-    const std::string error = load(path, format);
-    if (!error.empty()) refuse(path, "gmsh cannot read it: " + error);
+    load(path, format);
     check_content(path, format);
     std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces();
     gmsh::model::remove();
     return parts;
   } catch (const std::string& message) {
-    refuse(path, "gmsh cannot use it: " + message);
+    refuse(path, "gmsh cannot read it: " + message);
   }
 }
 

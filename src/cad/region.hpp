@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cad/size_field.hpp"
@@ -20,10 +21,21 @@ struct Region {
   std::vector<RegionLoop> loops;
 };
 
+/// Cells between consecutive rows of nodes, the body on the left of the first row. Triangles get their diagonals in
+/// alternation, so that no direction is preferred.
+std::vector<mesh::Cell> cells_between(const std::vector<std::vector<int>>& rows, mesh::CellKind kind);
+
 /// Covers a smooth stretch of the outline, from node `first` to node `last` of one loop, with `layers` rows of
 /// quadrilaterals (or pairs of triangles) along its normals, `depth` thick altogether, and takes them out of
 /// what is left. Changes nothing and returns false where the rows would fold or come near other outline.
 bool add_layers(Region& region, int first, int last, int layers, double depth);
+
+/// A place where the outline crosses itself, as it is or (all-quad meshes) with every second node left out.
+std::optional<Vec2> crossing(const Region& region);
+
+/// Fills a region of one loop with four corners and as many nodes on opposite sides by a regular grid, blended
+/// from its sides. Changes nothing and returns false for any other region, and for a grid of poor or too large cells.
+bool add_grid(Region& region, const SizeField& size);
 
 /// Meshes what is left by gmsh in the running session. The nodes of the loops stay exactly where they are; sizes
 /// inside follow the field. All-quad meshes need an even number of nodes between corners.

@@ -1,0 +1,161 @@
+#include "cad/generate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "cad/divide.hpp"
+#include "cad/region.hpp"
+#include "cad/text.hpp"
+#include "mesh/outline.hpp"
+
+namespace reye::cad {
+
+namespace {
+
+/// Far size, fine zones, and the edges that need elements smaller than the far size to be resolved at all:
+/// two to an edge, and 30 degrees of a curve to an element.
+SizeField size_field(const BodyPlan& plan, double far) {
+  SizeField size(far, plan.options->mesh.growth);
+  for (const ZoneOutline& zone : plan.zones) size.add(make_source(sampled(*plan.part, zone), zone.depth, zone.size));
+  for (const Loop& loop : plan.part->loops)
+    for (const Edge& edge : loop) {
+      const double turns = turning(edge) / (std::numbers::pi / 6.0);
+      const double own = edge.length() / std::max(2.0, turns);
+      if (own >= far) continue;
+      Points line;
+      const int pieces = edge.type == EdgeType::line ? 1 : std::max(2, static_cast<int>(std::ceil(2.0 * turns)));
+      for (int i = 0; i <= pieces; ++i) line.push_back(at(edge, edge.length() * i / pieces));
+      size.add(make_source(std::move(line), 0.0, own));
+    }
+  return size;
+}
+
+int node_at(const Region& region, const RegionLoop& loop, const Vec2& p) {
+  return *std::min_element(loop.nodes.begin(), loop.nodes.end(), [&](int a, int b) {
+    return (region.X[a] - p).squaredNorm() < (region.X[b] - p).squaredNorm();
+  });
+}
+
+/// Rows of equal elements beneath a fine stretch that ends smoothly on both sides, where they fit.
+void add_zone_layers(Region& region, const std::vector<RegionLoop>& outline, const BodyPlan& plan) {
+  for (const ZoneOutline& zone : plan.zones) {
+    if (!zone.smooth_begin || !zone.smooth_end || zone.depth < 1.5 * zone.size) continue;
+    const Loop& loop = plan.part->loops[zone.loop];
+    const Stretch &begin = zone.stretches.front(), &end = zone.stretches.back();
+    const int first = node_at(region, outline[zone.loop], at(loop[begin.edge], begin.begin));
+    const int last = node_at(region, outline[zone.loop], at(loop[end.edge], end.end));
+    const int layers = 2 * std::max(1, static_cast<int>(std::lround(0.5 * zone.depth / zone.size)));
+    add_layers(region, first, last, layers, zone.depth);
+  }
+}
+
+/// Which segments of each divided loop lie on the chosen edges.
+std::vector<std::vector<bool>> segments_on(const std::vector<DividedLoop>& loops, const EdgeChoice& edges) {
+  std::vector<std::vector<bool>> on(loops.size());
+  for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    for (int edge : loops[loop].edge) on[loop].push_back(edges[loop][edge]);
+  return on;
+}
+
+void name_boundaries(mesh::Mesh& mesh, const BodyPlan& plan, const std::vector<DividedLoop>& divided) {
+  for (const auto& [name, edges] : plan.boundaries)
+    mesh.boundaries[name] = mesh::chains_along(mesh.outline, segments_on(divided, edges));
+}
+
+/// The division that the outline of a mesh from a file already has.
+DividedLoop divided_as_is(const Loop& loop) {
+  DividedLoop divided;
+  for (int k = 0; k < static_cast<int>(loop.size()); ++k)
+    for (std::size_t i = 0; i + 1 < loop[k].knots.size(); ++i) divided.edge.push_back(k);
+  return divided;
+}
+
+/// The outline alone: what a rigid body is made of.
+void drop_cells(mesh::Mesh& mesh) {
+  Points X;
+  std::vector<int> number(mesh.X.size(), -1);
+  const auto renumber = [&](mesh::Chain& chain) {
+    for (int& node : chain) {
+      if (number[node] < 0) {
+        number[node] = static_cast<int>(X.size());
+        X.push_back(mesh.X[node]);
+      }
+      node = number[node];
+    }
+  };
+  for (mesh::Chain& loop : mesh.outline) renumber(loop);
+  for (auto& [name, chains] : mesh.boundaries)
+    for (mesh::Chain& chain : chains) renumber(chain);
+  mesh.X = std::move(X);
+  mesh.cells.clear();
+}
+
+mesh::Mesh take_over(const BodyPlan& plan) {
+  mesh::Mesh mesh = *plan.part->mesh;
+  std::vector<DividedLoop> divided;
+  for (const Loop& loop : plan.part->loops) divided.push_back(divided_as_is(loop));
+  name_boundaries(mesh, plan, divided);
+  if (plan.options->rigid) drop_cells(mesh);
+  return mesh;
+}
+
+/// The divided outline of a body as a region to fill.
+Region outlined(const BodyPlan& plan, const SizeField& size, std::vector<DividedLoop>& divided) {
+  const bool even = plan.options->mesh.element == mesh::CellKind::quad4 && !plan.options->rigid;
+  Region region;
+  region.kind = plan.options->mesh.element;
+  for (int k = 0; k < static_cast<int>(plan.part->loops.size()); ++k) {
+    std::vector<ZoneOutline> zones;
+    for (const ZoneOutline& zone : plan.zones)
+      if (zone.loop == k) zones.push_back(zone);
+    divided.push_back(divide(plan.part->loops[k], zones, size, even));
+    RegionLoop loop{{}, divided.back().corner};
+    for (const Vec2& p : divided.back().nodes) {
+      loop.nodes.push_back(static_cast<int>(region.X.size()));
+      region.X.push_back(p);
+    }
+    region.loops.push_back(std::move(loop));
+  }
+  return region;
+}
+
+mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
+  const SizeField size = size_field(plan, far);
+  std::vector<DividedLoop> divided;
+  Region region = outlined(plan, size, divided);
+  mesh::Mesh mesh;
+  for (const RegionLoop& loop : region.loops) {
+    mesh.outline.push_back(loop.nodes);
+    mesh.outline.back().push_back(loop.nodes.front());
+  }
+  if (const auto place = crossing(region))
+    throw base::MeshError("elements this coarse make the outline cross itself near " + text(*place));
+  if (!plan.options->rigid && !add_grid(region, size)) {
+    add_zone_layers(region, std::vector<RegionLoop>(region.loops), plan);
+    fill(region, size);
+  }
+  mesh.X = std::move(region.X);
+  mesh.kind = region.kind;
+  mesh.cells = std::move(region.cells);
+  name_boundaries(mesh, plan, divided);
+  return mesh;
+}
+
+}  // namespace
+
+mesh::Mesh generate(const BodyPlan& plan) {
+  if (plan.part->mesh) return take_over(plan);
+  constexpr int refinements = 4;
+  double far = far_size(plan);
+  for (int attempt = 0;; ++attempt, far *= 0.5) {  // thin places may ask for less than the far size
+    try {
+      return make_mesh(plan, far);
+    } catch (const base::MeshError&) {
+      if (attempt == refinements) throw;
+    }
+  }
+}
+
+}  // namespace reye::cad

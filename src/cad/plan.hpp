@@ -1,0 +1,26 @@
+#pragma once
+#include <map>
+#include <vector>
+
+#include "cad/options.hpp"
+#include "cad/select.hpp"
+#include "cad/zone.hpp"
+
+namespace reye::cad {
+
+/// Everything known of one body before it is meshed. Points into the parts and options it was made from.
+struct BodyPlan {
+  const Part* part = nullptr;
+  const BodyOptions* options = nullptr;
+  std::map<std::string, EdgeChoice> boundaries;
+  std::vector<ZoneOutline> zones;
+};
+
+/// Element size far from fine zones: as asked for, or a twentieth of the body's bounding-box diagonal [mm].
+double far_size(const BodyPlan& plan);
+
+/// Finds parts, boundaries and fine zones of all bodies. Throws base::InputError with every issue there is: selectors
+/// that match nothing or several things, material at a negative radius, a mesh of more than 2e6 nodes.
+std::vector<BodyPlan> make_plans(const std::vector<Part>& parts, const GeometryOptions& options);
+
+}  // namespace reye::cad
