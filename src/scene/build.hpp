@@ -25,6 +25,9 @@ Output output_of(const Entry& root);
 /// True when exactly one of the keys is given; else an issue that names them.
 bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> names, Issues& issues);
 
+/// The rule against a key of the other kind of problem: `a plane scene takes force_N_per_mm`.
+std::string takes_instead(base::Analysis analysis, std::string_view key);
+
 /// An issue with `rule` on each of the keys that is given.
 void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule,
             Issues& issues);

@@ -88,6 +88,11 @@ bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> nam
   return false;
 }
 
+std::string takes_instead(base::Analysis analysis, std::string_view key) {
+  const bool axisymmetric = analysis == base::Analysis::axisymmetric;
+  return (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(key);
+}
+
 void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule,
             Issues& issues) {
   for (const auto name : names)

@@ -37,7 +37,7 @@ void check_sides(const Entry& entry, const contact::ContactOptions& contact, Iss
   const auto flag = [&](const std::string& rule) {
     issues.push_back({entry.key("primary"), entry.written("primary"), rule});
   };
-  if (entry.given("primary") && contact.primary.empty()) flag("must name at least one boundary");
+  if (entry.empty_list("primary")) flag("must name at least one boundary");
   std::set<std::string> seen;
   for (const auto& name : contact.primary) {
     if (name == contact.secondary) flag("\"" + name + "\" is also the secondary side");
@@ -46,10 +46,13 @@ void check_sides(const Entry& entry, const contact::ContactOptions& contact, Iss
 }
 
 void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
-  if (!contact.wear.wears() || contact.friction > 0.0) return;
+  // a friction that is no number, or below zero, has its own issue
+  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0;
+  if (!contact.wear.wears() || !none) return;
   const auto wear = entry.at("wear");
   if (contact.wear.kind == wear::LawKind::energy)
-    issues.push_back({wear.key("law"), wear.written("law"), "without friction no energy is dissipated; use friction > 0 or archard"});
+    issues.push_back({wear.key("law"), wear.written("law"),
+                      "without friction no energy is dissipated; use friction > 0 or archard"});
   else if (!contact.imposed)
     issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
 }

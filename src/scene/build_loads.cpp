@@ -29,11 +29,11 @@ void add_point_load(const Entry& entry, Scene& scene, Issues& issues) {
   const auto* force = axisymmetric ? "force_N" : "force_N_per_mm";
   const auto* other = axisymmetric ? "force_N_per_mm" : "force_N";
   if (entry.given(other))
-    refuse(entry, {other}, (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(force),
-           issues);
+    refuse(entry, {other}, takes_instead(scene.analysis, force), issues);
   else if (!entry.given(force))
     issues.push_back({entry.key(force), "", "missing"});
-  refuse(entry, {"pressure_MPa", "traction_MPa", "interval_mm", "force_N_per_mm3"}, "does not go with point_mm", issues);
+  refuse(entry, {"pressure_MPa", "traction_MPa", "interval_mm", "force_N_per_mm3"}, "does not go with point_mm",
+         issues);
   scene.point_loads.push_back({.name = entry.name(),
                                .body = entry.text("body"),
                                .point_mm = entry.pair("point_mm").value_or(none),
@@ -55,14 +55,14 @@ void add_body_force(const Entry& entry, Scene& scene, Issues& issues) {
 
 void add_loads(const Entry& root, Scene& scene, Issues& issues) {
   for (const auto& entry : root.all("load")) {
-    const bool on_edge = entry.given("edge"), at_point = entry.given("point_mm"), in_body = entry.given("force_N_per_mm3");
+    const bool on_edge = entry.given("edge"), at_point = entry.given("point_mm");
     if (on_edge && at_point)
       issues.push_back({entry.key(), "", "acts on an edge, at a point or in a body; not on two of them"});
     else if (on_edge)
       add_boundary_load(entry, scene, issues);
     else if (at_point)
       add_point_load(entry, scene, issues);
-    else if (in_body)
+    else if (entry.given("force_N_per_mm3"))
       add_body_force(entry, scene, issues);
     else
       issues.push_back({entry.key(), "", "needs edge, point_mm, or body with force_N_per_mm3"});

@@ -28,8 +28,7 @@ std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
   const auto* other = axisymmetric ? "area_mm2" : "volume_mm3";
   for (const auto& entry : root.all("limit")) {
     if (entry.given(other))
-      refuse(entry, {other}, (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(amount),
-             issues);
+      refuse(entry, {other}, takes_instead(analysis_of(root), amount), issues);
     else
       exactly_one(entry, {"depth_mm", amount}, issues);
     limits.push_back({.name = entry.name(),

@@ -8,23 +8,23 @@ struct Keys {
   std::string_view moved, loaded, other;  ///< `other`: the force key of the other kind of problem
 };
 
-Keys keys_of(std::string_view motion, bool axisymmetric) {
+Keys keys_of(std::string_view motion, base::Analysis analysis) {
   if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", ""};
-  return axisymmetric ? Keys{"motion_mm", "force_N", "force_N_per_mm"} : Keys{"motion_mm", "force_N_per_mm", "force_N"};
+  if (analysis == base::Analysis::axisymmetric) return {"motion_mm", "force_N", "force_N_per_mm"};
+  return {"motion_mm", "force_N_per_mm", "force_N"};
 }
 
-body::Motion motion_of(const Entry& support, std::string_view name, bool axisymmetric, Issues& issues) {
+body::Motion motion_of(const Entry& support, std::string_view name, base::Analysis analysis, Issues& issues) {
   const auto place = support.at(name);
   if (!place.is_table())
     return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free, .history = {}};
-  const auto keys = keys_of(name, axisymmetric);
-  if (name == "rotation" && axisymmetric) {
+  const auto keys = keys_of(name, analysis);
+  if (name == "rotation" && analysis == base::Analysis::axisymmetric) {
     issues.push_back({place.key(), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
     return {};
   }
   if (!keys.other.empty() && place.given(keys.other)) {
-    issues.push_back({place.key(keys.other), place.written(keys.other),
-                      (axisymmetric ? "an axisymmetric scene takes " : "a plane scene takes ") + std::string(keys.loaded)});
+    refuse(place, {keys.other}, takes_instead(analysis, keys.loaded), issues);
     return {};
   }
   if (!exactly_one(place, {keys.moved, keys.loaded}, issues)) return {};
@@ -55,12 +55,13 @@ void check_rigid(const Entry& entry, const body::Support& support, Issues& issue
   } else if (!support.rigid) {
     refuse(entry, {"rotation"}, "needs a rigid edge", issues);
     if (loaded(support))
-      issues.push_back({entry.key("rigid"), entry.written("rigid"), "a force or moment needs a rigid edge; or use [load]"});
+      issues.push_back({entry.key("rigid"), entry.written("rigid"),
+                        "a force or moment needs a rigid edge; or use [load]"});
   }
   if (!support.point_mm) refuse(entry, {"body"}, "an edge has its own body", issues);
 }
 
-body::Support support_of(const Entry& entry, bool axisymmetric, Issues& issues) {
+body::Support support_of(const Entry& entry, base::Analysis analysis, Issues& issues) {
   body::Support support;
   support.name = entry.name();
   support.edge = entry.text("edge");
@@ -68,9 +69,9 @@ body::Support support_of(const Entry& entry, bool axisymmetric, Issues& issues) 
   support.body = entry.text("body");
   support.angle_deg = entry.number("angle_deg");
   support.edge_axes = entry.given("tangent") || entry.given("normal");
-  support.x = motion_of(entry, support.edge_axes ? "tangent" : "x", axisymmetric, issues);
-  support.y = motion_of(entry, support.edge_axes ? "normal" : "y", axisymmetric, issues);
-  support.rotation = motion_of(entry, "rotation", axisymmetric, issues);
+  support.x = motion_of(entry, support.edge_axes ? "tangent" : "x", analysis, issues);
+  support.y = motion_of(entry, support.edge_axes ? "normal" : "y", analysis, issues);
+  support.rotation = motion_of(entry, "rotation", analysis, issues);
   const bool by_default = !support.point_mm && (entry.given("rotation") || loaded(support));
   support.rigid = entry.maybe_flag("rigid").value_or(by_default);
   return support;
@@ -80,10 +81,10 @@ body::Support support_of(const Entry& entry, bool axisymmetric, Issues& issues) 
 
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues) {
   std::vector<body::Support> supports;
-  const bool axisymmetric = analysis_of(root) == base::Analysis::axisymmetric;
+  const auto analysis = analysis_of(root);
   for (const auto& entry : root.all("support")) {
-    supports.push_back(support_of(entry, axisymmetric, issues));
-    exactly_one(entry, {"edge", "point_mm"}, issues);
+    supports.push_back(support_of(entry, analysis, issues));
+    if (!exactly_one(entry, {"edge", "point_mm"}, issues)) continue;
     check_axes(entry, supports.back(), issues);
     check_rigid(entry, supports.back(), issues);
     if (!entry.given("x") && !entry.given("y") && !entry.given("tangent") && !entry.given("normal") &&

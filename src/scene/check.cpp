@@ -70,7 +70,7 @@ std::string or_a_table(const Spec& place) {
   std::string names;
   for (const auto& [name, child] : place.named)
     if (!child->key || child->key->type != Type::refused) names += (names.empty() ? "" : ", ") + name;
-  return names.empty() ? "" : " or a table of " + names;
+  return names.empty() ? "" : ", or a table of " + names;
 }
 
 std::string history_rule(const Node& history) {

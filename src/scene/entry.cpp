@@ -37,6 +37,11 @@ std::vector<Entry> Entry::all(std::string_view name) const {
   return entries;
 }
 
+bool Entry::empty_list(std::string_view name) const {
+  const auto* found = value(name, NodeKind::list);
+  return found && found->children.empty();
+}
+
 std::string Entry::text(std::string_view name) const {
   const auto* found = value(name, NodeKind::text);
   return found ? found->text : std::string(fallback(name));
@@ -72,7 +77,8 @@ std::optional<bool> Entry::maybe_flag(std::string_view name) const {
 }
 
 std::optional<double> Entry::maybe_number(std::string_view name) const {
-  return value(name, NodeKind::number) ? std::optional(number(name)) : std::nullopt;
+  const auto* found = value(name, NodeKind::number);
+  return found && std::isfinite(found->number) ? std::optional(found->number) : std::nullopt;
 }
 
 std::vector<double> Entry::numbers(std::string_view name) const {

@@ -31,6 +31,8 @@ class Entry {
   /// Named tables or elements of a list of tables below, in the order of the file.
   std::vector<Entry> all(std::string_view name) const;
 
+  /// True when a list is given and nothing stands in it.
+  bool empty_list(std::string_view name) const;
   std::string text(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
   double number(std::string_view name) const;

@@ -41,8 +41,7 @@ std::string broken_rule(const fs::path& file) {
 std::vector<std::string> geometry_files(const Entry& root, const std::string& path, Issues& issues) {
   const auto folder = fs::absolute(path).parent_path();
   const auto names = root.texts("geometry");
-  if (root.given("geometry") && names.empty() && root.written("geometry") == "[]")
-    issues.push_back({"geometry", "[]", "names no file"});
+  if (root.empty_list("geometry")) issues.push_back({"geometry", "[]", "names no file"});
   std::vector<std::string> files;
   std::set<std::string> seen;
   for (const auto& name : names) {

@@ -24,10 +24,10 @@ std::string type_name(Type type) {
 std::string takes(const Key& key) {
   if (!key.range.choices.empty()) return choices_of(key);
   const auto rule = rule_of(key);
-  const std::string_view start = "must ";
+  const std::string_view lie = "must lie ";
   const std::string_view be = "must be ";
   if (rule.empty()) return type_name(key.type);
-  const auto range = rule.starts_with(be) ? rule.substr(be.size()) : "in " + rule.substr(start.size() + 8);
+  const auto range = rule.substr(rule.starts_with(be) ? be.size() : lie.size());
   return type_name(key.type) + ' ' + range;
 }
 

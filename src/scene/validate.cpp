@@ -105,8 +105,9 @@ Issues suspicious(const Entry& root, const Scene& scene) {
   for (const auto& step : scene.steps) played.insert(step.play.begin(), step.play.end());
   const auto named = used(scene);
   for (const auto& [name, history] : scene.histories) {
-    if (!played.count(name)) found.push_back({root.at("history").key(name), "", "no step plays it; its factor stays 0"});
-    if (!named.count(name)) found.push_back({root.at("history").key(name), "", "no support or load names it"});
+    const auto key = root.at("history").key(name);
+    if (!played.count(name)) found.push_back({key, "", "no step plays it; its factor stays 0"});
+    if (!named.count(name)) found.push_back({key, "", "no support or load names it"});
   }
   return found;
 }

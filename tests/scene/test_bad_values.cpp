@@ -1,0 +1,172 @@
+#include "bad_scene.hpp"
+
+using namespace reye;
+
+/// Each key by itself: known, of its type, in its range, not missing; and what is no TOML at all.
+TEST(BadScene, Values) {
+  const std::vector<test::BadScene> scenes = {
+      {"unknown key",
+       {{"nu    = 0.3", "mu = 0.3"}},
+       "scene.toml:5: material.steel.nu: missing\n"
+       "scene.toml:8: material.steel.mu = 0.3: unknown key; did you mean nu?"},
+      {"unknown key without unit",
+       {{"E_MPa = 200e3", "E = 200e3"}},
+       "scene.toml:5: material.steel.E_MPa: missing\n"
+       "scene.toml:7: material.steel.E = 200e3: unknown key; did you mean E_MPa?"},
+      {"unknown key far from all",
+       {{"[material.steel]", R"(colour = "red")" "\n"
+         "[material.steel]"}},
+       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, shape, material, body, boundary, contact, support, load, history, step, limit, output, solver)"},
+      {"unknown table",
+       {{"[limit.life]", "[limits.life]"}},
+       "scene.toml:68: limits: unknown key; did you mean limit?"},
+      {"several at once",
+       {{"nu    = 0.3", "nu = 0.5"},
+        {"friction  = 0.9", "friction = -0.1"},
+        {"increments = 10", "increments = 0"},
+        {"size_mm = 0.010", "size_mm = 0"}},
+       "scene.toml:8: material.steel.nu = 0.5: must lie in (-1, 0.5)\n"
+       "scene.toml:29: contact.pad.friction = -0.1: must be >= 0\n"
+       "scene.toml:31: contact.pad.fine_zone.size_mm = 0: must be > 0\n"
+       "scene.toml:52: step[0].increments = 0: must be >= 1"},
+      {"poisson low",
+       {{"nu    = 0.3", "nu = -1"}},
+       "scene.toml:8: material.steel.nu = -1: must lie in (-1, 0.5)"},
+      {"youngs modulus",
+       {{"E_MPa = 200e3", "E_MPa = 0.0"}},
+       "scene.toml:7: material.steel.E_MPa = 0.0: must be > 0"},
+      {"not a number",
+       {{"E_MPa = 200e3", "E_MPa = nan"},
+        {"friction  = 0.9", "friction = inf"}},
+       "scene.toml:7: material.steel.E_MPa = nan: must be finite\n"
+       "scene.toml:29: contact.pad.friction = inf: must be finite"},
+      {"infinite in a list",
+       {{"at       = [0.0, 3.0]", "at = [0.0, -inf]"},
+        {"[[0.0, 0.0], [1.0, 1.0]]", "[[0.0, 0.0], [1.0, nan]]"}},
+       "scene.toml:11: body.cylinder.at = [0.0, -inf]: must be finite\n"
+       "scene.toml:46: history.press = [[0.0, 0.0], [1.0, nan]]: must be finite"},
+      {"types",
+       {{"E_MPa = 200e3", R"(E_MPa = "200e3")"},
+        {"wear = false", R"(wear = "no")"},
+        {"increments = 40", "increments = 40.5"},
+        {"at       = [0.0, 3.0]", "at = [0.0, 3.0, 1.0]"},
+        {"title    = ", "title = 3 # "}},
+       "scene.toml:1: title = 3: must be a text in quotes\n"
+       R"(scene.toml:7: material.steel.E_MPa = "200e3": must be a number)" "\n"
+       "scene.toml:11: body.cylinder.at = [0.0, 3.0, 1.0]: must be a list of two numbers\n"
+       R"(scene.toml:53: step[0].wear = "no": must be true or false)" "\n"
+       "scene.toml:58: step[1].increments = 40.5: must be a whole number"},
+      {"text for list",
+       {{R"(["round"])", R"("round")"},
+        {R"(geometry = ["cylinder_on_flat.step"])", R"(geometry = "cylinder_on_flat.step")"}},
+       R"(scene.toml:3: geometry = "cylinder_on_flat.step": must be a list of texts in quotes)" "\n"
+       R"(scene.toml:28: contact.pad.primary = "round": must be a list of texts in quotes)"},
+      {"choice",
+       {{R"("plane_strain" )", R"("plane_strin" )"},
+        {R"(element = "quad")", R"(element = "hexa")"},
+        {R"("circle")", R"("arc")"},
+        {R"(side     = "secondary")", R"(side = "both")"}},
+       R"(scene.toml:2: analysis = "plane_strin": must be "plane_strain", "plane_stress" or "axisymmetric")" "\n"
+       R"(scene.toml:13: body.cylinder.mesh.element = "hexa": must be "quad" or "tri")" "\n"
+       R"(scene.toml:22: boundary.round.type = "arc": must be "line", "circle" or "spline")" "\n"
+       R"(scene.toml:70: limit.life.side = "both": must be "secondary", "primary" or "sum")"},
+      {"not built yet",
+       {{"friction  = 0.9", "friction = 0.9\n"
+         R"(dual = "quadratic")"},
+        {"[boundary]", R"(kinematics = "finite")" "\n"
+         "order = 2\n"
+         "[boundary]"},
+        {"jump = 100 ", "jump = { tolerance = 0.01 } "}},
+       R"(scene.toml:20: body.flat.kinematics = "finite": only "small" is built in this version)" "\n"
+       "scene.toml:21: body.flat.order = 2: only 1 is built in this version\n"
+       R"(scene.toml:32: contact.pad.dual = "quadratic": only "linear" is built in this version)" "\n"
+       "scene.toml:69: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
+      {"order unknown",
+       {{"[boundary]", "order = 3\n"
+         "[boundary]"}},
+       "scene.toml:20: body.flat.order = 3: must be 1"},
+      {"missing keys",
+       {{"nu    = 0.3", ""},
+        {R"(secondary = "face")", "#"},
+        {"centre_mm = [0.0, 0.0], ", ""},
+        {", at_mm = [0.5, 0.0]", ""}},
+       "scene.toml:5: material.steel.nu: missing\n"
+       "scene.toml:26: contact.pad.secondary: missing\n"
+       "scene.toml:31: contact.pad.fine_zone.centre_mm: missing\n"
+       "scene.toml:75: output.probes.edge.at_mm: missing"},
+      {"missing geometry key",
+       {{"geometry = ", "# "}},
+       "scene.toml:1: geometry: missing"},
+      {"empty geometry list",
+       {{R"(["cylinder_on_flat.step"])", "[]"}},
+       "scene.toml:3: geometry = []: names no file"},
+      {"geometry files",
+       {{R"(["cylinder_on_flat.step"])", R"(["no.step", "empty.geo", "part.stl", "cylinder_on_flat.step", "./cylinder_on_flat.step", "folder.msh"])"}},
+       R"(scene.toml:3: geometry = "no.step": no such file)" "\n"
+       R"(scene.toml:3: geometry = "empty.geo": is empty)" "\n"
+       R"(scene.toml:3: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh)" "\n"
+       R"(scene.toml:3: geometry = "./cylinder_on_flat.step": is named twice)" "\n"
+       R"(scene.toml:3: geometry = "folder.msh": is not a file)"},
+      {"growth",
+       {{"far_size_mm = 0.8 }", "far_size_mm = -1, growth = 3.5 }"},
+        {"far_size_mm = 0.8 }", "far_size_mm = 0.8, growth = 1.0 }"}},
+       "scene.toml:13: body.cylinder.mesh.far_size_mm = -1: must be > 0\n"
+       "scene.toml:13: body.cylinder.mesh.growth = 3.5: must lie in (1, 3]\n"
+       "scene.toml:18: body.flat.mesh.growth = 1.0: must lie in (1, 3]"},
+      {"wear negative",
+       {{"3.222e-5", "-3.222e-5"}},
+       "scene.toml:30: contact.pad.wear.secondary_mm3_per_J = -3.222e-5: must be >= 0"},
+      {"wear without law",
+       {{R"(law = "energy", )", ""}},
+       "scene.toml:30: contact.pad.wear.law: missing"},
+      {"history too short",
+       {{"[[0.0, 0.0], [1.0, 1.0]]", "[[0.0, 0.0]]"}},
+       "scene.toml:46: history.press = [[0.0, 0.0]]: must be a list of at least two pairs [progress, factor]"},
+      {"history not increasing",
+       {{"[0.25, 1.0], [0.75, -1.0]", "[0.75, 1.0], [0.25, -1.0]"}},
+       "scene.toml:47: history.stroke = [[0.0, 0.0], [0.75, 1.0], [0.25, -1.0], [1.0, 0.0]]: progress must increase strictly from 0 to 1"},
+      {"history not to the end",
+       {{"[[0.0, 0.0], [1.0, 1.0]]", "[[0.0, 0.0], [0.9, 1.0]]"}},
+       "scene.toml:46: history.press = [[0.0, 0.0], [0.9, 1.0]]: progress must increase strictly from 0 to 1"},
+      {"history not from the start",
+       {{"[[0.0, 0.0], [1.0, 1.0]]", "[[0.1, 0.0], [1.0, 1.0]]"}},
+       "scene.toml:46: history.press = [[0.1, 0.0], [1.0, 1.0]]: progress must increase strictly from 0 to 1"},
+      {"solver",
+       {{"[material.steel]", "solver = { max_newton = 0, max_cutbacks = 99999999999 }\n"
+         "[material.steel]"}},
+       "scene.toml:5: solver.max_newton = 0: must be >= 1\n"
+       "scene.toml:5: solver.max_cutbacks = 99999999999: must be at most 1e9"},
+      {"section as value",
+       {{"[material.steel]", "output = 3\n"
+         "[material.steel]"},
+        {"[output]", "[limit.b]\n"
+         R"(contact = "pad")" "\n"
+         "depth_mm = 1\n"
+         "[title2]"}},
+       "scene.toml:5: output = 3: must be a table\n"
+       "scene.toml:77: title2: unknown key; did you mean title?"},
+      {"bad name",
+       {{"[limit.life]", R"([limit."life time"])"}},
+       "scene.toml:68: limit.life time: a name may hold letters, digits, '-' and '_' only"},
+      {"empty text",
+       {{R"(secondary = "face")", R"(secondary = "")"}},
+       R"(scene.toml:27: contact.pad.secondary = "": must not be empty)"},
+      {"boundary is no table",
+       {{R"(round  = { body = "cylinder", type = "circle" })", R"(round = "circle")"}},
+       R"(scene.toml:22: boundary.round = "circle": must be a table)"},
+      {"motion word",
+       {{R"(x        = "fixed")", R"(x = "fix")"}},
+       R"(scene.toml:35: support.holder.x = "fix": must be "fixed" or "free", or a table of motion_mm, force_N_per_mm, force_N, history)"},
+      {"syntax",
+       {{"nu    = 0.3", "nu = = 0.3"}},
+       "scene.toml:8: is not TOML: Error while parsing value: could not determine value type"},
+      {"duplicate key",
+       {{"nu    = 0.3", "nu = 0.3\n"
+         "nu = 0.3"}},
+       "scene.toml:9: is not TOML: Error while parsing key-value pair: cannot redefine existing floating-point 'nu'"},
+      {"duplicate table",
+       {{"[body.flat]", "[body.cylinder]"}},
+       "scene.toml:15: is not TOML: Error while parsing table header: cannot redefine existing table 'body.cylinder'"},
+  };
+  for (const auto& bad : scenes) test::expect_refused(bad);
+}

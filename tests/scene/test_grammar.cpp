@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include "example.hpp"
+#include "folder.hpp"
+#include "scene/read.hpp"
+
+using namespace reye;
+
+namespace {
+
+/// The example with one text replaced.
+scene::Scene changed(const std::string& from, const std::string& to) {
+  const test::Folder folder;
+  test::Folder::write("scene.toml", test::replaced(test::example, from, to));
+  test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+  return scene::read("scene.toml");
+}
+
+scene::Scene with(const std::string& more) { return changed("[history] ", more + "\n[history] "); }
+
+const std::string law = R"(wear      = { law = "energy", secondary_mm3_per_J = 3.222e-5, primary_mm3_per_J = 2.111e-5 })";
+
+}  // namespace
+
+/// Archard's coefficients are consistent already; with an imposed sliding friction may be absent.
+TEST(Grammar, Archard) {
+  const auto s = changed("friction  = 0.9\n" + law,
+                         "imposed_sliding_mm = 1000.0\nimplicit = false\nsearch_mm = 0.5\nc_normal = 2.0\n"
+                         "c_tangential = 3\ndual = \"linear\"\nwear = { law = \"archard\", secondary_per_MPa = 2.9e-8 }");
+  const auto& contact = s.contacts.at(0);
+  EXPECT_EQ(contact.wear.kind, wear::LawKind::archard);
+  EXPECT_EQ(contact.wear.secondary, 2.9e-8);
+  EXPECT_EQ(contact.wear.primary, 0.0);
+  EXPECT_EQ(contact.friction, 0.0);
+  EXPECT_TRUE(contact.imposed);
+  EXPECT_EQ(contact.imposed_sliding_mm, 1000.0);
+  EXPECT_FALSE(contact.implicit_wear);
+  EXPECT_EQ(contact.search_mm, 0.5);
+  EXPECT_EQ(contact.c_normal, 2.0);
+  EXPECT_EQ(contact.c_tangential, 3.0);
+}
+
+/// A point, an edge's own axes and turned axes.
+TEST(Grammar, Supports) {
+  const auto s = with("[support.pin]\npoint_mm = [3.0, 6.0]\nbody = \"cylinder\"\nx = \"fixed\"\n"
+                      "[support.roller]\nedge = \"left\"\nnormal = { motion_mm = 0.1 }\ntangent = \"free\"\n"
+                      "[support.wedge]\nedge = \"right\"\nangle_deg = 30.0\nx = \"fixed\"\n"
+                      "[support.crank]\nedge = \"arm\"\nrotation = { moment_N_mm_per_mm = 4.0, history = \"press\" }\n");
+  ASSERT_EQ(s.supports.size(), 6U);
+  const auto &pin = s.supports[2], &roller = s.supports[3], &wedge = s.supports[4], &crank = s.supports[5];
+  EXPECT_EQ(*pin.point_mm, base::Vec2(3.0, 6.0));
+  EXPECT_EQ(pin.body, "cylinder");
+  EXPECT_FALSE(pin.rigid || roller.rigid || wedge.rigid);
+  EXPECT_EQ(pin.y.drive, body::Drive::free);
+  EXPECT_TRUE(roller.edge_axes);
+  EXPECT_EQ(roller.y.drive, body::Drive::moved);
+  EXPECT_EQ(roller.y.amplitude, 0.1);
+  EXPECT_TRUE(roller.y.history.empty());
+  EXPECT_EQ(wedge.angle_deg, 30.0);
+  EXPECT_TRUE(crank.rigid);
+  EXPECT_EQ(crank.rotation.drive, body::Drive::loaded);
+  EXPECT_EQ(crank.rotation.amplitude, 4.0);
+}
+
+/// The keys of a load tell its kind.
+TEST(Grammar, Loads) {
+  const auto s = with("[load.top]\nedge = \"top\"\npressure_MPa = 10.0\ntraction_MPa = [1, -2]\ninterval_mm = [0.0, 3.0]\n"
+                      "history = \"press\"\n"
+                      "[load.tip]\npoint_mm = [1.0, 2.0]\nforce_N_per_mm = [3.0, 4.0]\n"
+                      "[load.weight]\nbody = \"flat\"\nforce_N_per_mm3 = [0, -7.7e-5]\n");
+  ASSERT_EQ(s.boundary_loads.size(), 1U);
+  EXPECT_EQ(s.boundary_loads[0].pressure_MPa, 10.0);
+  EXPECT_EQ(s.boundary_loads[0].traction_MPa, base::Vec2(1.0, -2.0));
+  EXPECT_EQ(*s.boundary_loads[0].interval_mm, (std::array{0.0, 3.0}));
+  EXPECT_EQ(s.boundary_loads[0].history, "press");
+  ASSERT_EQ(s.point_loads.size(), 1U);
+  EXPECT_EQ(s.point_loads[0].force_N_per_mm, base::Vec2(3.0, 4.0));
+  EXPECT_TRUE(s.point_loads[0].body.empty());
+  ASSERT_EQ(s.body_forces.size(), 1U);
+  EXPECT_EQ(s.body_forces[0].body, "flat");
+  EXPECT_EQ(s.body_forces[0].force_N_per_mm3, base::Vec2(0.0, -7.7e-5));
+}
+
+/// Dotted keys at the end of the file, as one writes them by hand.
+TEST(Grammar, OneLiners) {
+  const auto s = changed("[material.steel]", "shape = \"off\"\nsolver = { max_newton = 50, max_cutbacks = 0 }\n"
+                                             "body.ring.rigid = true\nbody.ring.name = \"ring/1\"\n"
+                                             "body.ring.mesh = { element = \"tri\", growth = 2 }\n[material.steel]");
+  EXPECT_FALSE(s.shape);
+  EXPECT_EQ(s.max_newton, 50);
+  EXPECT_EQ(s.max_cutbacks, 0);
+  ASSERT_EQ(s.geometry.bodies.size(), 3U);
+  const auto& ring = s.geometry.bodies[0];
+  EXPECT_TRUE(ring.rigid);
+  EXPECT_EQ(*ring.label, "ring/1");
+  EXPECT_EQ(ring.mesh.element, mesh::CellKind::tri3);
+  EXPECT_TRUE(s.body_material.at("ring").material.empty());
+}
+
+/// An axisymmetric scene has forces on the whole ring and worn volumes.
+TEST(Grammar, Axisymmetric) {
+  const test::Folder folder;
+  test::Folder::write("ring.geo", "Point(1) = {0, 0, 0};");
+  test::Folder::write("ring.toml",
+                      "analysis = \"axisymmetric\"\ngeometry = [\"ring.geo\"]\n"
+                      "[material.m]\nE_MPa = 1\nnu = 0\n[body.b]\nmaterial = \"m\"\nb_bar = false\nkinematics = \"small\"\norder = 1\n"
+                      "[support.s]\nedge = \"top\"\ny = { force_N = 5 }\n"
+                      "[load.l]\npoint_mm = [1, 1]\nforce_N = [0, 1]\n"
+                      "[contact.c]\nsecondary = \"a\"\nprimary = [\"b\"]\nfine_zone = { centre_mm = [0, 0], half_width_mm = 1, "
+                      "depth_mm = 1, size_mm = 0.1, angle_deg = 45 }\n"
+                      "[limit.v]\ncontact = \"c\"\nside = \"sum\"\nvolume_mm3 = 2\nstop = true\n[[step]]\nwear = false\ncycles = 5\njump = 10\n");
+  const auto s = scene::read("ring.toml");
+  EXPECT_EQ(s.name, "ring");
+  EXPECT_EQ(s.title, "ring");
+  EXPECT_TRUE(s.geometry.axisymmetric);
+  EXPECT_EQ(s.body_material.at("b").b_bar, false);
+  EXPECT_EQ(s.supports[0].y.amplitude, 5.0);
+  EXPECT_EQ(s.point_loads[0].force_N_per_mm, base::Vec2(0.0, 1.0));
+  EXPECT_EQ(*s.limits[0].area_mm2, 2.0);
+  EXPECT_TRUE(s.limits[0].stop);
+  EXPECT_EQ(s.steps[0].name, "step 1");
+  EXPECT_EQ(s.steps[0].jump, 10.0);
+  EXPECT_TRUE(s.geometry.fine_zones[0].bodies.empty()) << "edges of the geometry file may belong to any body";
+  EXPECT_EQ(s.geometry.fine_zones[0].angle_deg, 45.0);
+}
+
+/// What is odd but no error is a warning with its line.
+TEST(Grammar, Warnings) {
+  const auto s = changed("press  = [[", "idle = [[0, 0], [1, 1]]\npress  = [[");
+  EXPECT_EQ(s.warnings, (std::vector<std::string>{"scene.toml:46: history.idle: no step plays it; its factor stays 0",
+                                                  "scene.toml:46: history.idle: no support or load names it"}));
+}

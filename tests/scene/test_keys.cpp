@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "example.hpp"
+#include "folder.hpp"
+#include "scene/keys.hpp"
+#include "scene/read.hpp"
+#include "scene/sha256.hpp"
+
+using namespace reye;
+
+/// Every key is documented, stands once, and keeps its own range with its default.
+TEST(Keys, TableIsSound) {
+  std::set<std::string_view> patterns;
+  for (const auto& key : scene::keys()) {
+    EXPECT_TRUE(patterns.insert(key.pattern).second) << key.pattern;
+    EXPECT_FALSE(key.doc.empty()) << key.pattern;
+    if (key.fallback.empty() || key.fallback == scene::required) continue;
+    if (key.type == scene::Type::number || key.type == scene::Type::whole) {
+      EXPECT_TRUE(key.range.holds(std::stod(std::string(key.fallback)))) << key.pattern;
+    }
+    if (key.range.choices.empty()) continue;
+    const auto names = scene::split(key.range.choices, '|');
+    EXPECT_EQ(std::count(names.begin(), names.end(), key.fallback), 1) << key.pattern;
+  }
+}
+
+/// The reference has one row per key that can be given.
+TEST(Keys, Reference) {
+  const auto text = scene::reference();
+  EXPECT_NE(text.find("| `material.*.nu` | number in (-1, 0.5) |  | required | Poisson's ratio |\n"), std::string::npos);
+  EXPECT_NE(text.find("| `material.*.E_MPa` | number > 0 | MPa | required | Young's modulus |\n"), std::string::npos);
+  EXPECT_NE(text.find("| `shape` | \"on\" or \"off\" |  | `on` | "), std::string::npos);
+  for (const auto& key : scene::keys()) {
+    const auto row = text.find("| `" + std::string(key.pattern) + "` |");
+    EXPECT_EQ(row == std::string::npos, key.type == scene::Type::refused) << key.pattern;
+  }
+}
+
+/// The scene reference in the README is the one made from the table.
+TEST(Keys, ReadmeHoldsTheReference) {
+  std::ifstream file(std::string(REYE_SOURCE_DIR) + "/README.md");
+  if (!file) GTEST_SKIP() << "no README.md yet";
+  const std::string readme(std::istreambuf_iterator<char>(file), {});
+  const std::string begin = "<!-- scene reference: begin -->", end = "<!-- scene reference: end -->";
+  const auto from = readme.find(begin), to = readme.find(end);
+  ASSERT_NE(from, std::string::npos);
+  ASSERT_NE(to, std::string::npos);
+  auto found = readme.substr(from + begin.size(), to - from - begin.size());
+  found.erase(0, found.find_first_not_of('\n'));
+  found.erase(found.find_last_not_of('\n') + 1);
+  EXPECT_EQ(found + '\n', scene::reference()) << "put the text on the right between the markers";
+}
+
+/// Published digests (FIPS 180-4 examples), short, of two blocks, and at the padding's edge.
+TEST(Sha256, PublishedDigests) {
+  EXPECT_EQ(scene::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(scene::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(scene::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(scene::sha256(std::string(1000000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+/// The identity of a scene follows its own bytes and those of its geometry, not its place.
+TEST(Sha256, OfAScene) {
+  const auto hash = [](const std::string& scene, const std::string& step) {
+    const test::Folder folder;
+    test::Folder::write("scene.toml", scene);
+    test::Folder::write("cylinder_on_flat.step", step);
+    return scene::read("scene.toml").sha256;
+  };
+  const auto first = hash(test::example, "one");
+  EXPECT_EQ(first.size(), 64U);
+  EXPECT_EQ(first, hash(test::example, "one"));
+  EXPECT_NE(first, hash(test::example, "two"));
+  EXPECT_NE(first, hash(test::replaced(test::example, "0.9", "0.8"), "one"));
+}
