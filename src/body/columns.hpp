@@ -23,7 +23,8 @@ struct Columns {
 /// Who wins where several supports meet in a node: the axis of symmetry (r = 0 held in x, no column), then the
 /// first rigid edge (the node belongs to it wholly), then node-wise supports in the order given: the first two
 /// independent directions are held, a third one or a nearly parallel one (angle below 1e-3) is left out.
-/// With two held directions d1, d2 the node solves for both: u = [d1^T; d2^T]^-1 (U1, U2).
+/// With two held directions d1, d2 the node solves for both: u = [d1^T; d2^T]^-1 (U1, U2).   (2)
+/// A column that no node ends up using is dropped.
 Columns number_columns(const mesh::Mesh& mesh, const BodyInput& input);
 
 }  // namespace reye::body

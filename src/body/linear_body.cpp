@@ -1,3 +1,4 @@
+#include <cassert>
 #include <utility>
 
 #include "body/columns.hpp"
@@ -88,12 +89,14 @@ NodeFreedom LinearBody::freedom(int contact_node) const {
 }
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
+  assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
   Vector r = impl_->factor.schur() * q;
   for (size_t i = 0; i < impl_->loads.size(); ++i) r -= load_factors[i] * impl_->loads[i].condensed;
   return r;
 }
 
 std::vector<Vec2> LinearBody::recover(const Vector& q, const Vector& load_factors) const {
+  assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
   Vector f = Vector::Zero(full_dofs());
   for (size_t i = 0; i < impl_->loads.size(); ++i) f += load_factors[i] * impl_->loads[i].full;
   const Vector u = impl_->B * impl_->factor.recover(f, q);
