@@ -44,6 +44,15 @@ Format format_of(const std::string& path) {
   refuse(path, "the format must be one of " + std::string(formats));
 }
 
+/// gmsh's parser drops all but the first statement of a last line that does not end.
+void check_last_line(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  while (std::getline(file, line))
+    if (file.eof() && std::count(line.begin(), line.end(), ';') > 1)
+      refuse(path, "the last line must end with a line break, or gmsh reads only its first statement");
+}
+
 void import_shapes(const std::string& path) {
   gmsh::vectorpair shapes;
   // The unit is sticky in gmsh and OCCT: whatever an earlier import left is overruled each time.
@@ -88,6 +97,7 @@ void check_content(const std::string& path, Format format) {
 std::vector<RawPart> read_file(const std::string& path) {
   const Format format = format_of(path);
   check_readable(path);
+  if (format == Format::script) check_last_line(path);
   try {
     gmsh::model::add("import");
     load(path, format);
