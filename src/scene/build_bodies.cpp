@@ -29,8 +29,6 @@ namespace {
 
 void check_body(const Entry& entry, base::Analysis analysis, Issues& issues) {
   const bool rigid = entry.flag("rigid");
-  if (entry.given("at") && entry.given("name"))
-    issues.push_back({entry.key("name"), entry.written("name"), "a body is found by `at` or by `name`, not by both"});
   if (rigid) refuse(entry, {"material", "b_bar"}, "a rigid body takes none", issues);
   if (!rigid && !entry.given("material"))
     issues.push_back({entry.key("material"), "", "missing; a body has a material or is rigid"});
@@ -72,8 +70,6 @@ std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issue
         issues.push_back({entry.key("box_mm"), entry.written("box_mm"),
                           "must be [x_min, y_min, x_max, y_max] with x_min < x_max and y_min < y_max"});
     }
-    if (!entry.given("box_mm") && !entry.given("type") && !entry.given("nearest_mm"))
-      issues.push_back({entry.key(), "", "needs at least one of box_mm, type, nearest_mm"});
     boundaries.push_back(boundary);
   }
   return boundaries;

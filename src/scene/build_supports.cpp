@@ -44,8 +44,6 @@ void check_axes(const Entry& entry, const body::Support& support, Issues& issues
   refuse(entry, {"x", "y"}, "does not go with tangent and normal", issues);
   refuse(entry, {"angle_deg"}, "tangent and normal follow the edge", issues);
   refuse(entry, {"point_mm"}, "a point has no tangent and normal; use angle_deg", issues);
-  if (support.rigid)
-    issues.push_back({entry.key(), "", "a rigid or loaded edge moves along x and y; turn them by angle_deg"});
 }
 
 void check_rigid(const Entry& entry, const body::Support& support, Issues& issues) {

@@ -39,7 +39,8 @@ constexpr Key table[] = {
     {"body.*.mesh.growth", Type::number, "", "1.3", {.low = 1.0, .high = 3.0, .low_open = true},
      "ratio of neighbouring element sizes away from fine zones"},
 
-    {"boundary.*.body", Type::text, "", "required", any, "the body whose edges are named"},
+    {"boundary.*.body", Type::text, "", "required", any,
+     "its edges are named; without a selector the physical curve of this name, or else the whole outline"},
     {"boundary.*.box_mm", Type::box, "mm", "", any, "edges wholly inside [x_min, y_min, x_max, y_max]"},
     {"boundary.*.type", Type::text, "", "", one_of("line|circle|spline"), "edges of this kind"},
     {"boundary.*.nearest_mm", Type::pair, "mm", "", any, "the one edge nearest to this point"},

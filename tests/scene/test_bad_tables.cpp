@@ -14,18 +14,11 @@ TEST(BadScene, Tables) {
       {"missing material",
        {{R"(material = "steel")" "\n", "\n"}},
        "scene.toml:10: body.cylinder.material: missing; a body has a material or is rigid"},
-      {"at and name",
-       {{R"(material = "steel")" "\n", R"(material = "steel")" "\n"
-         R"(name = "disc")" "\n"}},
-       R"(scene.toml:13: body.cylinder.name = "disc": a body is found by `at` or by `name`, not by both)"},
       {"b bar in plane stress",
        {{R"("plane_strain" )", R"("plane_stress" )"},
         {R"(material = "steel")" "\n", R"(material = "steel")" "\n"
          "b_bar = true\n"}},
        "scene.toml:13: body.cylinder.b_bar = true: plane stress does not lock"},
-      {"boundary without selector",
-       {{R"(round  = { body = "cylinder", type = "circle" })", R"(round = { body = "cylinder" })"}},
-       "scene.toml:22: boundary.round: needs at least one of box_mm, type, nearest_mm"},
       {"boundary box reversed",
        {{"[-6.1, 5.9, 6.1, 6.1]", "[-6.1, 6.1, 6.1, 5.9]"}},
        "scene.toml:21: boundary.top.box_mm = [-6.1, 6.1, 6.1, 5.9]: must be [x_min, y_min, x_max, y_max] with x_min < x_max and y_min < y_max"},
@@ -79,12 +72,6 @@ TEST(BadScene, Tables) {
          "[history] "}},
        R"(scene.toml:48: support.a.x = "fixed": does not go with tangent and normal)" "\n"
        "scene.toml:49: support.a.angle_deg = 30: tangent and normal follow the edge"},
-      {"rigid edge along its normal",
-       {{"[history] ", "[support.a]\n"
-         R"(edge = "left")" "\n"
-         "normal = { force_N_per_mm = 1 }\n"
-         "[history] "}},
-       "scene.toml:45: support.a: a rigid or loaded edge moves along x and y; turn them by angle_deg"},
       {"force on a soft edge",
        {{R"(rotation = "fixed")" "\n"
          "y        = {", "rigid = false\n"
