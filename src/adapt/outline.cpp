@@ -69,6 +69,7 @@ std::vector<WornNode> worn_nodes(const mesh::Mesh& mesh, const std::vector<WornB
       if (removed[k] != 0.0) add_loss(losses[nodes[k]], sides.at(nodes[k]), removed[k]);
   }
   std::vector<WornNode> result;
+  result.reserve(losses.size());
   for (auto& [node, loss] : losses) {
     loss.node = node;
     result.push_back(loss);
