@@ -1,0 +1,168 @@
+#include "commands.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "mesh/measure.hpp"
+#include "mesh/quality.hpp"
+#include "output/checkpoint.hpp"
+#include "output/files.hpp"
+#include "output/folder.hpp"
+#include "output/report.hpp"
+#include "output/run_writer.hpp"
+#include "output/state_archive.hpp"
+#include "output/text.hpp"
+#include "output/vtk_frames.hpp"
+#include "progress_line.hpp"
+#include "scene/read.hpp"
+#include "sim/run.hpp"
+
+namespace reye::apps {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+std::string folder_of(const Request& request, const scene::Scene& scene) {
+  return request.out.empty() ? "./" + scene.name + ".out" : request.out;
+}
+
+scene::Scene read(const Request& request) {
+  spdlog::set_pattern("%v");
+  if (request.quiet) spdlog::set_level(spdlog::level::err);
+  scene::Scene scene = scene::read(request.path);
+  for (const auto& warning : scene.warnings) spdlog::warn("warning: {}", warning);
+  return scene;
+}
+
+/// The state to start from; throws base::InputError when a restart is refused.
+sim::State starting_state(const Request& request, const sim::Problem& problem, output::RunWriter& writer) {
+  if (!request.restart) {
+    writer.begin();
+    return sim::initial_state(problem);
+  }
+  const auto search = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256);
+  for (const auto& refusal : search.refusals) spdlog::warn("checkpoint: {}", refusal);
+  if (!search.found) {
+    std::string reasons;
+    for (const auto& refusal : search.refusals) reasons += (reasons.empty() ? "" : "; ") + refusal;
+    throw base::InputError({{"--restart", writer.dir(), "no checkpoint to go on from: " + reasons}});
+  }
+  writer.resume(search.found->info.counters);
+  return output::state_from_bytes(search.found->payload);
+}
+
+sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer, ProgressLine& line) {
+  sim::Observer o;
+  o.progress = [&line](const sim::Progress& p) { line.show(p); };
+  o.increment = [&](const sim::IncrementRecord& r) {
+    line.newton(r.newton);
+    writer.increment(r);
+  };
+  o.frame = [&](const sim::Frame& f) { writer.frame(f); };
+  o.log = [&](const std::string& text) { writer.log(text); };
+  o.interrupted = [] { return interrupted != 0; };
+  o.block = [&](const sim::State& state) {
+    output::save_checkpoint(writer.dir(), {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
+  };
+  return o;
+}
+
+void tell_result(const sim::Summary& s, const std::string& dir) {
+  const char* status = s.status == sim::RunStatus::done ? "done" : s.status == sim::RunStatus::failed ? "failed" : "interrupted";
+  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", status, s.cycles, s.counts.blocks,
+               s.counts.increments, s.counts.newton_iterations, s.wall_s);
+  if (!s.reason.empty()) spdlog::error("{}", s.reason);
+  const bool ring = s.analysis == base::Analysis::axisymmetric;
+  for (const auto& c : s.contacts) {
+    spdlog::info("contact {}: peak pressure {:.4g} MPa, half width {:.4g} mm, normal force {:.6g} N{}", c.name,
+                 c.peak_pressure_MPa.value_or(0.0), c.contact_half_width_mm.value_or(0.0), c.normal_force, ring ? "" : "/mm");
+    if (!c.ledger_relative_error) continue;
+    spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]", ring ? "volume [mm^3]" : "area [mm^2]");
+    const auto row = [](const char* side, const sim::SideSummary& v) {
+      spdlog::info("  {:<10} {:>16.4f} {:>16.4f} {:>16.6g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
+    };
+    row("secondary", c.secondary);
+    row("primary", c.primary);
+    spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
+  }
+  for (const auto& [name, cycles] : s.life_cycles)
+    spdlog::info("limit {}: {}", name, cycles ? "reached at cycle " + std::to_string(*cycles) : "not reached");
+  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
+}
+
+}  // namespace
+
+std::string version() { return output::version; }
+void interrupt() { interrupted = 1; }
+
+int run(const Request& request) {
+  const auto scene = read(request);
+  const std::string dir = folder_of(request, scene);
+  if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
+    throw base::InputError({{"--out", dir, *refusal}});
+  const sim::Problem problem = sim::prepare(scene);
+  for (const auto& text : problem.plan.lines) spdlog::info("{}", text);
+  output::RunWriter writer(dir, scene);
+  for (const auto& text : problem.plan.lines) writer.log(text);
+  sim::State state = starting_state(request, problem, writer);
+  ProgressLine line(!request.quiet);
+  const sim::Summary summary = sim::run(problem, state, observer_of(problem, writer, line));
+  line.end();
+  writer.finish(summary);
+  tell_result(summary, dir);
+  return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
+}
+
+int plan(const Request& request) {
+  const sim::Problem problem = sim::prepare(read(request));
+  for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
+  for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", text.c_str());
+  return 0;
+}
+
+int check(const Request& request) {
+  const sim::Problem problem = sim::prepare(read(request));
+  for (int b = 0; b < problem.body_count(); ++b) {
+    const auto& mesh = problem.shapes[b]->mesh;
+    const auto box = mesh::bounding_box(mesh.X);
+    std::printf("body %s: area %.6g mm^2, box [%.6g, %.6g] x [%.6g, %.6g] mm, %d nodes, %d cells\n",
+                problem.inputs[b].name.c_str(), mesh::area(mesh), box[0], box[2], box[1], box[3], mesh.node_count(), mesh.cell_count());
+    for (const auto& [name, boundary] : mesh.boundaries)
+      std::printf("  boundary %s: %.6g mm, %zu nodes\n", name.c_str(), mesh::length(mesh.X, boundary), mesh::nodes_of(boundary).size());
+  }
+  for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
+  std::printf("ok\n");
+  return 0;
+}
+
+int mesh(const Request& request) {
+  const auto scene = read(request);
+  const std::string dir = folder_of(request, scene);
+  const sim::Problem problem = sim::prepare(scene);
+  sim::Frame frame;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    sim::BodyFrame body;
+    body.name = problem.inputs[b].name;
+    body.mesh = std::shared_ptr<const mesh::Mesh>(problem.shapes[b], &problem.shapes[b]->mesh);
+    body.u.assign(body.mesh->X.size(), base::Vec2::Zero());
+    body.wear_depth_mm.assign(body.u.size(), 0.0);
+    frame.bodies.push_back(std::move(body));
+  }
+  std::filesystem::create_directories(dir);
+  output::atomic_write(dir + "/mesh.vtu", output::bodies_vtu(frame));
+  std::printf("%s/mesh.vtu\n", dir.c_str());
+  return 0;
+}
+
+int report(const Request& request) {
+  output::write_report(request.path);
+  std::printf("%s/report.html\n", request.path.c_str());
+  return 0;
+}
+
+}  // namespace reye::apps

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+/// The commands of `reye`; each returns the exit code of the contract: 0 done, 1 failed, 2 bad input, 130 interrupted.
+namespace reye::apps {
+
+struct Request {
+  std::string path;  ///< scene file, or output folder for `report`
+  std::string out;
+  bool restart = false, force = false, quiet = false;
+};
+
+std::string version();
+
+/// Asks the run to stop after the present increment; safe in a signal handler.
+void interrupt();
+
+int run(const Request& request);
+int plan(const Request& request);
+int check(const Request& request);
+int mesh(const Request& request);
+int report(const Request& request);
+
+}  // namespace reye::apps

@@ -1,0 +1,42 @@
+#include "progress_line.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace reye::apps {
+
+ProgressLine::ProgressLine(bool wanted) : wanted_(wanted), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+/// Time left in the present step, from its pace so far.
+double ProgressLine::seconds_left(double fraction) {
+  const double done = fraction - first_fraction_;
+  if (done <= 0.0) return 0.0;
+  const double spent = std::chrono::duration<double>(clock::now() - step_start_).count();
+  return spent * (1.0 - fraction) / done;
+}
+
+void ProgressLine::show(const sim::Progress& p) {
+  if (!wanted_) return;
+  const auto now = clock::now();
+  if (p.step != step_) {
+    step_ = p.step;
+    step_start_ = now;
+    first_fraction_ = p.fraction;
+  }
+  const double pause = terminal_ ? 0.1 : 5.0;
+  const bool last = p.fraction >= 1.0 - 1e-12;
+  if (!last && std::chrono::duration<double>(now - last_shown_).count() < pause) return;
+  last_shown_ = now;
+  std::fprintf(stderr, "%s%-16s cycle %.6g%s  increment %d/%d  newton %d  depth %.4f um  %3.0f %%  %.0f s left%s",
+               terminal_ ? "\r\033[K" : "", p.step.c_str(), p.cycle,
+               p.cycles > 0.0 ? "" : " (load)", p.increment, p.increments, newton_, 1e3 * p.depth_max_mm,
+               100.0 * p.fraction, seconds_left(p.fraction), terminal_ ? "" : "\n");
+  std::fflush(stderr);
+}
+
+void ProgressLine::end() {
+  if (wanted_ && terminal_ && !step_.empty()) std::fprintf(stderr, "\n");
+}
+
+}  // namespace reye::apps

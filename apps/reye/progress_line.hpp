@@ -1,0 +1,27 @@
+#pragma once
+#include <chrono>
+
+#include "sim/records.hpp"
+
+namespace reye::apps {
+
+/// One line that is rewritten on a terminal; elsewhere a plain line now and then.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted);
+  void newton(int iterations) { newton_ = iterations; }
+  void show(const sim::Progress& progress);
+  void end();
+
+ private:
+  using clock = std::chrono::steady_clock;
+  double seconds_left(double fraction);
+
+  bool wanted_, terminal_;
+  int newton_ = 0;
+  std::string step_;
+  double first_fraction_ = 0.0;
+  clock::time_point step_start_ = clock::now(), last_shown_{};
+};
+
+}  // namespace reye::apps

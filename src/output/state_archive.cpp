@@ -1,0 +1,76 @@
+#include "output/state_archive.hpp"
+
+#include "output/serialize.hpp"
+
+namespace reye::contact {
+
+template <class Archive>
+void serialize(Archive& archive, MortarRow& row) {
+  archive(row.D, row.off, row.off_node, row.M);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ContactState& s) {
+  archive(s.lambda, s.status, s.reference, s.pending_secondary, s.pending_primary, s.removed_secondary,
+          s.removed_primary, s.slip, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
+}
+
+}  // namespace reye::contact
+
+namespace reye::solver {
+
+template <class Archive>
+void serialize(Archive& archive, SolverState& s) {
+  archive(s.q, s.contacts);
+}
+
+}  // namespace reye::solver
+
+namespace reye::sim {
+
+template <class Archive>
+void serialize(Archive& archive, Counts& c) {
+  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks);
+}
+
+}  // namespace reye::sim
+
+namespace reye::output {
+
+namespace {
+
+/// Shapes are shared as pointers to const; the archive holds them as plain ones.
+std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr>& shapes) {
+  std::vector<std::shared_ptr<body::Shape>> list;
+  for (const auto& shape : shapes) list.push_back(std::const_pointer_cast<body::Shape>(shape));
+  return list;
+}
+
+template <class Archive, class State>
+void fields(Archive& archive, State& s) {
+  archive(s.cycle, s.step, s.block, s.factors, s.solution, s.approached, s.life_cycles, s.limit_measure, s.counts,
+          s.cutback_reasons);
+}
+
+}  // namespace
+
+std::string state_to_bytes(const sim::State& state) {
+  std::ostringstream stream(std::ios::binary);
+  cereal::BinaryOutputArchive archive(stream);
+  archive(plain(state.shapes));
+  fields(archive, state);
+  return stream.str();
+}
+
+sim::State state_from_bytes(const std::string& bytes) {
+  std::istringstream stream(bytes, std::ios::binary);
+  cereal::BinaryInputArchive archive(stream);
+  sim::State state;
+  std::vector<std::shared_ptr<body::Shape>> shapes;
+  archive(shapes);
+  state.shapes.assign(shapes.begin(), shapes.end());
+  fields(archive, state);
+  return state;
+}
+
+}  // namespace reye::output
