@@ -99,6 +99,17 @@ TEST(StripVolume, UniformWearStaysParallel) {
   }
 }
 
+// The same on a ring face from the axis outwards: each node has its own share of the circumference.
+TEST(StripVolume, UniformWearStaysParallelOnARing) {
+  const auto mesh = block();
+  const auto worn = worn_by(
+      mesh, "top", [](Vec2) { return 0.01; }, Analysis::axisymmetric);
+  const auto result = evolve(make_shape(mesh), Analysis::axisymmetric, {worn});
+  ASSERT_TRUE(result.shape) << result.failure;
+  EXPECT_NEAR(result.theta, 1.0, 1e-13);
+  for (int node : mesh::nodes_of(mesh.boundaries.at("top"))) EXPECT_NEAR(result.shape->mesh.X[node].y(), 0.99, 1e-14);
+}
+
 // A corner slides along a free side that leans, so that the worn face still advances by its depth.
 TEST(StripVolume, CornerSlidesAlongALeaningSide) {
   const auto mesh = mapped(block(), [](Vec2 x) { return Vec2(x.x() + 0.3 * x.y() * (x.x() - 1.0), x.y()); });

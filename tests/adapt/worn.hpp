@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 
-#include "adapt/outline.hpp"
 #include "adapt/shape_step.hpp"
 #include "mesh/measure.hpp"
 #include "support/meshes.hpp"
@@ -12,14 +11,19 @@ namespace reye::support {
 using adapt::WornBoundary;
 using base::Analysis;
 
-/// Nodal lengths over the facets of a boundary, in the order of mesh::nodes_of.
+/// int N_j (2 pi r) ds over the facets of a boundary, in the order of mesh::nodes_of.
 inline std::vector<double> weights(const Mesh& m, const std::string& boundary, Analysis analysis) {
   std::vector<double> by_node(m.X.size(), 0.0), result;
   for (const auto& chain : m.boundaries.at(boundary))
     for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
       const Vec2 &a = m.X[chain[k]], &b = m.X[chain[k + 1]];
-      by_node[chain[k]] += adapt::nodal_length(analysis, a, b);
-      by_node[chain[k + 1]] += adapt::nodal_length(analysis, b, a);
+      const double length = (b - a).norm();
+      for (int g : {-1, 1}) {  // two Gauss points, exact for N_j r; not the room's own formula
+        const double s = 0.5 + g * 0.5 / std::sqrt(3.0);
+        const double weight = 0.5 * length * base::out_of_plane(analysis, (1.0 - s) * a.x() + s * b.x());
+        by_node[chain[k]] += (1.0 - s) * weight;
+        by_node[chain[k + 1]] += s * weight;
+      }
     }
   for (int node : mesh::nodes_of(m.boundaries.at(boundary))) result.push_back(by_node[node]);
   return result;
