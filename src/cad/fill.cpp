@@ -191,7 +191,9 @@ void fill(Region& region, const SizeField& size) {
     for (const Algorithm& algorithm : algorithms) {
       const std::optional<Filling> filling = run_gmsh(region, size, algorithm);
       Region attempt = region;
-      if (!filling || !join(attempt, *filling) || poorest(attempt) <= quality) continue;
+      if (!filling || !join(attempt, *filling)) continue;
+      improve(attempt, static_cast<int>(region.X.size()));
+      if (poorest(attempt) <= quality) continue;
       quality = poorest(attempt);
       best = std::move(attempt);
       if (quality > good_enough) break;

@@ -9,6 +9,7 @@
 #include "cad/region.hpp"
 #include "cad/text.hpp"
 #include "mesh/outline.hpp"
+#include "mesh/quality.hpp"
 
 namespace reye::cad {
 
@@ -147,15 +148,22 @@ mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
 
 mesh::Mesh generate(const BodyPlan& plan) {
   if (plan.part->mesh) return take_over(plan);
-  constexpr int refinements = 4;
-  double far = far_size(plan);
-  for (int attempt = 0;; ++attempt, far *= 0.5) {  // thin places may ask for less than the far size
-    try {
-      return make_mesh(plan, far);
+  constexpr int attempts = 5;
+  constexpr double good_enough = 0.15;  // scaled Jacobian of the poorest cell
+  mesh::Mesh best;
+  double quality = 0.0, far = far_size(plan);
+  for (int attempt = 1; quality < good_enough && attempt <= attempts; ++attempt, far *= 0.5) {
+    try {  // thin places may ask for less than the far size
+      mesh::Mesh mesh = make_mesh(plan, far);
+      const double poorest = mesh::poorest_cell(mesh).scaled_jacobian;
+      if (poorest <= quality) continue;
+      quality = poorest;
+      best = std::move(mesh);
     } catch (const base::MeshError&) {
-      if (attempt == refinements) throw;
+      if (attempt == attempts && quality == 0.0) throw;
     }
   }
+  return best;
 }
 
 }  // namespace reye::cad
