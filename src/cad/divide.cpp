@@ -13,8 +13,8 @@ int count(double wished, bool even) {
               : std::max(1, static_cast<int>(std::lround(wished)));
 }
 
-/// Arc lengths dividing [begin, end] so that each element holds the same integral of ds / size(s): interior points only.
-/// The integral is marched from the finer end, so that mirrored stretches get mirrored points.
+/// Arc lengths dividing [begin, end] so that each element holds the same integral of ds / size(s): interior points
+/// only. The integral is marched from the finer end, so that mirrored stretches get mirrored points.
 std::vector<double> graded(const Edge& edge, double begin, double end, const SizeField& size, bool even) {
   const double step = size(at(edge, begin)) <= size(at(edge, end)) ? 1.0 : -1.0;
   const double from = step > 0.0 ? begin : end, length = end - begin;
@@ -92,8 +92,8 @@ DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, cons
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {
       const double fine = fine_size(0.5 * (marks[i] + marks[i + 1]), k, zones);
       add(at(edge, marks[i]), k, true);
-      for (double s : fine > 0.0 ? equal(marks[i], marks[i + 1], fine, even)
-                                 : graded(edge, marks[i], marks[i + 1], size, even))
+      for (double s :
+           fine > 0.0 ? equal(marks[i], marks[i + 1], fine, even) : graded(edge, marks[i], marks[i + 1], size, even))
         add(at(edge, s), k, false);
     }
   }

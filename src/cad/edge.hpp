@@ -22,8 +22,8 @@ struct Edge {
   EdgeType type = EdgeType::line;
   bool straight = false;
   Points knots;
-  Points tangents;           ///< at the knots, in the direction of travel
-  std::vector<double> arc;   ///< arc length at the knots, from zero [mm]
+  Points tangents;              ///< at the knots, in the direction of travel
+  std::vector<double> arc;      ///< arc length at the knots, from zero [mm]
   std::set<std::string> names;  ///< physical curves it belongs to
 
   double length() const { return arc.back(); }

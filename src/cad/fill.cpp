@@ -32,10 +32,19 @@ constexpr Algorithm tri_algorithms[] = {{6, 0}, {5, 0}, {1, 0}};
 
 void set_options(const Algorithm& algorithm) {
   const std::pair<const char*, double> options[] = {
-      {"Mesh.MeshSizeExtendFromBoundary", 0}, {"Mesh.MeshSizeFromPoints", 0}, {"Mesh.MeshSizeFromCurvature", 0},
-      {"Mesh.MeshSizeMin", 0}, {"Mesh.MeshSizeMax", 1e22}, {"Mesh.MeshSizeFactor", 1}, {"Mesh.ElementOrder", 1},
-      {"Mesh.SubdivisionAlgorithm", 0}, {"Mesh.RecombineAll", 0}, {"Mesh.Smoothing", 5}, {"Mesh.Renumber", 0},
-      {"Mesh.RandomFactor", 1e-9}, {"Mesh.Algorithm", static_cast<double>(algorithm.planar)},
+      {"Mesh.MeshSizeExtendFromBoundary", 0},
+      {"Mesh.MeshSizeFromPoints", 0},
+      {"Mesh.MeshSizeFromCurvature", 0},
+      {"Mesh.MeshSizeMin", 0},
+      {"Mesh.MeshSizeMax", 1e22},
+      {"Mesh.MeshSizeFactor", 1},
+      {"Mesh.ElementOrder", 1},
+      {"Mesh.SubdivisionAlgorithm", 0},
+      {"Mesh.RecombineAll", 0},
+      {"Mesh.Smoothing", 5},
+      {"Mesh.Renumber", 0},
+      {"Mesh.RandomFactor", 1e-9},
+      {"Mesh.Algorithm", static_cast<double>(algorithm.planar)},
       {"Mesh.RecombinationAlgorithm", static_cast<double>(algorithm.recombination)}};
   for (const auto& [name, value] : options) gmsh::option::setNumber(name, value);
 }
@@ -74,7 +83,8 @@ std::vector<int> add_loop(const RegionLoop& loop, const Points& X, int& next_ent
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const std::size_t next = (k + 1) % corners.size(), count = loop.nodes.size();
     std::vector<int> nodes{loop.nodes[corners[k]]};
-    for (std::size_t i = (corners[k] + 1) % count; i != corners[next]; i = (i + 1) % count) nodes.push_back(loop.nodes[i]);
+    for (std::size_t i = (corners[k] + 1) % count; i != corners[next]; i = (i + 1) % count)
+      nodes.push_back(loop.nodes[i]);
     nodes.push_back(loop.nodes[corners[next]]);
     curves.push_back(base + static_cast<int>(k));
     add_run(curves.back(), nodes, X, base + static_cast<int>(k), base + static_cast<int>(next));

@@ -30,7 +30,8 @@ Vec2 blend(const Points& X, const std::vector<std::vector<int>>& sides, std::siz
   const double u = static_cast<double>(i) / static_cast<double>(n), v = static_cast<double>(j) / static_cast<double>(m);
   const auto at = [&](std::size_t side, std::size_t k) -> const Vec2& { return X[sides[side][k]]; };
   const Vec2 sum = (1.0 - v) * at(0, i) + v * at(2, n - i) + (1.0 - u) * at(3, m - j) + u * at(1, j);
-  return sum - (1.0 - u) * (1.0 - v) * at(0, 0) - u * (1.0 - v) * at(1, 0) - u * v * at(2, 0) - (1.0 - u) * v * at(3, 0);
+  return sum - (1.0 - u) * (1.0 - v) * at(0, 0) - u * (1.0 - v) * at(1, 0) - u * v * at(2, 0) -
+         (1.0 - u) * v * at(3, 0);
 }
 
 }  // namespace
@@ -44,10 +45,14 @@ bool add_grid(Region& region, const SizeField& size) {
   std::vector<std::vector<int>> rows(m + 1, std::vector<int>(n + 1));
   for (std::size_t j = 0; j <= m; ++j)
     for (std::size_t i = 0; i <= n; ++i) {
-      if (j == 0) rows[j][i] = sides[0][i];
-      else if (j == m) rows[j][i] = sides[2][n - i];
-      else if (i == 0) rows[j][i] = sides[3][m - j];
-      else if (i == n) rows[j][i] = sides[1][j];
+      if (j == 0)
+        rows[j][i] = sides[0][i];
+      else if (j == m)
+        rows[j][i] = sides[2][n - i];
+      else if (i == 0)
+        rows[j][i] = sides[3][m - j];
+      else if (i == n)
+        rows[j][i] = sides[1][j];
       else {
         rows[j][i] = static_cast<int>(filled.X.size());
         filled.X.push_back(blend(region.X, sides, i, j));

@@ -22,7 +22,8 @@ double reach_of(const Region& region, const std::vector<int>& cells) {
   double longest = 0.0;
   for (int cell : cells)
     for (int k = 0; k < corners; ++k)
-      longest = std::max(longest, (region.X[region.cells[cell][k]] - region.X[region.cells[cell][(k + 1) % corners]]).norm());
+      longest =
+          std::max(longest, (region.X[region.cells[cell][k]] - region.X[region.cells[cell][(k + 1) % corners]]).norm());
   return longest;
 }
 

@@ -21,7 +21,8 @@ std::vector<int> stretch_of(const RegionLoop& loop, int first, int last) {
   return {};
 }
 
-/// Inward unit normal at each node: the mean of its two edges; at the ends the neighbours outside the stretch count too.
+/// Inward unit normal at each node: the mean of its two edges; at the ends the neighbours outside the stretch count
+/// too.
 Points inward_normals(const Region& region, const RegionLoop& loop, const std::vector<int>& stretch) {
   const std::size_t count = loop.nodes.size();
   const std::size_t start = std::find(loop.nodes.begin(), loop.nodes.end(), stretch[0]) - loop.nodes.begin();
@@ -44,8 +45,8 @@ double distance_to_loops(const Region& region, const Vec2& p) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const RegionLoop& loop : region.loops)
     for (std::size_t i = 0; i < loop.nodes.size(); ++i)
-      smallest = std::min(smallest, distance_to_segment(p, region.X[loop.nodes[i]],
-                                                        region.X[loop.nodes[(i + 1) % loop.nodes.size()]]));
+      smallest = std::min(
+          smallest, distance_to_segment(p, region.X[loop.nodes[i]], region.X[loop.nodes[(i + 1) % loop.nodes.size()]]));
   return smallest;
 }
 

@@ -45,11 +45,11 @@ struct FineZone {
   double half_width_mm = 0.0;
   double depth_mm = 0.0;
   double size_mm = 0.0;
-  double angle_deg = 0.0;           ///< direction of the width, from x
+  double angle_deg = 0.0;  ///< direction of the width, from x
 };
 
 struct GeometryOptions {
-  std::vector<std::string> files;   ///< absolute paths
+  std::vector<std::string> files;  ///< absolute paths
   std::vector<BodyOptions> bodies;
   std::vector<BoundaryOptions> boundaries;
   std::vector<FineZone> fine_zones;

@@ -30,15 +30,17 @@ bool ends_at(const RawMesh& raw, const Points& X, const mesh::Chain& loop, std::
 EdgeType type_of(const Points& knots) {
   const Vec2 chord = knots.back() - knots.front();
   const bool straight = knots.front() != knots.back() && std::all_of(knots.begin(), knots.end(), [&](const Vec2& p) {
-    return std::abs(base::cross(chord, p - knots.front())) <= 1e-9 * chord.squaredNorm();
-  });
+                          return std::abs(base::cross(chord, p - knots.front())) <= 1e-9 * chord.squaredNorm();
+                        });
   if (straight) return EdgeType::line;
   const Vec2 u = knots[knots.size() / 3] - knots[0], v = knots[2 * knots.size() / 3] - knots[0];
   const double twice = 2.0 * base::cross(u, v);
-  const Vec2 centre = Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(), u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) / twice;
+  const Vec2 centre =
+      Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(), u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) /
+      twice;
   const bool circular = knots.size() > 3 && std::all_of(knots.begin(), knots.end(), [&](const Vec2& p) {
-    return std::abs((p - knots[0] - centre).norm() - centre.norm()) <= 1e-6 * centre.norm();
-  });
+                          return std::abs((p - knots[0] - centre).norm() - centre.norm()) <= 1e-6 * centre.norm();
+                        });
   return circular ? EdgeType::circle : EdgeType::spline;
 }
 

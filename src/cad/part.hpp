@@ -14,9 +14,9 @@ using Loop = std::vector<Edge>;
 /// A piece of material found in a file: a candidate for a body. Nothing is shared between parts, so that
 /// bodies that touch stay apart whatever their CAD shares.
 struct Part {
-  std::string label;                ///< STEP product or physical surface; empty when the file names none
-  std::vector<Loop> loops;          ///< outer loop first
-  std::optional<mesh::Mesh> mesh;   ///< when the file brought its own; one edge knot per outline node, then
+  std::string label;               ///< STEP product or physical surface; empty when the file names none
+  std::vector<Loop> loops;         ///< outer loop first
+  std::optional<mesh::Mesh> mesh;  ///< when the file brought its own; one edge knot per outline node, then
 };
 
 double area(const Part& part);

@@ -34,7 +34,8 @@ bool is_circular(const std::vector<Vec3>& points) {
   const Vec3 &a = points.front(), &b = points[points.size() / 3], &c = points[2 * points.size() / 3];
   const Vec3 u = b - a, v = c - a, normal = u.cross(v);
   if (normal.norm() < 1e-9 * u.norm() * v.norm()) return false;
-  const Vec3 to_centre = (v.squaredNorm() * normal.cross(u) + u.squaredNorm() * v.cross(normal)) / (2.0 * normal.squaredNorm());
+  const Vec3 to_centre =
+      (v.squaredNorm() * normal.cross(u) + u.squaredNorm() * v.cross(normal)) / (2.0 * normal.squaredNorm());
   const double radius = to_centre.norm();
   return std::all_of(points.begin(), points.end(),
                      [&](const Vec3& p) { return std::abs((p - a - to_centre).norm() - radius) < 1e-7 * radius; });

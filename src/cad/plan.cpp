@@ -34,19 +34,21 @@ double estimated_nodes(const BodyPlan& plan) {
 void check_body(const BodyPlan& plan, bool axisymmetric, std::vector<Issue>& issues) {
   const std::string key = "body." + plan.options->name;
   if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9)
-    issues.push_back({key, "", "reaches x = " + text(bounding_box(*plan.part)[0]) +
-                                   "; in an axisymmetric scene x is the radius and nothing lies at x < 0"});
+    issues.push_back({key, "",
+                      "reaches x = " + text(bounding_box(*plan.part)[0]) +
+                          "; in an axisymmetric scene x is the radius and nothing lies at x < 0"});
   if (plan.options->rigid || plan.part->mesh) return;
   const double nodes = estimated_nodes(plan);
   if (nodes > most_nodes)
-    issues.push_back({key, "", "would need about " + text(nodes) + " nodes (at most " + text(most_nodes) +
-                                   "): raise the fine zone's size_mm or mesh.far_size_mm"});
+    issues.push_back({key, "",
+                      "would need about " + text(nodes) + " nodes (at most " + text(most_nodes) +
+                          "): raise the fine zone's size_mm or mesh.far_size_mm"});
 }
 
 void add_boundaries(std::vector<BodyPlan>& plans, const GeometryOptions& options, std::vector<Issue>& issues) {
   for (const BoundaryOptions& boundary : options.boundaries) {
-    const auto plan = std::find_if(plans.begin(), plans.end(),
-                                   [&](const BodyPlan& p) { return p.options->name == boundary.body; });
+    const auto plan =
+        std::find_if(plans.begin(), plans.end(), [&](const BodyPlan& p) { return p.options->name == boundary.body; });
     if (plan == plans.end()) {
       std::string names;
       for (const BodyPlan& p : plans) names += (names.empty() ? "" : ", ") + p.options->name;

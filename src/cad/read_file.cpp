@@ -73,8 +73,10 @@ void load(const std::string& path, Format format) {
   const Silence silence;
   gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
   gmsh::option::setNumber("Geometry.OCCScaling", 1);
-  if (format == Format::shapes) import_shapes(path);
-  else gmsh::merge(path);
+  if (format == Format::shapes)
+    import_shapes(path);
+  else
+    gmsh::merge(path);
   gmsh::option::setNumber("General.Terminal", 0);  // a script may have asked for talk
 }
 

@@ -36,11 +36,14 @@ std::pair<std::vector<int>, base::Issue> matches(const std::vector<Part>& parts,
     if (inside && named) found.push_back(k);
   }
   base::Issue issue{key, "", ""};
-  if (body.at) issue = {key + ".at", text(*body.at), "the point lies in"};
-  else if (body.label) issue = {key + ".name", "\"" + *body.label + "\"", "is the name of"};
-  else issue.rule = "has neither 'at' nor 'name', and its own name is that of";
-  issue.rule += found.empty() ? " no face; there are: " + list_of(parts, all)
-                              : " more than one face: " + list_of(parts, found);
+  if (body.at)
+    issue = {key + ".at", text(*body.at), "the point lies in"};
+  else if (body.label)
+    issue = {key + ".name", "\"" + *body.label + "\"", "is the name of"};
+  else
+    issue.rule = "has neither 'at' nor 'name', and its own name is that of";
+  issue.rule +=
+      found.empty() ? " no face; there are: " + list_of(parts, all) : " more than one face: " + list_of(parts, found);
   return {found, issue};
 }
 
@@ -105,8 +108,8 @@ std::vector<int> select_parts(const std::vector<Part>& parts, const std::vector<
     const auto taken = std::find(chosen.begin(), chosen.end(), found[0]);
     if (taken != chosen.end())
       issues.push_back({issue.key, issue.value,
-                        "selects the same face as body '" + bodies[taken - chosen.begin()].name + "': " +
-                            describe(parts[found[0]])});
+                        "selects the same face as body '" + bodies[taken - chosen.begin()].name +
+                            "': " + describe(parts[found[0]])});
     chosen.push_back(found[0]);
   }
   return chosen;
@@ -117,8 +120,8 @@ std::optional<EdgeChoice> select_edges(const Part& part, const BoundaryOptions& 
   const std::string key = "boundary." + boundary.name;
   EdgeChoice choice = all_edges(part, true);
   const auto nothing = [&](const std::string& selector, const std::string& value) {
-    issues.push_back({key + selector, value,
-                      "matches no edge of body '" + boundary.body + "', which has: " + list_edges(part)});
+    issues.push_back(
+        {key + selector, value, "matches no edge of body '" + boundary.body + "', which has: " + list_edges(part)});
     return std::nullopt;
   };
   const bool bare = !boundary.box_mm && !boundary.type && !boundary.nearest_mm;

@@ -38,8 +38,9 @@ double SizeField::operator()(const Vec2& p) const {
   double size = far_;
   for (const SizeSource& source : sources_) {
     const auto& box = source.box;
-    const double at_least = std::hypot(std::max({0.0, box[0] - p.x(), p.x() - box[2]}),
-                                       std::max({0.0, box[1] - p.y(), p.y() - box[3]})) - source.depth;
+    const double at_least =
+        std::hypot(std::max({0.0, box[0] - p.x(), p.x() - box[2]}), std::max({0.0, box[1] - p.y(), p.y() - box[3]})) -
+        source.depth;
     if (source.size + slope_ * at_least >= size) continue;
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < source.line.size(); ++i)

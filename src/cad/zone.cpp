@@ -100,8 +100,9 @@ std::optional<ZoneOutline> zone_outline(const Part& part, const FineZone& zone, 
   const Loop& loop = part.loops[place.loop];
   auto [back, smooth_begin] = walk(loop, place, -1, zone);
   auto [forth, smooth_end] = walk(loop, place, +1, zone);
-  ZoneOutline outline{place.loop, {back.rbegin(), back.rend()}, smooth_begin, smooth_end, place.edge, place.foot.s,
-                      zone.size_mm, zone.depth_mm};
+  ZoneOutline outline{
+      place.loop,   {back.rbegin(), back.rend()}, smooth_begin, smooth_end, place.edge, place.foot.s, zone.size_mm,
+      zone.depth_mm};
   double whole = 0.0;
   for (const Edge& edge : loop) whole += edge.length();
   const double reach = outline.length();

@@ -19,7 +19,7 @@ struct ZoneOutline {
   std::vector<Stretch> stretches;
   bool smooth_begin = true;  ///< ends inside an edge or at a smooth joint, not at a corner
   bool smooth_end = true;
-  int centre_edge = 0;       ///< where the zone's centre falls on the outline
+  int centre_edge = 0;  ///< where the zone's centre falls on the outline
   double centre_arc = 0.0;
   double size = 0.0, depth = 0.0;
 

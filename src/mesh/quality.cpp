@@ -29,7 +29,8 @@ double smallest_over_corners(const Points& X, CellKind kind, const Cell& cell, F
   double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < corners; ++i) {
     const Vec2& corner = X[cell[i]];
-    smallest = std::min(smallest, f(X[cell[(i + 1) % corners]] - corner, X[cell[(i + corners - 1) % corners]] - corner));
+    smallest =
+        std::min(smallest, f(X[cell[(i + 1) % corners]] - corner, X[cell[(i + corners - 1) % corners]] - corner));
   }
   return smallest;
 }

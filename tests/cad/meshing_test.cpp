@@ -166,7 +166,8 @@ TEST_P(Kinds, repeats_to_the_byte) {
   const Geometry first = build(options), second = build(options);
   for (std::size_t b = 0; b < first.bodies.size(); ++b) {
     ASSERT_EQ(first.bodies[b].X.size(), second.bodies[b].X.size());
-    EXPECT_EQ(std::memcmp(first.bodies[b].X.data(), second.bodies[b].X.data(), first.bodies[b].X.size() * sizeof(Vec2)), 0);
+    EXPECT_EQ(std::memcmp(first.bodies[b].X.data(), second.bodies[b].X.data(), first.bodies[b].X.size() * sizeof(Vec2)),
+              0);
     EXPECT_EQ(first.bodies[b].cells, second.bodies[b].cells);
     EXPECT_EQ(first.bodies[b].boundaries, second.bodies[b].boundaries);
   }

@@ -27,8 +27,9 @@ TEST(refusals, files) {
     EXPECT_EQ(refusal_of_file(path), "geometry = \"" + path + "\": the file is empty");
   }
   const std::string part = temporary_file("part.stl", "solid");
-  EXPECT_EQ(refusal_of_file(part), "geometry = \"" + part +
-                                       "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh");
+  EXPECT_EQ(
+      refusal_of_file(part),
+      "geometry = \"" + part + "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh");
   const std::string folder = std::filesystem::path(part).replace_filename("folder.step");
   std::filesystem::create_directories(folder);
   EXPECT_EQ(refusal_of_file(folder), "geometry = \"" + folder + "\": is not a file");
@@ -75,10 +76,9 @@ TEST(refusals, bodies_that_match_nothing) {
   options.bodies = {body("pnuch"), body_at("base", 0, 9), body("third")};
   options.bodies[2].label = "bolck";
   const std::string there = "; there are: 'punch' in [-1, 0, 1, 2], 'block' in [-3, -2, 3, 0]";
-  EXPECT_EQ(issues_of(options),
-            "body.pnuch: has neither 'at' nor 'name', and its own name is that of no face" + there +
-                "\nbody.base.at = [0, 9]: the point lies in no face" + there +
-                "\nbody.third.name = \"bolck\": is the name of no face" + there);
+  EXPECT_EQ(issues_of(options), "body.pnuch: has neither 'at' nor 'name', and its own name is that of no face" + there +
+                                    "\nbody.base.at = [0, 9]: the point lies in no face" + there +
+                                    "\nbody.third.name = \"bolck\": is the name of no face" + there);
 }
 
 // A point inside two overlapping faces, a name that two faces bear, and a face chosen twice must be refused.
@@ -106,8 +106,9 @@ TEST(refusals, boundaries_that_match_nothing) {
   const std::string rule =
       "matches no edge of body 'punch', which has: line [-1, 0] to [1, 0], line [1, 0] to [1, 2], "
       "line [1, 2] to [-1, 2], line [-1, 2] to [-1, 0]";
-  EXPECT_EQ(issues_of(options), "boundary.a.box_mm = [5, 5, 6, 6]: " + rule + "\nboundary.b.type = \"circle\": " + rule +
-                                    "\nboundary.c.body = \"none\": there is no body of that name; there are: punch, block");
+  EXPECT_EQ(issues_of(options),
+            "boundary.a.box_mm = [5, 5, 6, 6]: " + rule + "\nboundary.b.type = \"circle\": " + rule +
+                "\nboundary.c.body = \"none\": there is no body of that name; there are: punch, block");
 }
 
 // The nearest edge must be one; a point as near to two edges must be refused.
@@ -126,7 +127,8 @@ TEST(refusals, negative_radius) {
   EXPECT_EQ(issues_of(options),
             "body.punch: reaches x = -1; in an axisymmetric scene x is the radius and nothing lies at x < 0\n"
             "body.block: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0");
-  const std::string path = temporary_file("axis.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-1e-10, 0, 0, 1, 1};\n");
+  const std::string path =
+      temporary_file("axis.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-1e-10, 0, 0, 1, 1};\n");
   options = GeometryOptions{};
   options.files = {path};
   options.bodies = {body_at("disc", 0.5, 0.5)};

@@ -56,8 +56,6 @@ TEST(measure, nodal_lengths_add_up) {
 }
 
 // The outward normal must point to the right of the direction of travel.
-TEST(measure, normal_points_away_from_the_body) {
-  EXPECT_EQ(outward_normal({0, 0}, {2, 0}), Vec2(0, -1));
-}
+TEST(measure, normal_points_away_from_the_body) { EXPECT_EQ(outward_normal({0, 0}, {2, 0}), Vec2(0, -1)); }
 
 }  // namespace
