@@ -17,6 +17,7 @@ struct NodeScalars {
   Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
   T D{};
   T worn_primary{};  ///< sum_l M_jl w_l of the primary's own depth, this increment's included
+  T share{};         ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
 };
 
 /// What stays fixed while the equations of one increment are solved.
@@ -30,6 +31,7 @@ struct NodeConstants {
   double imposed_slip = 0.0;
   bool held = false;            ///< shear is given: re-equilibration after the shape moved
   double held_shear = 0.0;
+  bool anchor = false;
 };
 
 template <class T>
@@ -42,7 +44,8 @@ struct NodeConditions {
 /// Conditions of an active node:                                                   [README (3) to (6)]
 ///   normal:      weighted gap + D (w_s + dw_s) + sum_l M_jl (w_l + dw_l) = 0, this increment's wear included
 ///   stick:       weighted slip = 0;      slip: lambda_t - mu lambda_n sign = 0
-///   held shear:  lambda_t = the given shear, cut to the friction bound.
+///   held shear:  lambda_t = the given shear (plus its share of the balance), cut to the friction bound;
+///                the anchor node sticks instead, so that a body that only friction holds has a place.
 template <class T>
 NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, ContactStatus status) {
   NodeConditions<T> r;
@@ -52,10 +55,11 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.slip = c.imposed ? s.D * c.imposed_slip : mortar::dot(tangent, s.motion);
   if (status == ContactStatus::slip && !c.held) r.work = wear::work(c.law, r.lambda_n, r.lambda_t, r.slip);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_primary;
-  if (c.held) {
-    const bool cut = std::abs(c.held_shear) > c.friction * base::value(r.lambda_n);
-    r.tangential = cut ? r.lambda_t - std::copysign(c.friction, c.held_shear) * r.lambda_n : r.lambda_t - c.held_shear;
-  } else if (status == ContactStatus::slip) {
+  if (c.held && !c.anchor) {
+    const T given = c.held_shear + s.share;
+    const bool cut = std::abs(base::value(given)) > c.friction * base::value(r.lambda_n);
+    r.tangential = r.lambda_t - (cut ? std::copysign(c.friction, base::value(given)) * r.lambda_n : given);
+  } else if (status == ContactStatus::slip && !c.held) {
     r.tangential = r.lambda_t - (c.friction * c.sign) * r.lambda_n;
   } else {
     r.tangential = r.slip;

@@ -114,6 +114,7 @@ mortar::NormalStencil Interface::stencil(int node) const {
 
 /// Where the covered length changed, the difference of D and M is no measure of slip; the motion itself is.
 bool Interface::uses_drift(int node) const {
+  if (options_.held) return true;  // the reference belongs to the shape before
   const double D = before_->reference[node].D;
   return D <= 0.0 || std::abs(rows_[node].D - D) > 1e-6 * setup_->secondary.area[node];
 }
@@ -130,6 +131,14 @@ Vec2 Interface::motion(int node) const {
   return earlier - offset_[node];
 }
 
+/// What the anchor carries beyond its held shear, per pressure, times this node's pressure.
+double Interface::share(int node, const std::vector<Vec2>& lambda) const {
+  const int k = options_.anchor;
+  if (k < 0) return 0.0;
+  const Vec2 tangent(-normal_[k].y(), normal_[k].x());
+  return (lambda[k].dot(tangent) - options_.held_shear[k]) / options_.held_pressure[k] * options_.held_pressure[node];
+}
+
 NodeConstants Interface::constants(int node) const {
   NodeConstants c;
   const auto& o = setup_->options;
@@ -142,6 +151,7 @@ NodeConstants Interface::constants(int node) const {
   c.imposed = o.imposed;
   c.imposed_slip = options_.imposed_slip;
   c.held = options_.held;
+  c.anchor = node == options_.anchor;
   if (c.held) c.held_shear = options_.held_shear[node];
   return c;
 }
@@ -183,11 +193,14 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration) {
     if (o.imposed || o.friction == 0.0) {
       status_[j] = ContactStatus::slip;
       sign_[j] = o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
-    } else if (iteration == 0 || !was || options_.held) {
+    } else if (iteration == 0 || options_.held) {
       status_[j] = ContactStatus::stick;
     } else {
       const double trial = lambda[j].dot(tangent) + o.c_tangential * stiffness * tangent.dot(motion(node)) / D;
-      status_[j] = std::abs(trial) < o.friction * lambda_n ? ContactStatus::stick : ContactStatus::slip;
+      // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
+      // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
+      const double bound = o.friction * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
+      status_[j] = std::abs(trial) < bound ? ContactStatus::stick : ContactStatus::slip;
       sign_[j] = trial < 0.0 ? -1.0 : 1.0;
     }
   }
@@ -216,6 +229,7 @@ void Interface::evaluate(const std::vector<Vec2>& lambda) {
     s.motion = {v.x(), v.y()};
     s.D = rows_[j].D;
     for (const auto& [l, M] : rows_[j].M) s.worn_primary += M * primary_depth_[l];
+    s.share = share(node, lambda);
     return conditions(s, constants(node), status_[j]);
   };
   for (std::size_t j = 0; j < rows_.size(); ++j)

@@ -16,6 +16,9 @@ struct IncrementOptions {
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
+  std::vector<double> held_pressure;
+  int anchor = -1;            ///< where nothing but friction holds a body along the contact: the node that sticks;
+                              ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
 };
 
 /// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
@@ -74,7 +77,7 @@ class Interface {
   static constexpr double minimum_cover = 1e-3;
 
  private:
-  using Nine = base::Dual<9>;
+  using Ten = base::Dual<10>;
   struct WearEntry {
     int col = 0;
     double value = 0.0;
@@ -82,14 +85,15 @@ class Interface {
   NodeConstants constants(int node) const;
   Vec2 motion(int node) const;
   bool uses_drift(int node) const;
+  double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
   void sum_rows();
   void sum_start_of_increment();
   mortar::NormalStencil stencil(int node) const;
-  NodeConditions<Nine> node_duals(int node, const Vec2& lambda) const;
+  NodeConditions<Ten> node_duals(int node, const std::vector<Vec2>& lambda) const;
   void spread_wear();
   template <class Add>
-  void chain(int node, const Nine& quantity, Add add) const;
+  void chain(int node, const Ten& quantity, Add add) const;
   template <class Add>
   void chain_normal(int node, double slope_x, double slope_y, Add add) const;
   template <class Add>
@@ -97,7 +101,7 @@ class Interface {
   template <class Visit>
   void for_records(int node, Visit visit) const;
   void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
-  void collect_primary_wear(int node, const Nine& work);
+  void collect_primary_wear(int node, const Ten& work);
   void primary_wear_entries(int node, double slope, std::vector<Entry>& out) const;
 
   const Setup* setup_ = nullptr;

@@ -6,8 +6,8 @@ using mortar::FacetRecord;
 
 namespace {
 
-/// Order of the nine scalars of a node in its dual numbers.
-enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_primary };
+/// Order of the scalars of a node in its dual numbers.
+enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_primary, share_ };
 
 }  // namespace
 
@@ -17,17 +17,18 @@ void Interface::for_records(int node, Visit visit) const {
     if (const int r = record_of_[node][side]; r >= 0) visit((*records_)[r], 1 - side);
 }
 
-NodeConditions<Interface::Nine> Interface::node_duals(int node, const Vec2& lambda) const {
+NodeConditions<Interface::Ten> Interface::node_duals(int node, const std::vector<Vec2>& lambda) const {
   const Vec2 v = motion(node);
-  NodeScalars<Nine> s;
-  s.lambda = {Nine::variable(lambda.x(), lambda_x), Nine::variable(lambda.y(), lambda_y)};
-  s.normal = {Nine::variable(normal_[node].x(), normal_x), Nine::variable(normal_[node].y(), normal_y)};
-  s.gap = Nine::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
-  s.motion = {Nine::variable(v.x(), motion_x), Nine::variable(v.y(), motion_y)};
-  s.D = Nine::variable(rows_[node].D, cover_D);
+  NodeScalars<Ten> s;
+  s.lambda = {Ten::variable(lambda[node].x(), lambda_x), Ten::variable(lambda[node].y(), lambda_y)};
+  s.normal = {Ten::variable(normal_[node].x(), normal_x), Ten::variable(normal_[node].y(), normal_y)};
+  s.gap = Ten::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
+  s.motion = {Ten::variable(v.x(), motion_x), Ten::variable(v.y(), motion_y)};
+  s.D = Ten::variable(rows_[node].D, cover_D);
   double worn = 0.0;
   for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
-  s.worn_primary = Nine::variable(worn, Direction::worn_primary);
+  s.worn_primary = Ten::variable(worn, Direction::worn_primary);
+  s.share = Ten::variable(share(node, lambda), share_);
   return conditions(s, constants(node), status_[node]);
 }
 
@@ -74,7 +75,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
 
 /// add(column, value) for everything a node's scalar depends on but the primary's wear.
 template <class Add>
-void Interface::chain(int node, const Nine& quantity, Add add) const {
+void Interface::chain(int node, const Ten& quantity, Add add) const {
   const auto& d = quantity.d;
   const int multipliers = placement_.dofs() + 2 * node;
   add(multipliers, d[lambda_x]);
@@ -110,7 +111,7 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
 }
 
 /// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j).
-void Interface::collect_primary_wear(int node, const Nine& work) {
+void Interface::collect_primary_wear(int node, const Ten& work) {
   const double coefficient = setup_->options.wear.primary * options_.jump, D = rows_[node].D;
   for (const auto& [l, T] : cover_[node]) {
     const double factor = coefficient / setup_->primary.area[l];
@@ -151,7 +152,7 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   out.rows.clear();
   primary_slope_.resize(setup_->primary.X.size());
   for (auto& slopes : primary_slope_) slopes.clear();
-  std::vector<std::pair<int, NodeConditions<Nine>>> duals;
+  std::vector<std::pair<int, NodeConditions<Ten>>> duals;
   for (int node = 0; node < static_cast<int>(rows_.size()); ++node) {
     if (!active(node)) continue;
     for (int r : record_of_[node])
@@ -159,18 +160,22 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
         integrator_.differentiate(placement_, (*records_)[r]);
         differentiated_[r] = 1;
       }
-    duals.emplace_back(node, node_duals(node, lambda[node]));
+    duals.emplace_back(node, node_duals(node, lambda));
     force_entries(node, lambda[node], out.force);
   }
   const bool spread = setup_->options.wear.primary > 0.0 && setup_->options.implicit_wear && options_.wear && !options_.held;
   if (spread)
     for (const auto& [node, c] : duals)
       if (c.work.v != 0.0 || status_[node] == ContactStatus::slip) collect_primary_wear(node, c.work);
+  const Ten anchor_shear = options_.anchor < 0 ? Ten() : node_duals(options_.anchor, lambda).lambda_t;
   for (const auto& [node, c] : duals) {
     const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };
     chain(node, c.normal, into(2 * node));
     chain(node, c.tangential, into(2 * node + 1));
     primary_wear_entries(node, c.normal.d[Direction::worn_primary], out.rows);
+    if (options_.anchor < 0 || c.tangential.d[share_] == 0.0) continue;
+    const double factor = c.tangential.d[share_] * options_.held_pressure[node] / options_.held_pressure[options_.anchor];
+    chain(options_.anchor, anchor_shear, [&](int col, double value) { into(2 * node + 1)(col, factor * value); });
   }
 }
 

@@ -38,19 +38,22 @@ double peak_factor(const Problem& problem, const std::string& history) {
   return peak;
 }
 
-/// Force that drives body b along d: loaded support motions and loads at their peaks; empty when a support holds d.
-std::optional<double> driving_force(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
+const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
+  return std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
+}
+
+const body::Motion& motion_of(const Problem& problem, int b, const body::SupportColumn& column) {
+  const auto& s = problem.inputs[b].supports[column.support];
+  return column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
+}
+
+/// Force that drives body b along d: loaded support motions and loads at their peaks.
+double driving_force(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
   double force = 0.0;
   const auto& op = system.bodies[b];
-  const auto& columns = std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
-  for (const auto& column : columns) {
-    const auto& s = problem.inputs[b].supports[column.support];
-    const auto& m = column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
-    const double share = column.direction.dot(d);
-    if (std::abs(share) < 1e-6) continue;
-    if (m.drive == Drive::fixed || m.drive == Drive::moved) return std::nullopt;
-    if (m.drive == Drive::loaded) force += share * m.amplitude * peak_factor(problem, m.history);
-  }
+  for (const auto& column : support_columns(op))
+    if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
+      force += column.direction.dot(d) * m.amplitude * peak_factor(problem, m.history);
   const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
   for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, loads[i].history);
@@ -85,12 +88,21 @@ std::optional<double> free_way(const Problem& problem, const solver::System& sys
 
 }  // namespace
 
+bool held_along(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
+  for (const auto& column : support_columns(system.bodies[b])) {
+    const auto drive = motion_of(problem, b, column).drive;
+    if (std::abs(column.direction.dot(d)) > 1e-6 && (drive == Drive::fixed || drive == Drive::moved)) return true;
+  }
+  return false;
+}
+
 void approach(const Problem& problem, State& state, const solver::System& system) {
   for (int b = 0; b < problem.body_count(); ++b)
     for (const Vec2& axis : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
-      const auto force = driving_force(problem, system, b, axis);
-      if (!force || std::abs(*force) < 1e-300) continue;
-      const Vec2 d = *force > 0.0 ? axis : Vec2(-axis);
+      if (held_along(problem, system, b, axis)) continue;
+      const double force = driving_force(problem, system, b, axis);
+      if (force == 0.0) continue;
+      const Vec2 d = force > 0.0 ? axis : Vec2(-axis);
       const Vector t = translation(problem, system, b, d);
       // The facet that is met changes on the way: repeat until nothing is left to close.
       for (int round = 0; round < 50; ++round) {

@@ -154,9 +154,56 @@ void book_strips(const Problem& problem, State& state, const std::vector<double>
   }
 }
 
+/// Tractions of the secondary nodes before the shape moves, as forces: times A_j.
+struct HeldTraction {
+  std::vector<double> normal, tangential;
+};
+
+std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
+  std::vector<HeldTraction> tractions;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& contact = state.solution.contacts[c];
+    contact::Interface face;
+    auto sides = solver::positions(system, setup, state.solution.q);
+    face.begin(setup, contact, sides.secondary, sides.primary, {});
+    face.integrate(sides.secondary, sides.primary);
+    auto& held = tractions.emplace_back();
+    for (int j = 0; j < setup.secondary_count(); ++j) {
+      const Vec2 n = face.normal()[j], force = contact.lambda[j] * setup.secondary.area[j];
+      held.normal.push_back(force.dot(n));
+      held.tangential.push_back(-n.y() * force.x() + n.x() * force.y());
+    }
+  }
+  return tractions;
+}
+
+/// The shear as given load; the node of largest pressure is offered as anchor.
+void hold_shear(const contact::Setup& setup, const contact::ContactState& contact, const HeldTraction& held,
+                contact::IncrementOptions& o) {
+  for (std::size_t j = 0; j < held.normal.size(); ++j) {
+    o.held_shear.push_back(held.tangential[j] / setup.secondary.area[j]);
+    o.held_pressure.push_back(held.normal[j] / setup.secondary.area[j]);
+    const bool active = contact.status[j] != contact::ContactStatus::inactive;
+    if (active && (o.anchor < 0 || o.held_pressure[j] > o.held_pressure[o.anchor])) o.anchor = static_cast<int>(j);
+  }
+}
+
+/// True when a body of the contact is free to move along it but for friction.
+bool driven_only_by_friction(const Problem& problem, const solver::System& system, int contact) {
+  const auto& s = system.contacts[contact].secondary;
+  const auto [a, b] = s.facets[s.facets.size() / 2];
+  const Vec2 along = (s.X[b] - s.X[a]).normalized();
+  const auto& placed = problem.contacts[contact];
+  if (placed.options.friction == 0.0 || placed.options.imposed) return false;
+  bool free = !held_along(problem, system, placed.secondary.body, along);
+  for (const auto& ref : placed.primary) free = free || !held_along(problem, system, ref.body, along);
+  return free;
+}
+
 /// Equilibrium on the moved shape with the shear as given load, its nodal resultant kept.
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
-                           const std::vector<std::vector<double>>& shear_force) {
+                           const std::vector<HeldTraction>& held) {
   const auto& system = timed_system(problem, state, cache);
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   std::vector<std::vector<contact::ContactStatus>> status;
@@ -164,8 +211,8 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
     auto& o = controls.contacts[c];
     o.held = true;
     o.wear = false;
-    for (std::size_t j = 0; j < shear_force[c].size(); ++j)
-      o.held_shear.push_back(shear_force[c][j] / system.contacts[c].secondary.area[j]);
+    hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
+    if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
     status.push_back(state.solution.contacts[c].status);
   }
   Timer timer(cache, "solver");
@@ -179,25 +226,6 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
           s != contact::ContactStatus::inactive && status[c][j] != contact::ContactStatus::inactive)
         s = status[c][j];
   return {};
-}
-
-/// lambda_t A_j of every secondary node, along the tangents of the accepted state.
-std::vector<std::vector<double>> shear_forces(const solver::System& system, const State& state) {
-  std::vector<std::vector<double>> forces;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& setup = system.contacts[c];
-    const auto& contact = state.solution.contacts[c];
-    contact::Interface face;
-    auto sides = solver::positions(system, setup, state.solution.q);
-    face.begin(setup, contact, sides.secondary, sides.primary, {});
-    face.integrate(sides.secondary, sides.primary);
-    auto& list = forces.emplace_back();
-    for (int j = 0; j < setup.secondary_count(); ++j) {
-      const Vec2 tangent(-face.normal()[j].y(), face.normal()[j].x());
-      list.push_back(contact.lambda[j].dot(tangent) * setup.secondary.area[j]);
-    }
-  }
-  return forces;
 }
 
 }  // namespace
@@ -237,7 +265,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
 
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span) {
   const auto& system = timed_system(problem, state, cache);
-  const auto shear = shear_forces(system, state);
+  const auto held = held_tractions(system, state);
   std::vector<double> ratio(state.shapes.size(), 1.0);
   auto shapes = state.shapes;
   {
@@ -257,7 +285,7 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   State next = state;
   next.shapes = std::move(shapes);
   book_strips(problem, next, ratio);
-  const std::string failure = re_equilibrate(problem, next, cache, span, shear);
+  const std::string failure = re_equilibrate(problem, next, cache, span, held);
   if (!failure.empty()) return {std::move(state), failure, false};
   return {std::move(next), {}, false};
 }

@@ -25,6 +25,9 @@ void begin_state(const Problem& problem, State& state, Cache& cache);
 /// first secondary node meets its facet.
 void approach(const Problem& problem, State& state, const solver::System& system);
 
+/// True when some support fixes or imposes the motion of a body along d.
+bool held_along(const Problem& problem, const solver::System& system, int body, const Vec2& d);
+
 /// All increments of one block, with cut-backs.
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 

@@ -24,14 +24,18 @@ wear::Ledger ledger(const contact::ContactState& state) {
 
 namespace {
 
-/// Zero of the straight line through (x1, f1), (x2, f2); x1 is the outer point.
-double zero_of_line(double x1, double f1, double x2, double f2) { return x1 - f1 * (x2 - x1) / (f2 - f1); }
+/// Zero of the straight line through (x1, f1), (x2, f2), x1 the outer point; at most one spacing beyond it,
+/// where the next node would have been loaded, and at x1 itself where f does not fall outwards.
+double zero_of_line(double x1, double f1, double x2, double f2) {
+  if (f2 <= f1) return x1;
+  const double ratio = f1 / (f2 - f1);
+  return ratio > 1.0 ? x1 : x1 - ratio * (x2 - x1);
+}
 
 /// Half of the distance between the zeros of lines through f at the two outermost points of each end.
 std::optional<double> half_width(const std::vector<double>& x, const std::vector<double>& f) {
   const std::size_t n = x.size();
   if (n < 4) return std::nullopt;
-  if (f[1] <= f[0] || f[n - 2] <= f[n - 1]) return 0.5 * (x[n - 1] - x[0]);
   return 0.5 * (zero_of_line(x[n - 1], f[n - 1], x[n - 2], f[n - 2]) - zero_of_line(x[0], f[0], x[1], f[1]));
 }
 

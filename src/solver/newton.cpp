@@ -10,6 +10,21 @@ namespace reye::solver {
 
 using contact::ContactStatus;
 
+namespace {
+
+/// Largest diagonal entry of the bodies' tangents [N/mm].
+double stiffness_scale(const System& system, const Vector& q) {
+  double largest = 0.0;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const Vector part = system.part(q, static_cast<int>(b));
+    std::visit([&](const auto& o) { if (o.dofs() > 0) largest = std::max(largest, o.tangent(part).diagonal().maxCoeff()); },
+               system.bodies[b]);
+  }
+  return largest;
+}
+
+}  // namespace
+
 void Newton::begin(const System& system, const SolverState& before, const Controls& controls) {
   const auto n = system.contacts.size();
   interfaces_.resize(n);
@@ -56,6 +71,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
         std::visit([&](const auto& o) { return o.residual(part, controls.load_factors[b]); }, system.bodies[b]);
   }
   for (const auto& [column, force] : controls.forces) structural_[column] -= force;
+  const double stiffness = stiffness_scale(system, q);
   Vector balance = structural_;
   double largest = structural_.lpNorm<Eigen::Infinity>(), multiplier = 0.0, unmet = 0.0;
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
@@ -85,19 +101,23 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   }
   for (const auto& [column, value] : controls.prescribed) balance[column] = 0.0;
   const double tiny = std::numeric_limits<double>::min();
-  row.force = balance.size() ? balance.lpNorm<Eigen::Infinity>() / std::max(largest, tiny) : 0.0;
+  const double unbalanced = balance.size() ? balance.lpNorm<Eigen::Infinity>() : 0.0;
+  // Rounding of S q under rigid motion is no force.
+  const double rounding = 1e-13 * stiffness * (q.size() ? q.lpNorm<Eigen::Infinity>() : 0.0);
+  row.force = std::max(0.0, unbalanced - rounding) / std::max(largest, tiny);
   row.condition = unmet / std::max(multiplier, tiny);
   if (multiplier == 0.0 && unmet == 0.0) row.condition = 0.0;
   return row;
 }
 
-void Newton::assemble(const System& system, const Vector& q) {
+void Newton::assemble(const System& system, const Controls& controls, const Vector& q) {
   At_.setZero(system.dofs, system.dofs);
   b_ = -structural_;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const Vector part = system.part(q, static_cast<int>(b));
     const int n = static_cast<int>(part.size()), at = system.offset[b];
-    std::visit([&](const auto& o) { At_.block(at, at, n, n) = o.tangent(part).transpose(); }, system.bodies[b]);
+    std::visit([&](const auto& o) { At_.block(at, at, n, n) = o.tangent(part, controls.load_factors[b]).transpose(); },
+               system.bodies[b]);
   }
   for (std::size_t c = 0; c < system.contacts.size(); ++c) add_contact_tangent(system, static_cast<int>(c), q);
   for (int c : system.elimination) eliminate(system, c, q);
@@ -255,7 +275,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
     }
     if (iteration == options_.max_iterations) break;
     try {
-      assemble(system, q);
+      assemble(system, controls, q);
       fix(controls);
       const Vector dq = algebra::solve_dense_transposed(At_, b_);
       ++report.solves;

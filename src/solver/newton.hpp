@@ -45,7 +45,7 @@ class Newton {
   void begin(const System& system, const SolverState& before, const Controls& controls);
   void place(const System& system, const Vector& q);
   Iteration measure(const System& system, const Controls& controls, const Vector& q);
-  void assemble(const System& system, const Vector& q);
+  void assemble(const System& system, const Controls& controls, const Vector& q);
   void add_contact_tangent(const System& system, int contact, const Vector& q);
   void eliminate(const System& system, int contact, const Vector& q);
   void fix(const Controls& controls);
