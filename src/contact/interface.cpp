@@ -169,7 +169,7 @@ double Interface::others_wear(int node) const {
   return others;
 }
 
-void Interface::decide(const std::vector<Vec2>& lambda, int iteration) {
+void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool predicted) {
   status_last_ = status_;
   const auto& o = setup_->options;
   const bool spread = o.wear.primary > 0.0 && options_.wear && !options_.held && o.implicit_wear && iteration >= 5;
@@ -184,7 +184,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration) {
     const double opened = (gap_[j] + worn_before_[j] + (spread ? others_wear(node) : 0.0)) / D;
     const bool was = status_last_[j] != ContactStatus::inactive;
     // Nodes that touch at zero gap start active: the first matrix would be singular without them.
-    const bool start = iteration == 0 && (was || opened <= 1e-9 * setup_->secondary.area[j]);
+    const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
     if (!start && lambda_n - o.c_normal * stiffness * opened <= 0.0) {
       status_[j] = ContactStatus::inactive;
       continue;
@@ -193,7 +193,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration) {
     if (o.imposed || o.friction == 0.0) {
       status_[j] = ContactStatus::slip;
       sign_[j] = o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
-    } else if (iteration == 0 || options_.held) {
+    } else if ((iteration == 0 && !predicted) || options_.held) {
       status_[j] = ContactStatus::stick;
     } else {
       const double trial = lambda[j].dot(tangent) + o.c_tangential * stiffness * tangent.dot(motion(node)) / D;

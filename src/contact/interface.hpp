@@ -40,11 +40,18 @@ class Interface {
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 
+  /// Limits the integrals to the facets between marked nodes; empty marks: all.
+  void limit_to(std::vector<char> secondary, std::vector<char> primary) {
+    placement_.secondary_near = std::move(secondary);
+    placement_.primary_near = std::move(primary);
+  }
+
   /// Mortar integrals at the current positions.
   void integrate(const Points& xs, const Points& xm);
 
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
-  void decide(const std::vector<Vec2>& lambda, int iteration);
+  /// In iteration 0 what was active stays so and sticks, unless the state is a `predicted` one to be judged.
+  void decide(const std::vector<Vec2>& lambda, int iteration, bool predicted = false);
 
   /// Conditions of all active nodes, this increment's wear included.
   void evaluate(const std::vector<Vec2>& lambda);

@@ -84,7 +84,9 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   const Vec2 middle = 0.5 * (x0 + x1);
   const double reach = p.search + 0.5 * (x1 - x0).norm();
   local_.resize(m.X.size(), -1);
-  for (const auto& [a, b] : m.facets) {
+  for (const auto& pair_nodes : m.facets) {
+    if (!p.near(p.primary_near, pair_nodes)) continue;
+    const auto [a, b] = pair_nodes;
     const Vec2 edge = p.xm[b] - p.xm[a];
     if ((p.xm[a] + 0.5 * edge - middle).norm() > reach + 0.5 * edge.norm()) continue;
     if ((x1 - x0).dot(edge) >= 0.0) continue;
@@ -108,6 +110,7 @@ std::vector<FacetRecord>& Integrator::values(const Placement& p) {
   records_.resize(p.secondary->facets.size());
   used_ = 0;
   for (int facet = 0; facet < p.secondary->facet_count(); ++facet) {
+    if (!p.near(p.secondary_near, p.secondary->facets[facet])) continue;
     FacetRecord& record = records_[used_];
     if (!pair_up(p, facet, record)) continue;
     load<double>(p, record, plain_.in, plain_value);

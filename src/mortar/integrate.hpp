@@ -14,9 +14,13 @@ struct Placement {
   Points xs, xm;                ///< current positions
   Points xs_before, xm_before;  ///< at the start of the increment
   std::vector<char> cut;        ///< per secondary node: carries no multiplier
+  std::vector<char> secondary_near, primary_near;  ///< per node: takes part; facets of others are skipped; empty: all
   Analysis analysis = Analysis::plane_strain;
   double search = 0.0;
 
+  bool near(const std::vector<char>& marks, const std::array<int, 2>& facet) const {
+    return marks.empty() || (marks[facet[0]] && marks[facet[1]]);
+  }
   int secondary_dofs() const { return 2 * secondary->node_count(); }
   int dofs() const { return secondary_dofs() + 2 * primary->node_count(); }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "adapt/shape_step.hpp"
 #include "fem/stiffness.hpp"
@@ -51,12 +52,29 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
   return r;
 }
 
+/// True where a history that the step plays has a corner: motion does not go on as before.
+bool corner_at(const scene::Scene& scene, const scene::Step& step, double progress) {
+  for (const auto& name : step.play)
+    for (const auto& corner : scene.histories.at(name))
+      if (std::abs(corner[0] - progress) < 1e-9) return true;
+  return false;
+}
+
+/// The block being played: where it started from, and how long its last increment was (0: none to go on from).
+struct Playing {
+  const BlockSpan& span;
+  const Observer& observer;
+  std::map<std::string, double> held;
+  double last_length = 0.0;
+};
+
 /// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
-std::string play(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer,
-                 const std::map<std::string, double>& held, double from, double to, int depth) {
+std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to, int depth) {
+  const auto& [span, observer, held, last_length] = block;
   const auto& system = timed_system(problem, state, cache);
   const auto factors = factors_at(problem.scene, *span.step, to, held);
-  const auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
+  auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
+  if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
   solver::SolveResult result;
   {
     Timer timer(cache, "solver");
@@ -71,12 +89,14 @@ std::string play(const Problem& problem, State& state, Cache& cache, const Block
     state.cutback_reasons.push_back(where);
     if (observer.log) observer.log("cut back: " + where);
     const double middle = 0.5 * (from + to);
-    const std::string first = play(problem, state, cache, span, observer, held, from, middle, depth - 1);
-    return first.empty() ? play(problem, state, cache, span, observer, held, middle, to, depth - 1) : first;
+    block.last_length = 0.0;
+    const std::string first = play(problem, state, cache, block, from, middle, depth - 1);
+    return first.empty() ? play(problem, state, cache, block, middle, to, depth - 1) : first;
   }
   Timer timer(cache, "sim");
   state.solution = std::move(result.state);
   state.factors = factors;
+  block.last_length = to - from;
   ++state.counts.increments;
   if (observer.increment)
     observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
@@ -241,11 +261,12 @@ void begin_state(const Problem& problem, State& state, Cache& cache) {
 }
 
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
-  const auto held = state.factors;
+  Playing block{span, observer, state.factors};
+  cache.newton.reset();
   const auto ends = increment_ends(problem.scene, *span.step);
   double from = 0.0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const std::string failure = play(problem, state, cache, span, observer, held, from, ends[i], problem.scene.max_cutbacks);
+    const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
     from = ends[i];
     tell_progress(observer, state, cache.system, span, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);

@@ -32,11 +32,19 @@ double zero_of_line(double x1, double f1, double x2, double f2) {
   return ratio > 1.0 ? x1 : x1 - ratio * (x2 - x1);
 }
 
-/// Half of the distance between the zeros of lines through f at the two outermost points of each end.
+/// Half of the distance between the ends of a bump f = A (x - low)(high - x). Divided by the distance from the
+/// other end it is a straight line, whose zero follows from the two outermost points; the ends are found in turn.
 std::optional<double> half_width(const std::vector<double>& x, const std::vector<double>& f) {
   const std::size_t n = x.size();
   if (n < 4) return std::nullopt;
-  return 0.5 * (zero_of_line(x[n - 1], f[n - 1], x[n - 2], f[n - 2]) - zero_of_line(x[0], f[0], x[1], f[1]));
+  double low = x[0], high = x[n - 1];
+  const auto slope = [&](std::size_t i, double other) { return f[i] / std::abs(x[i] - other); };
+  constexpr int turns = 30;  // each turn leaves less than a quarter of the error
+  for (int turn = 0; turn < turns; ++turn) {
+    low = zero_of_line(x[0], slope(0, high), x[1], slope(1, high));
+    high = zero_of_line(x[n - 1], slope(n - 1, low), x[n - 2], slope(n - 2, low));
+  }
+  return 0.5 * (high - low);
 }
 
 template <class Keep, class Value>

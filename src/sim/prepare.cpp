@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 
 #include "base/errors.hpp"
 #include "cad/geometry.hpp"
@@ -11,6 +13,8 @@ namespace reye::sim {
 namespace {
 
 using base::Issue;
+
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 /// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
 class Resolver {
@@ -30,7 +34,7 @@ class Resolver {
         known += (known.empty() ? "" : ", ") + full;
       }
     if (found.size() == 1) return found.front();
-    issues.push_back({key, name, found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known)
+    issues.push_back({key, quoted(name), found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known)
                                                : "more than one body has a boundary of this name; write body.name"});
     return {-1, name};
   }
@@ -100,13 +104,13 @@ double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary, con
 
 void check_contact(const Problem& p, const PlacedContact& contact, std::vector<Issue>& issues) {
   const std::string key = "contact." + contact.options.name;
-  const auto name = [&](int b) { return p.scene.geometry.bodies[b].name; };
+  const auto name = [&](int b) { return quoted(p.scene.geometry.bodies[b].name); };
   if (p.rigid[contact.secondary.body])
-    issues.push_back({key + ".secondary", contact.options.secondary,
+    issues.push_back({key + ".secondary", quoted(contact.options.secondary),
                       "lies on the rigid body " + name(contact.secondary.body) + "; the secondary side must belong to a deformable body"});
   for (const auto& ref : contact.primary) {
     if (ref.body == contact.secondary.body)
-      issues.push_back({key + ".primary", ref.boundary, "lies on the same body as the secondary side (" + name(ref.body) + ")"});
+      issues.push_back({key + ".primary", quoted(ref.boundary), "lies on the same body as the secondary side (" + name(ref.body) + ")"});
     if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
       issues.push_back({key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
   }
@@ -144,8 +148,8 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
       const auto shared = std::count_if(nodes.begin(), nodes.end(),
                                         [&](int n) { return std::find(held.begin(), held.end(), n) != held.end(); });
       if (shared > 1 || support.edge == contact.secondary.boundary)
-        issues.push_back({"contact." + contact.options.name + ".secondary", contact.options.secondary,
-                          "lies on the rigid edge of support " + support.name + "; its nodes must be free to move"});
+        issues.push_back({"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
+                          "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
     }
   }
 }
@@ -163,16 +167,27 @@ void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
   }
 }
 
-void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
+std::string shown(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4g", x);
+  return digits;
+}
+
+void check_facing(const solver::System& system, std::vector<Issue>& issues) {
   mortar::Integrator integrator;
   for (const auto& setup : system.contacts) {
-    mortar::Placement place{&setup.secondary, &setup.primary, setup.secondary.X, setup.primary.X, setup.secondary.X,
-                            setup.primary.X, setup.cut, setup.analysis, setup.search};
+    mortar::Placement place;
+    place.secondary = &setup.secondary;
+    place.primary = &setup.primary;
+    place.xs = place.xs_before = setup.secondary.X;
+    place.xm = place.xm_before = setup.primary.X;
+    place.cut = setup.cut;
+    place.analysis = setup.analysis;
+    place.search = setup.search;
     if (integrator.values(place).empty())
       issues.push_back({"contact." + setup.options.name, "",
-                        "no facet of the secondary side faces a primary one within search_mm = " + std::to_string(setup.search)});
+                        "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search)});
   }
-  (void)p;
 }
 
 body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& body) {
@@ -187,21 +202,23 @@ body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& bo
   return input;
 }
 
-void refuse(const scene::Scene& scene, const std::vector<Issue>& issues) {
-  if (!issues.empty()) throw scene::located(scene, issues);
+void refuse(const std::vector<Issue>& issues) {
+  if (!issues.empty()) throw base::InputError(issues);
 }
 
-}  // namespace
+/// Geometry files by their path from the scene, which is how the user wrote them.
+std::vector<Issue> as_written(const scene::Scene& scene, std::vector<Issue> issues) {
+  const auto folder = std::filesystem::absolute(scene.path).parent_path();
+  for (auto& issue : issues)
+    for (const auto& file : scene.geometry.files)
+      if (issue.value == quoted(file)) issue.value = quoted(std::filesystem::path(file).lexically_proximate(folder).string());
+  return issues;
+}
 
-Problem prepare(const scene::Scene& scene) {
+Problem built(const scene::Scene& scene) {
   Problem p;
   p.scene = scene;
-  cad::Geometry geometry;
-  try {
-    geometry = cad::build(scene.geometry);
-  } catch (const base::InputError& error) {
-    refuse(scene, error.issues());
-  }
+  cad::Geometry geometry = cad::build(scene.geometry);
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
     p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b])));
@@ -213,17 +230,27 @@ Problem prepare(const scene::Scene& scene) {
   place_supports(p, resolve);
   place_loads(p, resolve);
   place_contacts(p, resolve);
-  refuse(scene, resolve.issues);
+  refuse(resolve.issues);
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
   check_rigid_motions(p, issues);
-  refuse(scene, issues);
+  refuse(issues);
   Cache cache;
   const auto& system = system_of(p, initial_state(p), cache);
-  check_facing(p, system, issues);
-  refuse(scene, issues);
+  check_facing(system, issues);
+  refuse(issues);
   p.plan = make_plan(p, system);
   return p;
+}
+
+}  // namespace
+
+Problem prepare(const scene::Scene& scene) {
+  try {
+    return built(scene);
+  } catch (const base::InputError& error) {
+    throw scene::located(scene, as_written(scene, error.issues()));
+  }
 }
 
 }  // namespace reye::sim

@@ -73,7 +73,11 @@ void probe(const Problem& problem, const Frame& frame, Summary& summary) {
 /// One run in progress: the loop over steps and blocks.
 class Runner {
  public:
-  Runner(const Problem& problem, State& state, const Observer& observer) : p_(problem), state_(state), observer_(observer) {}
+  Runner(const Problem& problem, State& state, const Observer& observer) : p_(problem), state_(state), observer_(observer) {
+    solver::NewtonOptions options;
+    options.max_iterations = problem.scene.max_newton;
+    cache_.newton = solver::Newton(options);
+  }
 
   Summary go() {
     const auto start = clock::now();

@@ -27,6 +27,7 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
                                            bodies, c.modulus_MPa));
   cache.system = solver::make_system(std::move(bodies), std::move(contacts));
   cache.shapes = state.shapes;
+  cache.newton.reset();
   return cache.system;
 }
 

@@ -2,7 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/system.hpp"
+#include "solver/condense.hpp"
+#include "solver/reduction.hpp"
 
 namespace reye::solver {
 
@@ -10,6 +11,7 @@ struct NewtonOptions {
   int max_iterations = 30;
   double force_tolerance = 1e-10;      ///< of the largest force in the system
   double condition_tolerance = 1e-9;   ///< of the largest multiplier
+  bool limit_reach = true;             ///< condense out contact nodes that are far from contact
 };
 
 /// One row of a Newton table.
@@ -31,7 +33,8 @@ struct SolveResult {
   SolveReport report;
 };
 
-/// Semi-smooth Newton (primal-dual active set) for one increment. Work space is kept between calls.
+/// Semi-smooth Newton (primal-dual active set) for one increment. Work space is kept between calls; so are the
+/// reach and the last increment, which steer but do not decide the result: `reset` forgets them.
 class Newton {
  public:
   explicit Newton(NewtonOptions options = {}) : options_(options) {}
@@ -39,35 +42,32 @@ class Newton {
   /// From the accepted state `before` to equilibrium under `controls`. A failure is a result with a reason.
   SolveResult solve(const System& system, const SolverState& before, const Controls& controls);
 
-  const std::vector<contact::Interface>& interfaces() const { return interfaces_; }
+  /// To be called where the system changes, and at every block start.
+  void reset();
 
  private:
+  enum class Fit { good, too_narrow };
+  void choose_reach(const System& system, const SolverState& before, bool everything);
+  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted);
   void begin(const System& system, const SolverState& before, const Controls& controls);
-  void place(const System& system, const Vector& q);
+  void place(const System& system, const Vector& q, bool everything);
+  Vector residual(const System& system, const Controls& controls, const Vector& q) const;
   Iteration measure(const System& system, const Controls& controls, const Vector& q);
-  void assemble(const System& system, const Controls& controls, const Vector& q);
-  void add_contact_tangent(const System& system, int contact, const Vector& q);
-  void eliminate(const System& system, int contact, const Vector& q);
-  void fix(const Controls& controls);
-  void recover(int contact, const Vector& dq);
+  int decide(int iteration, bool predicted);
+  Fit accept(const System& system, const Vector& q, SolveResult& result);
+  bool inside_reach(const System& system, int contact) const;
 
   NewtonOptions options_;
+  Reach reach_;
+  Reduction reduction_;
+  bool reach_chosen_ = false;
+  Vector last_step_;                       ///< dq of the last accepted increment
   std::vector<contact::Interface> interfaces_;
-  std::vector<contact::Linearised> linearised_;
   std::vector<std::vector<Vec2>> lambda_;
-  Matrix At_;   ///< transposed system matrix: one equation per column
-  Vector b_, structural_;
-  struct Elimination {
-    Matrix slope;                ///< d(lambda)/dq, one component per column
-    Vector constant;
-    std::vector<int> place;      ///< first column of a node, -1 when inactive
-  };
-  std::vector<Elimination> elimination_;
-  struct Node {
-    body::NodePosition position;
-    int shift = 0;               ///< of its body's columns in q
-  };
-  std::vector<std::vector<Node>> nodes_;  ///< per contact: secondary nodes, then primary
+  std::vector<Sides> sides_;
+  std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
+  Condenser condenser_;
+  Vector structural_, loads_;              ///< on the reduced columns
 };
 
 }  // namespace reye::solver

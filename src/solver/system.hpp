@@ -43,6 +43,7 @@ struct Controls {
   std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
   std::vector<Vector> load_factors;                ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
+  double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
 };
 
 /// Positions of the nodes of both sides of a contact at q.

@@ -1,0 +1,158 @@
+#include "solver/condense.hpp"
+
+#include "algebra/factor.hpp"
+
+namespace reye::solver {
+
+using contact::ContactStatus;
+
+void Condenser::start(const System& system, const Controls& controls, const Reduction& reduction, const Vector& q,
+                      const Vector& rhs) {
+  linearised_.resize(system.contacts.size());
+  elimination_.resize(system.contacts.size());
+  At_.setZero(reduction.size(), reduction.size());
+  b_ = rhs;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int at = reduction.first(static_cast<int>(b));
+    if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {
+      const Vector part = q.segment(at, rigid->dofs());
+      At_.block(at, at, rigid->dofs(), rigid->dofs()) = rigid->tangent(part, controls.load_factors[b]).transpose();
+    } else {
+      const Matrix& S = reduction.stiffness(static_cast<int>(b));
+      At_.block(at, at, S.rows(), S.cols()) = S;
+    }
+  }
+}
+
+/// A rigid body turns the arms of its forces: what its tangent gains at (theta, theta).
+void Condenser::turn_rigid(const System& system, const contact::SurfaceNode& node, const Vec2& force,
+                           const Reduction& reduction, const Vector& q) {
+  const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[node.body]);
+  if (!rigid || force.isZero(0.0)) return;
+  std::vector<Vec2> forces(rigid->contact_nodes().size(), Vec2::Zero());
+  forces[node.contact_node] = force;
+  const int at = reduction.first(node.body);
+  At_(at + 2, at + 2) += rigid->geometric(q.segment(at, rigid->dofs()), forces);
+}
+
+void Condenser::add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
+                            const std::vector<Vec2>& lambda, const Reduction& reduction, const Vector& q) {
+  auto& linearised = linearised_[contact];
+  face.linearise(lambda, linearised);
+  for (const auto& e : linearised.force) {
+    const auto &row = nodes[e.row / 2], &col = nodes[e.col / 2];
+    for (int r = 0; r < row.position.count; ++r)
+      for (int k = 0; k < col.position.count; ++k)
+        At_(col.column[k], row.column[r]) +=
+            e.value * row.position.terms[r].direction[e.row % 2] * col.position.terms[k].direction[e.col % 2];
+  }
+  const auto& setup = system.contacts[contact];
+  const Vector f = face.forces(lambda);
+  for (int j = 0; j < setup.secondary_count(); ++j)
+    turn_rigid(system, setup.secondary_nodes[j], f.segment<2>(2 * j), reduction, q);
+  for (int l = 0; l < setup.primary_count(); ++l)
+    turn_rigid(system, setup.primary_nodes[l], f.segment<2>(2 * (setup.secondary_count() + l)), reduction, q);
+}
+
+/// lambda = constant + slope dq from the balance of each active node.
+void Condenser::express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) const {
+  const int ns = face.setup().secondary_count();
+  elim.place.assign(ns, -1);
+  int count = 0;
+  for (int j = 0; j < ns; ++j)
+    if (face.active(j)) {
+      elim.place[j] = count;
+      count += 2;
+    }
+  elim.slope.setZero(At_.rows(), count);
+  elim.constant.setZero(count);
+  for (int j = 0; j < ns; ++j) {
+    if (elim.place[j] < 0) continue;
+    const double D = face.rows()[j].D;
+    const auto& p = nodes[j].position;
+    for (int t = p.count - nodes[j].free; t < p.count; ++t)
+      for (int c = 0; c < 2; ++c) {
+        const double share = p.terms[t].direction[c] / D;
+        if (share == 0.0) continue;
+        elim.slope.col(elim.place[j] + c) -= share * At_.col(nodes[j].column[t]);
+        elim.constant[elim.place[j] + c] += share * b_[nodes[j].column[t]];
+      }
+  }
+}
+
+/// Adds factor * lambda to the rows of a node.
+void Condenser::load(const PlacedNode& node, const Elimination& elim, int from, double factor) {
+  for (int t = 0; t < node.position.count; ++t)
+    for (int c = 0; c < 2; ++c) {
+      const double weight = factor * node.position.terms[t].direction[c];
+      if (weight == 0.0) continue;
+      At_.col(node.column[t]) += weight * elim.slope.col(from + c);
+      b_[node.column[t]] -= weight * elim.constant[from + c];
+    }
+}
+
+void Condenser::eliminate(const System&, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
+                          const std::vector<Vec2>& lambda) {
+  auto& elim = elimination_[contact];
+  express(face, nodes, elim);
+  const int ns = face.setup().secondary_count();
+  for (int j = 0; j < ns; ++j) {
+    if (elim.place[j] < 0) continue;
+    const auto& row = face.rows()[j];
+    if (row.off_node >= 0) load(nodes[row.off_node], elim, elim.place[j], row.off);
+    for (const auto& [l, M] : row.M) load(nodes[ns + l], elim, elim.place[j], -M);
+  }
+  conditions(face, nodes, lambda, elim, linearised_[contact]);
+}
+
+/// Conditions replace the rows of a node's free columns, scaled to the stiffness of their surroundings.
+void Condenser::conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda,
+                           const Elimination& elim, const contact::Linearised& linearised) {
+  const auto ns = elim.place.size();
+  std::vector<int> target(2 * ns, -1);
+  std::vector<double> scale(2 * ns, 0.0);
+  for (std::size_t j = 0; j < ns; ++j) {
+    if (elim.place[j] < 0) continue;
+    const int node = static_cast<int>(j), first = nodes[j].position.count - nodes[j].free;
+    const bool traction = face.status()[j] == ContactStatus::slip || face.held();
+    for (int t = 0; t < nodes[j].free; ++t) {
+      const int row = nodes[j].column[first + t];
+      target[2 * j + t] = row;
+      scale[2 * j + t] = t == 1 && traction ? face.rows()[j].D : face.setup().stiffness[j];
+      At_.col(row).setZero();
+      b_[row] = -scale[2 * j + t] * (t == 0 ? face.residual_normal(node) : face.residual_tangential(node));
+    }
+  }
+  const int multipliers = face.dofs();
+  for (const auto& e : linearised.rows) {
+    const int row = target[e.row];
+    if (row < 0) continue;
+    const double value = scale[e.row] * e.value;
+    if (e.col >= multipliers) {
+      const int j = (e.col - multipliers) / 2, c = (e.col - multipliers) % 2;
+      At_.col(row) += value * elim.slope.col(elim.place[j] + c);
+      b_[row] -= value * (elim.constant[elim.place[j] + c] - lambda[j][c]);
+      continue;
+    }
+    const auto& node = nodes[e.col / 2];
+    for (int t = 0; t < node.position.count; ++t)
+      At_(node.column[t], row) += value * node.position.terms[t].direction[e.col % 2];
+  }
+}
+
+void Condenser::fix(int column) {
+  At_.col(column).setZero();
+  At_(column, column) = 1.0;
+  b_[column] = 0.0;
+}
+
+Vector Condenser::solve() { return algebra::solve_dense_transposed(At_, b_); }
+
+void Condenser::recover(int contact, const Vector& dq, std::vector<Vec2>& lambda) const {
+  const auto& elim = elimination_[contact];
+  const Vector step = elim.constant + elim.slope.transpose() * dq;
+  for (std::size_t j = 0; j < lambda.size(); ++j)
+    lambda[j] = elim.place[j] < 0 ? Vec2::Zero() : Vec2(step.segment<2>(elim.place[j]));
+}
+
+}  // namespace reye::solver
