@@ -127,6 +127,19 @@ bool facing(const FacetInput<T>& in, int pair) {
   return tx * mx + ty * my < -0.1 * std::sqrt((tx * tx + ty * ty) * (mx * mx + my * my));
 }
 
+/// A facet covered by less than this share has no usable dual basis and takes no part at all: neither in D and M
+/// nor where wear is spread (its T_jl would remove volume that no work of D_jj pays for).
+constexpr double least_cover = 1e-3;
+
+/// Share of the facet that its quadrature points cover.
+template <class T>
+double covered(const Workspace<T>& w) {
+  double sum = 0.0;
+  for (const auto& q : w.points) sum += value(q.weight);
+  const double r = 0.5 * (w.in.X[0].x() + w.in.X[1].x());
+  return sum / ((w.in.X[1] - w.in.X[0]).norm() * base::out_of_plane(w.in.analysis, r));
+}
+
 /// The quadrature points of all segments. A primary facet runs against the secondary one, so its second
 /// node comes first; neighbouring facets share the image of their common node: no gap, no overlap.
 template <class T>
@@ -150,13 +163,15 @@ void place_points(Workspace<T>& w) {
       w.points.push_back(std::move(q));
     }
   }
+  if (covered(w) < least_cover) w.points.clear();
 }
 
 /// Coefficients A of psi_j = sum_k A_jk N_k, biorthogonal on the covered part: A = D M^-1; beside a cut
-/// node the remaining one carries psi = 1. Empty coverage (below 1e-3) gives zero.   (5)
+/// node the remaining one carries psi = 1.   (5)
 template <class T>
 std::array<std::array<T, 2>, 2> dual_basis(const Workspace<T>& w) {
   std::array<std::array<T, 2>, 2> A{};
+  if (w.points.empty()) return A;
   const auto& cut = w.in.cut;
   T d0{}, d1{}, m00{}, m01{}, m11{};
   for (const auto& q : w.points) {
@@ -166,9 +181,6 @@ std::array<std::array<T, 2>, 2> dual_basis(const Workspace<T>& w) {
     m01 += q.weight * q.N[0] * q.N[1];
     m11 += q.weight * q.N[1] * q.N[1];
   }
-  const double r = 0.5 * (w.in.X[0].x() + w.in.X[1].x());
-  const double full = (w.in.X[1] - w.in.X[0]).norm() * base::out_of_plane(w.in.analysis, r);
-  if (value(d0) + value(d1) < 1e-3 * full) return A;
   if (cut[0] || cut[1]) {
     if (!cut[0]) A[0] = {T(1.0), T(1.0)};
     if (!cut[1]) A[1] = {T(1.0), T(1.0)};
