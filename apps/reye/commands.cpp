@@ -15,6 +15,7 @@
 #include "output/report.hpp"
 #include "output/run_writer.hpp"
 #include "output/state_archive.hpp"
+#include "output/summary.hpp"
 #include "output/text.hpp"
 #include "output/vtk_frames.hpp"
 #include "progress_line.hpp"
@@ -27,6 +28,12 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+/// The first signal ends the run after the present increment, a second one ends the program at once.
+extern "C" void on_interrupt(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+
 std::string folder_of(const Request& request, const scene::Scene& scene) {
   return request.out.empty() ? "./" + scene.name + ".out" : request.out;
 }
@@ -35,18 +42,26 @@ scene::Scene read(const Request& request) {
   spdlog::set_pattern("%v");
   if (request.quiet) spdlog::set_level(spdlog::level::err);
   scene::Scene scene = scene::read(request.path);
-  for (const auto& warning : scene.warnings) spdlog::warn("warning: {}", warning);
+  for (const auto& warning : scene.warnings)
+    if (!request.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   return scene;
 }
 
-/// The state to start from; throws base::InputError when a restart is refused.
+void save(const sim::Problem& problem, const output::RunWriter& writer, const sim::State& state) {
+  output::save_checkpoint(writer.dir(), {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
+}
+
+/// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
+/// A fresh run keeps its start as the first checkpoint: an interruption before the first block can go on, too.
 sim::State starting_state(const Request& request, const sim::Problem& problem, output::RunWriter& writer) {
   if (!request.restart) {
     writer.begin();
-    return sim::initial_state(problem);
+    sim::State state = sim::initial_state(problem);
+    save(problem, writer, state);
+    return state;
   }
   const auto search = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256);
-  for (const auto& refusal : search.refusals) spdlog::warn("checkpoint: {}", refusal);
+  for (const auto& refusal : search.refusals) std::fprintf(stderr, "checkpoint: %s\n", refusal.c_str());
   if (!search.found) {
     std::string reasons;
     for (const auto& refusal : search.refusals) reasons += (reasons.empty() ? "" : "; ") + refusal;
@@ -66,39 +81,40 @@ sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer
   o.frame = [&](const sim::Frame& f) { writer.frame(f); };
   o.log = [&](const std::string& text) { writer.log(text); };
   o.interrupted = [] { return interrupted != 0; };
-  o.block = [&](const sim::State& state) {
-    output::save_checkpoint(writer.dir(), {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
-  };
+  o.block = [&](const sim::State& state) { save(problem, writer, state); };
   return o;
 }
 
+/// A value of the summary for a line of text; a dash when it is not known.
+std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
+
+void tell_contact(const sim::ContactSummary& c, bool ring) {
+  spdlog::info("contact {}: peak pressure {} MPa, half width {} mm, normal force {:.6g} N{}", c.name,
+               shown(c.peak_pressure_MPa), shown(c.contact_half_width_mm), c.normal_force, ring ? "" : "/mm");
+  if (!c.ledger_relative_error) return;
+  spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]", ring ? "volume [mm^3]" : "area [mm^2]");
+  const auto row = [](const char* side, const sim::SideSummary& v) {
+    spdlog::info("  {:<10} {:>16.4f} {:>16.4f} {:>16.6g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
+  };
+  row("secondary", c.secondary);
+  row("primary", c.primary);
+  spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
+}
+
 void tell_result(const sim::Summary& s, const std::string& dir) {
-  const char* status = s.status == sim::RunStatus::done ? "done" : s.status == sim::RunStatus::failed ? "failed" : "interrupted";
-  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", status, s.cycles, s.counts.blocks,
-               s.counts.increments, s.counts.newton_iterations, s.wall_s);
-  if (!s.reason.empty()) spdlog::error("{}", s.reason);
-  const bool ring = s.analysis == base::Analysis::axisymmetric;
-  for (const auto& c : s.contacts) {
-    spdlog::info("contact {}: peak pressure {:.4g} MPa, half width {:.4g} mm, normal force {:.6g} N{}", c.name,
-                 c.peak_pressure_MPa.value_or(0.0), c.contact_half_width_mm.value_or(0.0), c.normal_force, ring ? "" : "/mm");
-    if (!c.ledger_relative_error) continue;
-    spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]", ring ? "volume [mm^3]" : "area [mm^2]");
-    const auto row = [](const char* side, const sim::SideSummary& v) {
-      spdlog::info("  {:<10} {:>16.4f} {:>16.4f} {:>16.6g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
-    };
-    row("secondary", c.secondary);
-    row("primary", c.primary);
-    spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
-  }
+  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status), s.cycles,
+               s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
+  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", s.reason.c_str());
+  for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& [name, cycles] : s.life_cycles)
-    spdlog::info("limit {}: {}", name, cycles ? "reached at cycle " + std::to_string(*cycles) : "not reached");
+    spdlog::info("limit {}: {}", name, cycles ? fmt::format("reached at cycle {:.6g}", *cycles) : "not reached");
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
 }
 
 }  // namespace
 
 std::string version() { return output::version; }
-void interrupt() { interrupted = 1; }
+std::string reference() { return scene::reference(); }
 
 int run(const Request& request) {
   const auto scene = read(request);
@@ -109,6 +125,8 @@ int run(const Request& request) {
   for (const auto& text : problem.plan.lines) spdlog::info("{}", text);
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
   sim::State state = starting_state(request, problem, writer);
   ProgressLine line(!request.quiet);
   const sim::Summary summary = sim::run(problem, state, observer_of(problem, writer, line));
@@ -160,6 +178,8 @@ int mesh(const Request& request) {
 }
 
 int report(const Request& request) {
+  if (!output::read_identity(request.path))
+    throw base::InputError({{"dir", request.path, "holds no run of reye"}});
   output::write_report(request.path);
   std::printf("%s/report.html\n", request.path.c_str());
   return 0;

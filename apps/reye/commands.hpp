@@ -12,8 +12,8 @@ struct Request {
 
 std::string version();
 
-/// Asks the run to stop after the present increment; safe in a signal handler.
-void interrupt();
+/// The table of scene keys as markdown: what stands in the README.
+std::string reference();
 
 int run(const Request& request);
 int plan(const Request& request);

@@ -1,16 +1,9 @@
-#include <csignal>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
 #include "base/errors.hpp"
 #include "commands.hpp"
-
-namespace {
-
-extern "C" void on_interrupt(int) { reye::apps::interrupt(); }
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace reye;
@@ -35,6 +28,7 @@ int main(int argc, char** argv) {
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
+  auto* reference = app.add_subcommand("reference", "the table of scene keys, as it stands in the README")->group("");
 
   try {
     app.parse(argc, argv);
@@ -42,14 +36,14 @@ int main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : 2;
   }
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   try {
     if (*run) return apps::run(request);
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
+    if (*reference) std::cout << apps::reference();
+    return 0;
   } catch (const base::InputError& error) {
     std::cerr << error.what() << '\n';
     return 2;
@@ -57,5 +51,4 @@ int main(int argc, char** argv) {
     std::cerr << "reye: " << error.what() << '\n';
     return 1;
   }
-  return 2;
 }

@@ -46,6 +46,7 @@ struct FineZone {
   double depth_mm = 0.0;
   double size_mm = 0.0;
   double angle_deg = 0.0;  ///< direction of the width, from x
+  std::string contact{};   ///< that asks for it
 };
 
 struct GeometryOptions {

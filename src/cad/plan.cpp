@@ -23,6 +23,20 @@ double diagonal(const Part& part) {
   return std::hypot(box[2] - box[0], box[3] - box[1]);
 }
 
+/// A zone that refines nothing is a mistake in its centre; bodies that bring their own mesh have none.
+void check_zone(const FineZone& zone, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+  bool wanted = false;
+  for (const BodyPlan& plan : plans) {
+    if (!plan.part) return;  // told already
+    if (plan.part->mesh || !applies(zone, plan.options->name)) continue;
+    wanted = true;
+    if (zone_outline(*plan.part, zone, !zone.bodies.empty())) return;
+  }
+  if (wanted)
+    issues.push_back({"contact." + zone.contact + ".fine_zone.centre_mm", text(zone.centre_mm),
+                      "no edge of a body passes through the fine zone"});
+}
+
 double estimated_nodes(const BodyPlan& plan) {
   const double far = far_size(plan);
   double elements = area(*plan.part) / (far * far);
@@ -81,6 +95,7 @@ std::vector<BodyPlan> make_plans(const std::vector<Part>& parts, const GeometryO
         if (auto outline = zone_outline(*plan.part, zone, !zone.bodies.empty())) plan.zones.push_back(*outline);
     check_body(plan, options.axisymmetric, issues);
   }
+  for (const FineZone& zone : options.fine_zones) check_zone(zone, plans, issues);
   add_boundaries(plans, options, issues);
   if (!issues.empty()) throw base::InputError(issues);
   return plans;

@@ -38,13 +38,35 @@ bool holds_results(const std::string& dir) {
   return false;
 }
 
+/// Why a folder that is not there can not be made, judged by the nearest parent that is; empty when it can.
+std::optional<std::string> refusal_to_make(const std::string& dir) {
+  std::error_code error;
+  auto parent = fs::absolute(fs::path(dir)).lexically_normal();
+  while (parent.has_relative_path() && !fs::exists(parent, error)) parent = parent.parent_path();
+  const bool may = fs::is_directory(parent, error) && ::access(parent.c_str(), W_OK | X_OK) == 0;
+  if (may) return {};
+  return "cannot make the output folder " + dir + " in " + parent.string();
+}
+
+/// An edge for readers, with its body where the scene says it.
+std::string with_body(const scene::Scene& scene, const std::string& edge) {
+  for (const auto& boundary : scene.geometry.boundaries)
+    if (boundary.name == edge) return edge + " of " + boundary.body;
+  return edge;
+}
+
 std::string advice() { return "; choose another folder with --out, or replace it with --force"; }
 
 }  // namespace
 
 Identity identity_of(const scene::Scene& scene) {
-  Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}};
-  for (const auto& contact : scene.contacts) identity.friction[contact.name] = contact.friction;
+  Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}, {}};
+  for (const auto& contact : scene.contacts) {
+    identity.friction[contact.name] = contact.friction;
+    std::string primary;
+    for (const auto& edge : contact.primary) primary += (primary.empty() ? "" : ", ") + with_body(scene, edge);
+    identity.sides[contact.name] = {with_body(scene, contact.secondary), primary};
+  }
   return identity;
 }
 
@@ -54,10 +76,11 @@ std::optional<Identity> read_identity(const std::string& dir) {
   const Json json = Json::parse(read_text(path.string()), nullptr, false);
   if (!json.is_object()) return {};
   try {
-    Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}};
+    Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}, {}};
     for (std::size_t i = 0; i < analyses.size(); ++i)
       if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
     for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu;
+    for (const auto& [name, sides] : json.at("sides").items()) identity.sides[name] = {sides.at(0), sides.at(1)};
     return identity;
   } catch (const Json::exception&) {
     return {};  // a marker of another make is as good as none
@@ -67,8 +90,8 @@ std::optional<Identity> read_identity(const std::string& dir) {
 std::optional<std::string> open_folder(const std::string& dir, const std::string& name, const std::string& sha256,
                                        bool force) {
   std::error_code error;
-  fs::create_directories(dir, error);
-  if (!fs::is_directory(dir)) return "cannot make the output folder " + dir + (error ? ": " + error.message() : "");
+  if (!fs::exists(dir, error)) return refusal_to_make(dir);
+  if (!fs::is_directory(dir, error)) return "the output folder " + dir + " is a file";
   if (::access(dir.c_str(), R_OK | W_OK | X_OK) != 0) return "the output folder " + dir + " cannot be written to";
   if (force) return {};
   const auto holder = read_identity(dir);
@@ -87,8 +110,10 @@ void claim_folder(const std::string& dir, const Identity& identity) {
             {"title", identity.title},
             {"scene_sha256", identity.sha256},
             {"analysis", analyses[static_cast<std::size_t>(identity.analysis)]},
-            {"friction", Json::object()}};
+            {"friction", Json::object()},
+            {"sides", Json::object()}};
   for (const auto& [name, mu] : identity.friction) json["friction"][name] = mu;
+  for (const auto& [name, sides] : identity.sides) json["sides"][name] = sides;
   const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
   // A full disk shows here, while the former results are still whole.
   atomic_write(fresh.string(), json.dump(2) + '\n');

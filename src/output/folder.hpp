@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@ struct Identity {
   std::string name, title, sha256;
   base::Analysis analysis = base::Analysis::plane_strain;
   std::map<std::string, double> friction;  ///< by contact
+  std::map<std::string, std::array<std::string, 2>> sides{};  ///< by contact: secondary and primary edges with their bodies
 };
 
 Identity identity_of(const scene::Scene& scene);
@@ -20,7 +22,7 @@ Identity identity_of(const scene::Scene& scene);
 /// The run the folder holds; empty when there is no readable marker.
 std::optional<Identity> read_identity(const std::string& dir);
 
-/// Makes the folder if needed and asks whether a run of this scene may go there; removes and writes nothing.
+/// Asks whether a run of this scene may go to the folder, there or not; makes, removes and writes nothing.
 /// A run belongs to the same scene when scene and geometry files have the same hash.
 /// Returns why not, or nothing when it may. `force` takes over a folder that holds something else.
 std::optional<std::string> open_folder(const std::string& dir, const std::string& name, const std::string& sha256,

@@ -44,8 +44,8 @@ std::string line_between(std::array<double, 4> p, const std::string& colour, dou
          (dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
 }
 
-std::string svg_open(double height) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(width) + ' ' + fixed(height) +
+std::string svg_open(double height, double wide = width) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + fixed(wide) + ' ' + fixed(height) +
          "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" fill=\"" + ink + "\" role=\"img\">\n" +
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
@@ -204,6 +204,20 @@ std::string svg(const Figure& figure) {
   out += "</g>\n";
   if (figure.scale) out += draw_scale(*figure.scale, at);
   return out + "</svg>\n";
+}
+
+std::string svg_row(const std::vector<Figure>& figures) {
+  std::string inside;
+  double x = 0.0, tallest = 0.0;
+  for (const auto& figure : figures) {
+    std::vector<LegendEntry> legend;
+    const double height = lay_out(figure, legend).bottom + bottom_space;
+    tallest = std::max(tallest, height);
+    const std::string place = attribute("x", x) + attribute("width", width) + attribute("height", height);
+    inside += "<svg" + place + svg(figure).substr(4);
+    x += width;
+  }
+  return svg_open(tallest, x) + inside + "</svg>\n";
 }
 
 std::string svg_bars(const std::vector<Bar>& bars) {

@@ -43,6 +43,9 @@ struct Bar {
 /// The figure as one <svg> element. Points that are not finite interrupt their line.
 std::string svg(const Figure& figure);
 
+/// Figures side by side as one <svg> element: a picture that stands alone.
+std::string svg_row(const std::vector<Figure>& figures);
+
 /// Horizontal bars as one <svg> element.
 std::string svg_bars(const std::vector<Bar>& bars);
 

@@ -46,6 +46,9 @@ std::string heading(const RunData& run) {
   if (!ended) html += "<p>The run has not ended, or was killed: the figures show what is on disk so far.</p>\n";
   const char* kind[] = {"plane strain, per mm of thickness", "plane stress, per mm of thickness",
                         "axisymmetric, whole circumference"};
+  for (const auto& [contact, sides] : run.identity.sides)
+    html += "<p>Contact " + escaped(contact) + ": secondary side " + escaped(sides[0]) + ", primary side " +
+            escaped(sides[1]) + ".</p>\n";
   return html + "<p class=\"quiet\">Scene " + escaped(run.identity.name) + " · " +
          kind[static_cast<int>(run.identity.analysis)] + " · reye " + version + "</p>\n";
 }
@@ -67,6 +70,17 @@ std::string page(const RunData& run, const std::vector<Figure>& all) {
          "</p>\n</body>\n</html>\n";
 }
 
+/// Worn profile and pressure of each contact beside each other: the one picture that tells of a run.
+void write_overviews(const RunData& run, const std::vector<Figure>& all, const fs::path& folder) {
+  for (const auto& contact : run.contacts) {
+    const std::string name = file_part(contact.name);
+    std::vector<Figure> row;
+    for (const auto& figure : all)
+      if (figure.id == "profile-" + name + "-secondary" || figure.id == "pressure-" + name) row.push_back(figure);
+    if (row.size() == 2) atomic_write((folder / ("overview-" + name + ".svg")).string(), svg_row(row));
+  }
+}
+
 /// The folder for separate figures, without those of a former report.
 fs::path emptied_figures(const std::string& dir) {
   const auto folder = fs::path(dir) / "figures";
@@ -85,6 +99,7 @@ void write_report(const std::string& dir) {
   const auto all = figures(run);
   const auto folder = emptied_figures(dir);
   for (const auto& figure : all) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
+  write_overviews(run, all, folder);
   atomic_write((fs::path(dir) / "report.html").string(), page(run, all));
 }
 

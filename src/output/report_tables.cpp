@@ -15,9 +15,9 @@ namespace {
 using Row = std::vector<std::string>;  ///< label, then numbers as HTML
 
 /// A value of the summary for readers; what is null or missing is a dash.
-std::string shown(const Json& object, const std::string& key, int digits = 5) {
+std::string shown(const Json& object, const std::string& key, int digits = 5, double factor = 1.0) {
   if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "–";
-  return rounded(object[key].get<double>(), digits);
+  return rounded(factor * object[key].get<double>(), digits);
 }
 
 const Json& part(const Json& object, const std::string& key) {
@@ -45,6 +45,7 @@ std::string section(const std::string& title, const std::string& body) {
 
 struct Quantity {
   std::string label, key, unit;
+  double factor = 1.0;  ///< from the unit of the key to that of the table
 };
 
 std::vector<Quantity> contact_quantities(const Suffixes& unit) {
@@ -59,7 +60,7 @@ std::vector<Quantity> contact_quantities(const Suffixes& unit) {
 
 std::vector<Quantity> side_quantities(const Suffixes& unit) {
   const bool ring = unit.force == "N";
-  return {{"Largest depth", "max_depth_mm", "mm"},
+  return {{"Largest depth", "max_depth_mm", "µm", 1e3},
           {ring ? "Worn volume" : "Worn area", unit.worn, ring ? "mm³" : "mm²"},
           {"Scar width", "scar_width_mm", "mm"}};
 }
@@ -73,7 +74,7 @@ std::string contact_table(const RunData& run) {
   std::vector<Row> rows;
   const auto add = [&](const Quantity& q, const std::string& side) {
     Row row{side.empty() ? q.label : q.label + ", " + side};
-    for (const auto& contact : contacts) row.push_back(shown(side.empty() ? contact : part(contact, side), q.key));
+    for (const auto& contact : contacts) row.push_back(shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
     row.push_back(q.unit);
     rows.push_back(std::move(row));
   };

@@ -103,6 +103,7 @@ std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<ca
       if (std::find(zone.bodies.begin(), zone.bodies.end(), found->body) == zone.bodies.end())
         zone.bodies.push_back(found->body);
     }
+    zone.contact = entry.name();
     zone.centre_mm = place.pair("centre_mm").value_or(base::Vec2(0.0, 0.0));
     zone.half_width_mm = place.number("half_width_mm");
     zone.depth_mm = place.number("depth_mm");

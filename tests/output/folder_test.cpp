@@ -11,11 +11,12 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 }  // namespace
 
-// A new folder is made and accepted; a folder with only foreign files too.
+// A new folder is accepted and not made yet; a folder with only foreign files is accepted too.
 TEST(Folder, AcceptsNewAndForeign) {
   sample::TemporaryFolder dir;
   EXPECT_FALSE(open_folder(dir / "a/b", "s", "1", false));
-  EXPECT_TRUE(exists(dir / "a/b"));
+  EXPECT_FALSE(exists(dir / "a"));
+  sample::fs::create_directories(dir / "a/b");
   atomic_write(dir / "a/b/notes.txt", "mine");
   EXPECT_FALSE(open_folder(dir / "a/b", "s", "1", false));
 }
@@ -39,6 +40,7 @@ TEST(Folder, RefusesAFile) {
   sample::TemporaryFolder dir;
   atomic_write(dir / "f", "x");
   EXPECT_TRUE(open_folder(dir / "f", "s", "1", true));
+  EXPECT_TRUE(holds(open_folder(dir / "f/below/it", "s", "1", true).value(), "cannot make the output folder"));
 }
 
 // Results of the former run stay until the new one begins; then they go and foreign files stay.

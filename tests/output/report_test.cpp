@@ -36,6 +36,8 @@ TEST(Report, IsWholeAndSelfContained) {
     EXPECT_TRUE(holds(page, "<figure id=\"" + std::string(id) + "\">")) << id;
     EXPECT_TRUE(well_formed(read_text(dir / ("figures/" + std::string(id) + ".svg")))) << id;
   }
+  EXPECT_TRUE(well_formed(read_text(dir / "figures/overview-pad.svg")));
+  EXPECT_TRUE(holds(page, "Contact pad: secondary side face, primary side round."));
   for (const char* section : {"Results", "Ledger", "The run", "Where the time went", "Skipped, and why",
                               "Cut-backs, and why"})
     EXPECT_TRUE(holds(page, "<h2>" + std::string(section) + "</h2>")) << section;
