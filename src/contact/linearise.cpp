@@ -133,7 +133,7 @@ void Interface::collect_primary_wear(int node, const Ten& work) {
 
 /// slope . d(sum_l M_jl w_l).
 void Interface::primary_wear_entries(int node, double slope, std::vector<Entry>& out) const {
-  if (slope == 0.0 || setup_->options.wear.primary == 0.0) return;
+  if (slope == 0.0) return;
   for_records(node, [&](const FacetRecord& record, int e) {
     for (std::size_t l = 0; l < record.primaries.size(); ++l) {
       const double depth = primary_depth_[record.primaries[l]];
