@@ -1,0 +1,207 @@
+#include <gtest/gtest.h>
+
+#include "support/contacts.hpp"
+
+namespace {
+
+using namespace reye;
+using base::Vec2;
+using base::Vector;
+using contact::ContactStatus;
+using support::ContactCase;
+using support::ContactOptions;
+using support::FacingOptions;
+using wear::LawKind;
+
+ContactOptions frictional(double friction, wear::Law law = {}) {
+  ContactOptions o;
+  o.friction = friction;
+  o.wear = law;
+  return o;
+}
+
+/// Straight sides that touch, non-matching, turned by `angle`.
+FacingOptions closed(double from, double to, double angle) {
+  FacingOptions o;
+  o.bend = o.gap = o.strain = 0.0;
+  o.from = from;
+  o.to = to;
+  o.angle = angle;
+  return o;
+}
+
+double largest_slip(const support::Interface& face) {
+  double slip = 0.0;
+  for (const auto& s : face.status()) EXPECT_NE(s, ContactStatus::slip);
+  for (int j = 0; j < static_cast<int>(face.rows().size()); ++j) slip = std::max(slip, std::abs(face.condition(j).slip));
+  return slip;
+}
+
+// A common rigid motion, rotations of 1 rad and more included, must give no slip at all, at any gap and curve.
+TEST(slip, none_in_rigid_motion) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    FacingOptions o;
+    o.seed = seed;
+    o.gap = 0.0;
+    o.from = seed % 2 == 0 ? 0.15 : -0.1;
+    auto c = support::case_of(support::facing(o), frictional(0.5));
+    support::turn(c, 0.9 * seed, {0.7, -0.3});
+    support::press(c, 100.0, 0.0);
+    EXPECT_LT(largest_slip(support::interface_of(c, 0)), 1e-12) << seed;
+  }
+}
+
+// The drift form must be blind to rigid motion too, where the contact is closed.
+TEST(slip, none_in_rigid_motion_of_newly_covered_nodes) {
+  auto c = support::case_of(support::facing(closed(0.13, 0.78, 0.4)), frictional(0.5));
+  for (auto& row : c.before.reference) row = {};
+  support::turn(c, 1.3, {0.7, -0.3});
+  support::press(c, 100.0, 0.0);
+  EXPECT_LT(largest_slip(support::interface_of(c, 0)), 1e-12);
+}
+
+/// Slides the secondary side by 0.21 mm (more than half a facet), against the primary one, along the contact.
+void slide(ContactCase& c, double angle) {
+  for (Vec2& x : c.xs) x += 0.21 * support::turned(Vec2(-1, 0), angle);
+}
+
+// Every active node must report the true slip, also where nodes are newly covered or being uncovered.
+TEST(slip, exact_where_coverage_changes) {
+  for (double angle : {0.0, 0.5})
+    for (const auto& [from, to] : {std::pair{-0.3, 1.3}, {0.13, 0.78}, {-0.2, 0.6}, {0.4, 1.2}}) {
+      auto c = support::case_of(support::facing(closed(from, to, angle)), frictional(0.5));
+      slide(c, angle);
+      support::press(c, 100.0, 0.0);
+      const auto face = support::interface_of(c, 0);
+      for (int j = 0; j < static_cast<int>(c.xs.size()); ++j)
+        if (face.active(j)) {
+          EXPECT_NEAR(face.condition(j).slip / face.rows()[j].D, 0.21, 1e-12) << from << " node " << j;
+        }
+    }
+}
+
+struct Balance {
+  Vec2 force = Vec2::Zero();
+  double moment = 0.0;
+  double sum = 0.0;  ///< of all nodal forces
+};
+
+Balance balance(const ContactCase& c, const support::Interface& face) {
+  const Vector f = face.forces(c.lambda);
+  Balance b;
+  for (int k = 0; k < f.size() / 2; ++k) {
+    const int ns = static_cast<int>(c.xs.size());
+    const Vec2 x = k < ns ? c.xs[k] : c.xm[k - ns], force = f.segment<2>(2 * k);
+    b.force += force;
+    b.moment += base::cross(x, force);
+    b.sum += force.norm();
+  }
+  return b;
+}
+
+// Forces of both sides must cancel at any state, cut nodes included.
+TEST(balance, forces_cancel) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    FacingOptions o;
+    o.seed = seed;
+    o.from = seed % 2 == 0 ? 0.15 : -0.1;
+    auto c = support::random_case(o, frictional(0.3));
+    c.setup.cut[1] = 1;
+    const auto b = balance(c, support::interface_of(c, 0));
+    EXPECT_GT(b.sum, 1.0);
+    EXPECT_LT(b.force.norm(), 1e-12 * b.sum);
+  }
+}
+
+// Moments must cancel where the contact is closed, with friction, partly covered, at any angle.
+TEST(balance, moments_cancel_in_closed_contact) {
+  for (double angle : {0.0, 0.5, 2.5})
+    for (const auto& [from, to] : {std::pair{-0.3, 1.3}, {0.13, 0.78}}) {
+      auto c = support::case_of(support::facing(closed(from, to, angle)), frictional(0.5));
+      support::press(c, 100.0, 35.0);
+      const auto b = balance(c, support::interface_of(c, 0));
+      EXPECT_LT(std::abs(b.moment), 1e-12 * b.sum);
+    }
+}
+
+double total(const std::vector<double>& v) {
+  double sum = 0.0;
+  for (double x : v) sum += x;
+  return sum;
+}
+
+/// Volumes removed in one accepted increment against coefficient times work, on both sides.
+void expect_volume_is_paid(const ContactCase& c) {
+  const auto face = support::interface_of(c, 1);
+  const auto after = face.accepted(c.lambda);
+  const auto& law = c.setup.options.wear;
+  double work = 0.0, frictional_work = 0.0;
+  for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
+    const auto& node = face.condition(j);
+    if (face.status()[j] != ContactStatus::slip) continue;
+    work += c.increment.jump * std::abs((law.kind == LawKind::energy ? node.lambda_t : node.lambda_n) * node.slip);
+    frictional_work += c.increment.jump * std::abs(node.lambda_t * node.slip);
+  }
+  ASSERT_GT(work, 0.0);
+  const auto removed = [&](const auto& now, const auto& then) { return total(now) - total(then); };
+  EXPECT_NEAR(after.law_work, work, 1e-14 * work);
+  EXPECT_NEAR(after.worn_work, frictional_work, 1e-14 * frictional_work);
+  EXPECT_NEAR(after.frictional_work, frictional_work, 1e-14 * frictional_work);
+  EXPECT_NEAR(total(after.removed_secondary), law.secondary * work, 1e-14 * law.secondary * work);
+  EXPECT_NEAR(total(after.removed_primary), law.primary * work, 2e-14 * law.primary * work);
+  EXPECT_NEAR(removed(after.pending_primary, c.before.pending_primary), law.primary * work, 1e-12 * law.primary * work);
+}
+
+// Removed volume must be coefficient times work to round-off: both laws, both sides, whole and cut facets, rings.
+TEST(volume, is_coefficient_times_work) {
+  for (unsigned seed = 1; seed <= 10; ++seed)
+    for (LawKind kind : {LawKind::energy, LawKind::archard}) {
+      FacingOptions o;
+      o.seed = seed;
+      o.angle = seed;
+      o.from = seed % 2 == 0 ? 0.15 : -0.1;
+      if (seed % 3 == 0) o.analysis = base::Analysis::axisymmetric;
+      auto c = support::random_case(o, frictional(0.1, {kind, 1e-3, 2e-3}));
+      if (seed % 4 == 0) c.setup.cut[1] = 1;
+      expect_volume_is_paid(c);
+    }
+}
+
+// The same where a facet is covered by a sliver, less than a thousandth of it.
+TEST(volume, is_paid_beside_a_sliver) {
+  const double facet = 1.0 / 5.0;
+  for (double from : {2.0 * facet - 5e-5, 0.1}) {
+    auto o = closed(from, 1.0, 0.0);
+    o.jitter = 0.0;
+    auto c = support::case_of(support::facing(o), frictional(0.1, {LawKind::energy, 1e-3, 2e-3}));
+    for (Vec2& x : c.xs) x.x() -= 1e-5;
+    support::press(c, 100.0, 40.0);
+    expect_volume_is_paid(c);
+  }
+}
+
+// Without wear an increment must book its frictional work and remove nothing.
+TEST(volume, nothing_is_removed_while_wear_is_off) {
+  auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-3, 2e-3}));
+  c.increment.wear = false;
+  const auto after = support::interface_of(c, 1).accepted(c.lambda);
+  EXPECT_GT(after.frictional_work, 0.0);
+  EXPECT_EQ(after.worn_work, 0.0);
+  EXPECT_EQ(total(after.removed_secondary) + total(after.removed_primary), 0.0);
+}
+
+// The primary's depth in the gap must be what the accepted state then holds: nothing is counted twice.
+TEST(volume, gap_of_this_increment_becomes_the_pending_one) {
+  auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-4, 3e-4}));
+  const auto face = support::interface_of(c, 1);
+  const auto after = face.accepted(c.lambda);
+  support::Interface next;
+  next.begin(c.setup, after, c.xs, c.xm, {});
+  next.integrate(c.xs, c.xm);
+  for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
+    if (!face.active(j)) continue;
+    EXPECT_NEAR(face.residual_normal(j), next.gap()[j] + next.worn_gap(j), 1e-13);
+  }
+}
+
+}  // namespace

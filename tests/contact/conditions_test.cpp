@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include "contact/complementarity.hpp"
+
+namespace {
+
+using namespace reye;
+using contact::conditions;
+using contact::ContactStatus;
+using wear::LawKind;
+
+/// Pressure 10, shear 2 and slip 0.5 at a node whose normal is 30 degrees off the x axis.
+contact::NodeScalars<double> node() {
+  const double c = std::sqrt(0.75), s = 0.5;
+  contact::NodeScalars<double> n;
+  n.normal = {c, s};
+  n.lambda = {10.0 * c - 2.0 * s, 10.0 * s + 2.0 * c};
+  n.motion = {-0.5 * s + 7.0 * c, 0.5 * c + 7.0 * s};
+  n.gap = 0.25;
+  n.D = 4.0;
+  n.worn_primary = 0.125;
+  return n;
+}
+
+contact::NodeConstants constants() {
+  contact::NodeConstants c;
+  c.friction = 0.3;
+  c.sign = 1.0;
+  c.depth = 0.01;
+  c.depth_per_work = 0.02;
+  c.law.kind = LawKind::energy;
+  return c;
+}
+
+// A sticking node must have slip as its tangential condition, no work, and only earlier wear in its gap.
+TEST(conditions, stick) {
+  const auto r = conditions(node(), constants(), ContactStatus::stick);
+  EXPECT_NEAR(r.lambda_n, 10.0, 1e-14);
+  EXPECT_NEAR(r.lambda_t, 2.0, 1e-14);
+  EXPECT_NEAR(r.tangential, 0.5, 1e-14);
+  EXPECT_EQ(r.work, 0.0);
+  EXPECT_NEAR(r.normal, 0.25 + 4.0 * 0.01 + 0.125, 1e-14);
+}
+
+// A slipping node must have lambda_t = mu lambda_n sign, and the wear of its own work in its gap.
+TEST(conditions, slip_with_either_law) {
+  auto c = constants();
+  auto r = conditions(node(), c, ContactStatus::slip);
+  EXPECT_NEAR(r.tangential, 2.0 - 0.3 * 10.0, 1e-14);
+  EXPECT_NEAR(r.work, 2.0 * 0.5, 1e-14);
+  EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 1.0) + 0.125, 1e-14);
+  c.sign = -1.0;
+  c.law.kind = LawKind::archard;
+  r = conditions(node(), c, ContactStatus::slip);
+  EXPECT_NEAR(r.tangential, 2.0 + 0.3 * 10.0, 1e-14);
+  EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 5.0) + 0.125, 1e-14);
+}
+
+// Imposed sliding must be a number times the covered length, whatever the motion.
+TEST(conditions, imposed_sliding) {
+  auto c = constants();
+  c.imposed = true;
+  c.imposed_slip = -3.0;
+  const auto r = conditions(node(), c, ContactStatus::slip);
+  EXPECT_NEAR(r.slip, -12.0, 1e-14);
+  EXPECT_NEAR(r.work, 2.0 * 12.0, 1e-13);
+}
+
+// Held shear must be taken as given, cut to the friction bound, shared by the anchor; the anchor itself sticks.
+TEST(conditions, held_shear) {
+  auto c = constants();
+  c.held = true;
+  c.held_shear = 1.5;
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).tangential, 2.0 - 1.5, 1e-14);
+  EXPECT_EQ(conditions(node(), c, ContactStatus::slip).work, 0.0);
+  c.held_shear = -5.0;
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::stick).tangential, 2.0 + 3.0, 1e-14);
+  auto n = node();
+  n.share = 4.0;
+  EXPECT_NEAR(conditions(n, c, ContactStatus::stick).tangential, 2.0 + 1.0, 1e-14);
+  c.anchor = true;
+  EXPECT_NEAR(conditions(n, c, ContactStatus::stick).tangential, 0.5, 1e-14);
+}
+
+}  // namespace
