@@ -131,7 +131,8 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
     if (const Matrix& S = reduction_.stiffness(static_cast<int>(b)); S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
   row.force = std::max(0.0, largest_of(balance) - rounding) / std::max(largest, tiny);
-  row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, tiny);
+  // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
+  row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, 1e-6 * unmet);
   return row;
 }
 
