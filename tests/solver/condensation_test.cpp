@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include "solver/blocks.hpp"
+#include "solver/uncondensed.hpp"
+
+namespace {
+
+using namespace reye;
+using support::Assembly;
+using support::BlocksOptions;
+using wear::LawKind;
+
+/// Largest difference of displacements, and of multipliers, each over the largest value.
+void expect_same(const solver::SolverState& state, const support::Uncondensed& oracle, const std::string& what) {
+  EXPECT_LT((state.q - oracle.q).lpNorm<Eigen::Infinity>(), 1e-10 * oracle.q.lpNorm<Eigen::Infinity>()) << what;
+  double largest = 0.0, difference = 0.0;
+  for (std::size_t c = 0; c < oracle.lambda.size(); ++c)
+    for (std::size_t j = 0; j < oracle.lambda[c].size(); ++j) {
+      largest = std::max(largest, oracle.lambda[c][j].norm());
+      difference = std::max(difference, (state.contacts[c].lambda[j] - oracle.lambda[c][j]).norm());
+    }
+  EXPECT_GT(largest, 1.0) << what;
+  EXPECT_LT(difference, 1e-10 * largest) << what;
+}
+
+/// Plays increments up to the given factors; after each the state must be that of as many uncondensed steps.
+/// Tolerances: `loose` stops as soon as the active set is settled, after steps that are not yet converged.
+void expect_condensed_is_exact(const Assembly& a, bool loose, const std::string& what) {
+  const auto system = support::system_of(a);
+  solver::NewtonOptions options;
+  if (loose) options.force_tolerance = options.condition_tolerance = 1e300;
+  solver::Newton newton(options);
+  auto state = support::fresh(system);
+  for (double factor : {1.0, 1.4, 0.8}) {
+    const auto controls = support::controls_of(a, system, factor);
+    support::Uncondensed oracle(system, state, controls);
+    const auto result = newton.solve(system, state, controls);
+    ASSERT_TRUE(result.report.converged) << what << ": " << result.report.reason;
+    for (int i = 0; i < result.report.solves; ++i) oracle.step(i);
+    oracle.decide(result.report.solves);
+    expect_same(result.state, oracle, what + ", factor " + std::to_string(factor));
+    state = result.state;
+  }
+}
+
+void expect_exact_both_ways(const Assembly& a, const std::string& what) {
+  expect_condensed_is_exact(a, false, what);
+  expect_condensed_is_exact(a, true, what + ", not converged");
+}
+
+// Eliminating the multipliers must change nothing: friction, stick and slip, on turned curved blocks.
+TEST(condensation, friction) {
+  for (bool swapped : {false, true}) {
+    BlocksOptions o{.friction = 0.3, .drag = 0.01, .angle = 0.4};
+    o.upper_secondary = swapped;
+    expect_exact_both_ways(support::blocks(o), swapped ? "swapped" : "friction");
+  }
+}
+
+// The same with wear on both sides in the equations.
+TEST(condensation, wear_on_both_sides) {
+  BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .drag = 0.06, .angle = 0.4};
+  expect_exact_both_ways(support::blocks(o), "wear");
+}
+
+// The same against a rigid body that is pushed, dragged and turned.
+TEST(condensation, rigid_primary) {
+  BlocksOptions o{.friction = 0.2, .wear = {LawKind::energy, 4e-4, 0.0}, .drag = 0.02, .angle = -0.3};
+  o.upper_rigid = true;
+  o.rotation = 0.01;
+  expect_exact_both_ways(support::blocks(o), "rigid");
+}
+
+/// The left edge of the lower block held: clamped, its top node carries no multiplier; guided, a normal one.
+Assembly held_at_the_left(bool clamped) {
+  BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .drag = 0.02};
+  o.crown = 0.0;
+  auto a = support::blocks(o);
+  a.meshes[1] = support::rectangle({.corner = {-0.2, 1}, .size = {1.7, 1}, .nx = 7, .ny = 3});
+  a.inputs[0].supports.push_back(clamped ? support::fixed_edge("wall", "left") : support::guide("wall", "left", 'x'));
+  return a;
+}
+
+// The same beside a node that carries no multiplier, and with one that keeps only its normal part.
+TEST(condensation, supported_secondary_nodes) {
+  for (bool clamped : {true, false}) {
+    const auto a = held_at_the_left(clamped);
+    const auto system = support::system_of(a);
+    int cut = 0, guided = 0;
+    for (int j = 0; j < system.contacts[0].secondary_count(); ++j) {
+      cut += system.contacts[0].cut[j];
+      guided += system.contacts[0].freedom[j].free == 1 && !system.contacts[0].cut[j];
+    }
+    EXPECT_EQ(cut, clamped ? 1 : 0);
+    EXPECT_EQ(guided, clamped ? 0 : 1);
+    expect_exact_both_ways(a, clamped ? "clamped" : "guided");
+  }
+}
+
+// The same for chained contacts: one contact's multipliers load rows that the next one eliminates.
+TEST(condensation, chained_contacts) {
+  for (double friction : {0.0, 0.3}) expect_exact_both_ways(support::chain(friction), "chain");
+}
+
+// Contact nodes out of reach must be condensed out without a trace: the same result as with all of them.
+TEST(condensation, reach_changes_nothing) {
+  BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .press = 0.004, .drag = 0.006};
+  const auto a = support::blocks(o);
+  const auto system = support::system_of(a);
+  solver::NewtonOptions all;
+  all.limit_reach = false;
+  solver::Newton limited, whole(all);
+  auto state = support::fresh(system), other = state;
+  for (double factor : {0.5, 1.0, -0.5}) {
+    auto controls = support::controls_of(a, system, factor);
+    controls.prescribed = support::controls_of(a, system, std::abs(factor)).prescribed;
+    const auto one = limited.solve(system, state, controls), two = whole.solve(system, other, controls);
+    ASSERT_TRUE(one.report.converged && two.report.converged);
+    state = one.state;
+    other = two.state;
+    EXPECT_LT((state.q - other.q).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.lpNorm<Eigen::Infinity>());
+    for (std::size_t j = 0; j < other.contacts[0].lambda.size(); ++j)
+      EXPECT_LT((state.contacts[0].lambda[j] - other.contacts[0].lambda[j]).norm(), 1e-7);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "base/errors.hpp"
+#include "solver/blocks.hpp"
+
+namespace {
+
+using namespace reye;
+using contact::ContactStatus;
+using support::Assembly;
+using support::BlocksOptions;
+using wear::LawKind;
+
+double error(const solver::Iteration& row) { return std::max(row.force, row.condition); }
+
+std::string text(const std::vector<solver::Iteration>& table) {
+  std::ostringstream s;
+  s << std::scientific << std::setprecision(2);
+  for (const auto& row : table) s << "\n  force " << row.force << "  condition " << row.condition << "  changes " << row.changes;
+  return s.str();
+}
+
+/// The order of the last step with a settled active set, of those whose end is above rounding; a step that ends
+/// below 1e-12 counts as quadratic.
+void expect_quadratic_tail(const solver::SolveReport& report) {
+  ASSERT_TRUE(report.converged) << report.reason << text(report.table);
+  const auto& t = report.table;
+  ASSERT_GE(t.size(), 3u);
+  const double last = error(t[t.size() - 1]), middle = error(t[t.size() - 2]), first = error(t[t.size() - 3]);
+  if (last < 1e-12) return;
+  EXPECT_GE(std::log(last / middle) / std::log(middle / first), 1.9) << text(t);
+}
+
+struct Played {
+  solver::SolverState state;
+  solver::SolveReport report;
+};
+
+/// One increment from rest, and one more that goes on.
+Played play(const Assembly& a, double first = 1.0, double second = 1.2) {
+  const auto system = support::system_of(a);
+  solver::Newton newton;
+  const auto start = newton.solve(system, support::fresh(system), support::controls_of(a, system, first));
+  expect_quadratic_tail(start.report);
+  if (!start.report.converged) return {support::fresh(system), start.report};
+  const auto next = newton.solve(system, start.state, support::controls_of(a, system, second));
+  expect_quadratic_tail(next.report);
+  return {next.report.converged ? next.state : start.state, next.report};
+}
+
+int count(const contact::ContactState& state, ContactStatus wanted) {
+  int n = 0;
+  for (auto s : state.status) n += s == wanted;
+  return n;
+}
+
+// A frictionless press of curved blocks must converge quadratically.
+TEST(newton, quadratic_frictionless) {
+  const auto played = play(support::blocks({.press = 0.03, .angle = 0.4}));
+  EXPECT_GT(count(played.state.contacts[0], ContactStatus::slip), 2);
+}
+
+// So must a dragged contact that sticks wholly.
+TEST(newton, quadratic_in_stick) {
+  const auto played = play(support::blocks({.friction = 5.0, .press = 0.03, .drag = 0.01, .angle = 0.4}));
+  EXPECT_GT(count(played.state.contacts[0], ContactStatus::stick), 2);
+  EXPECT_EQ(count(played.state.contacts[0], ContactStatus::slip), 0);
+}
+
+// So must one that slips wholly, by a third of a facet.
+TEST(newton, quadratic_in_slip) {
+  const auto played = play(support::blocks({.friction = 0.2, .press = 0.03, .drag = 0.1, .angle = 0.4}));
+  EXPECT_GT(count(played.state.contacts[0], ContactStatus::slip), 2);
+  EXPECT_EQ(count(played.state.contacts[0], ContactStatus::stick), 0);
+}
+
+// So must slip with wear on both sides that takes a good part of the overlap.
+TEST(newton, quadratic_with_wear_on_both_sides) {
+  const wear::Law law{LawKind::energy, 1e-3, 2e-3};
+  const auto played = play(support::blocks({.friction = 0.3, .wear = law, .press = 0.03, .drag = 0.1, .angle = 0.4}));
+  EXPECT_GT(count(played.state.contacts[0], ContactStatus::slip), 2);
+  double depth = 0.0;
+  for (double v : played.state.contacts[0].removed_secondary) depth = std::max(depth, v * 3.0);
+  EXPECT_GT(depth, 1e-4);
+}
+
+// So must contact with a rigid body that turns by two degrees, rolling and sliding over the crown.
+TEST(newton, quadratic_with_a_turning_rigid_body) {
+  BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.02, .drag = 0.05};
+  o.crown = 0.1;
+  o.upper_rigid = true;
+  o.rotation = 0.035;
+  const auto played = play(support::blocks(o));
+  EXPECT_GT(played.state.contacts[0].frictional_work, 0.0);
+}
+
+// A solve that runs out of iterations must be a result that says so, and keeps its table.
+TEST(newton, too_few_iterations_are_a_reason) {
+  const auto a = support::blocks({.friction = 0.3, .drag = 0.02});
+  const auto system = support::system_of(a);
+  solver::Newton newton({.max_iterations = 1});
+  const auto result = newton.solve(system, support::fresh(system), support::controls_of(a, system));
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_EQ(result.report.reason.rfind("no convergence in 1 iterations", 0), 0u) << result.report.reason;
+  EXPECT_EQ(result.report.table.size(), 2u);
+}
+
+// A body that nothing holds must end as a result with a reason too, never as a crash.
+TEST(newton, a_singular_system_is_a_reason) {
+  auto a = support::blocks({});
+  a.inputs[1].supports.clear();
+  a.inputs[1].boundary_loads = {{"p", "top", 1.0, {0.0, 0.0}, {}, ""}};
+  a.meshes[1] = support::mapped(a.meshes[1], [](const base::Vec2& x) { return base::Vec2(x.x(), x.y() + 0.1); });
+  const auto system = support::system_of(a);
+  const auto result = solver::Newton().solve(system, support::fresh(system), support::controls_of(a, system));
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_FALSE(result.report.reason.empty());
+}
+
+// Contacts in a chain must be eliminated before those whose secondary nodes they load.
+TEST(order, chain) {
+  EXPECT_EQ(support::system_of(support::chain(0.0)).elimination, (std::vector<int>{0, 2, 1}));
+}
+
+// Contacts whose sides load each other in a ring must be refused as bad input.
+TEST(order, ring_is_refused) {
+  auto a = support::blocks({});
+  support::touch(a, {}, {1, "bottom"}, {0, "top"});
+  EXPECT_THROW(support::system_of(a), base::InputError);
+}
+
+}  // namespace
