@@ -47,6 +47,7 @@ Output output_of(const Entry& root) {
   const auto frames = entry.at("frames");
   output.frames_every_cycles = frames.number("every_cycles");
   output.frames_every_increment = frames.flag("every_increment");
+  output.frames_last_block = frames.flag("last_block");
   for (const auto& probe : entry.all("probes"))
     output.probes.push_back({.name = probe.name(),
                              .body = probe.text("body"),

@@ -124,6 +124,7 @@ constexpr Key table[] = {
     {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
      "cycles between frames; 0: first and last state of each step only"},
     {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
+    {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
 

@@ -51,6 +51,7 @@ struct Probe {
 struct Output {
   double frames_every_cycles = 0.0;   ///< 0: first and last state of each step only
   bool frames_every_increment = false;
+  bool frames_last_block = false;     ///< at each increment of the last block of every step
   std::vector<Probe> probes;
 };
 

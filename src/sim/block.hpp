@@ -16,6 +16,7 @@ struct BlockSpan {
   const scene::Step* step = nullptr;
   double jump = 1.0;   ///< cycles of this block; 1 for a load step
   bool cycles = false;
+  bool last = false;   ///< no block of the step comes after it
 };
 
 /// Zero displacement, fresh contacts.

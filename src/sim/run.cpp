@@ -116,7 +116,8 @@ class Runner {
   /// False when the run ends here.
   bool play_block(const scene::Step& step) {
     const double cycle_before = state_.cycle;
-    const BlockSpan span{&step, step.cycles > 0.0 ? std::min(step.jump, remaining(step, state_.block)) : 1.0, step.cycles > 0.0};
+    const BlockSpan span{&step, step.cycles > 0.0 ? std::min(step.jump, remaining(step, state_.block)) : 1.0, step.cycles > 0.0,
+                         step_over(step, state_.block + 1)};
     Outcome outcome = play_increments(p_, state_, cache_, span, observer_);
     if (outcome.failure.empty() && !outcome.interrupted && p_.scene.shape && step.wear) {
       Outcome moved = evolve_shape(p_, outcome.state, cache_, span);
