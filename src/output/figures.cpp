@@ -212,8 +212,10 @@ void add_profiles(const RunData& run, const ContactData& contact, std::vector<Fi
   for (const auto& surface : contact.sides) {
     if (largest(surface.table.column("wear_depth_mm")) == 0.0) continue;
     const std::string side = side_name(surface.side);
+    const auto edges = run.identity.sides.find(contact.name);
+    const std::string edge = edges == run.identity.sides.end() ? "" : ": " + edges->second[surface.side == sim::Side::primary];
     all.push_back(over_cycles(surface, {"profile-" + file_part(contact.name) + '-' + side,
-                                        title_of(run, contact, "Worn profile, " + side + " side"), "wear_depth_mm",
+                                        title_of(run, contact, "Worn profile, " + side + " side" + edge), "wear_depth_mm",
                                         "wear depth, " + unit.name, unit.factor, true}));
     all.back().y_range = Range{0.0, deepest * unit.factor};
   }

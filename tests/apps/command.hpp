@@ -1,0 +1,147 @@
+#pragma once
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+/// The built command as a user runs it: in a folder of its own, with what it prints and leaves on disk.
+namespace reye::test {
+
+namespace fs = std::filesystem;
+
+inline std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Told {
+  int code = -1;  ///< exit code, or 128 + signal
+  std::string out, err;
+};
+
+/// A command that has been started and not yet waited for.
+class Running {
+ public:
+  Running(pid_t pid, fs::path out, fs::path err) : pid_(pid), out_(std::move(out)), err_(std::move(err)) {}
+
+  /// Sends a signal as soon as `when` holds; false when it ended before.
+  bool signal_when(int signal, const std::function<bool()>& when) {
+    while (!when()) {
+      if (ended(WNOHANG)) return false;
+      std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+    return !ended(WNOHANG) && ::kill(pid_, signal) == 0;
+  }
+
+  Told wait() {
+    ended(0);
+    const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+    return {code, read(out_), read(err_)};
+  }
+
+ private:
+  bool ended(int options) {
+    if (!done_) done_ = ::waitpid(pid_, &status_, options) == pid_;
+    return done_;
+  }
+  pid_t pid_;
+  fs::path out_, err_;
+  int status_ = 0;
+  bool done_ = false;
+};
+
+/// A folder to work in, removed at the end; what is printed is kept outside of it.
+class Place {
+ public:
+  Place() {
+    auto name = (fs::temp_directory_path() / "reye_apps_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+    root_ = name;
+    fs::create_directories(work());
+  }
+  ~Place() { fs::remove_all(root_); }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  fs::path work() const { return root_ / "work"; }
+  fs::path operator/(const std::string& file) const { return work() / file; }
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((work() / file).parent_path());
+    std::ofstream(work() / file, std::ios::binary) << text;
+  }
+
+  Running start(const std::vector<std::string>& words) const {
+    const auto out = root_ / "out", err = root_ / "err";
+    const pid_t pid = ::fork();
+    if (pid == 0) become(words, out, err);
+    return {pid, out, err};
+  }
+  Told reye(std::vector<std::string> words) const {
+    words.insert(words.begin(), REYE_COMMAND);
+    return start(words).wait();
+  }
+  Running start_reye(std::vector<std::string> words) const {
+    words.insert(words.begin(), REYE_COMMAND);
+    return start(words);
+  }
+
+  /// Every file below a folder with its bytes; folders with a slash at their end.
+  std::map<std::string, std::string> files(const std::string& below = "") const {
+    std::map<std::string, std::string> all;
+    const auto top = work() / below;
+    if (!fs::exists(top)) return all;
+    for (const auto& entry : fs::recursive_directory_iterator(top)) {
+      const auto name = fs::relative(entry.path(), top).string();
+      if (entry.is_directory()) all[name + "/"];
+      else all[name] = read(entry.path());
+    }
+    return all;
+  }
+
+ private:
+  [[noreturn]] void become(const std::vector<std::string>& words, const fs::path& out, const fs::path& err) const {
+    std::vector<char*> arguments;
+    for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const auto to = [](const fs::path& file, int fd) { ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), fd); };
+    to(out, 1);
+    to(err, 2);
+    if (::chdir(work().c_str()) == 0) ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  fs::path root_;
+};
+
+/// The text with each first `from` replaced; all must be there.
+inline std::string changed(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
+  for (const auto& [from, to] : changes) {
+    const auto at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("not in the scene: " + from);
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Lines of a file of the folder; 0 when it is not there.
+inline long lines(const fs::path& file) {
+  const auto text = read(file);
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+}  // namespace reye::test

@@ -1,0 +1,146 @@
+#include "command.hpp"
+#include "scenes.hpp"
+
+using namespace reye;
+
+namespace {
+
+/// A place with the small scenes in it.
+struct WithScenes : test::Place {
+  WithScenes() {
+    write("wearing.geo", test::wearing_geo);
+    write("wearing.toml", test::wearing);
+    write("blocks.geo", test::blocks_geo);
+    write("blocks.toml", test::blocks);
+  }
+};
+
+}  // namespace
+
+// A command line that cannot be understood must end with 2, a request for help or version with 0; nothing is written.
+TEST(Codes, CommandLine) {
+  const WithScenes place;
+  const auto before = place.files();
+  const std::vector<std::vector<std::string>> wrong = {
+      {}, {"wear"}, {"run"}, {"run", "blocks.toml", "--fast"}, {"run", "blocks.toml", "again"}, {"run", "blocks.toml", "--out"}, {"report"}};
+  for (const auto& words : wrong) {
+    const auto told = place.reye(words);
+    EXPECT_EQ(told.code, 2) << (words.empty() ? "" : words.back());
+    EXPECT_FALSE(told.err.empty());
+    EXPECT_EQ(told.out, "");
+  }
+  for (const char* word : {"--help", "--version"}) EXPECT_EQ(place.reye({word}).code, 0) << word;
+  EXPECT_TRUE(test::holds(place.reye({"--help"}).out, "--version"));
+  EXPECT_EQ(place.files(), before);
+}
+
+// A good run must end with 0, say where its results lie, and leave every file of the contract.
+TEST(Codes, GoodRun) {
+  const WithScenes place;
+  const auto told = place.reye({"run", "wearing.toml"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(test::holds(told.out, "done: 400 cycles, 5 blocks"));
+  EXPECT_TRUE(test::holds(told.out, "page ./wearing.out/report.html"));
+  for (const char* file : {"series.pvd", "surfaces.pvd", "history.csv", "surface_pad_secondary.csv", "surface_pad_primary.csv",
+                           "summary.json", "log.txt", "checkpoint/current.bin", "report.html", "figures/overview-pad.svg"})
+    EXPECT_TRUE(test::fs::exists(place / "wearing.out" / file)) << file;
+  EXPECT_TRUE(test::holds(test::read(place / "wearing.out/summary.json"), R"("status": "done",)"));
+}
+
+// Away from a terminal progress must be plain lines: no return to the line's start, no escape codes.
+TEST(Codes, PlainProgress) {
+  const WithScenes place;
+  const auto told = place.reye({"run", "wearing.toml", "--out", "o"});
+  EXPECT_TRUE(test::holds(told.err, "press            cycle 0 (load)  increment 2/2"));
+  EXPECT_TRUE(test::holds(told.err, "\nwear             cycle 400  increment 16/16"));
+  EXPECT_EQ((told.out + told.err).find_first_of("\r\033"), std::string::npos);
+  EXPECT_EQ(told.err.back(), '\n');
+}
+
+// With --quiet a good run must print nothing at all.
+TEST(Codes, Quiet) {
+  const WithScenes place;
+  const auto told = place.reye({"run", "wearing.toml", "--quiet"});
+  EXPECT_EQ(told.code, 0);
+  EXPECT_EQ(told.out + told.err, "");
+}
+
+// `check` and `plan` must read scene and geometry and write nothing.
+TEST(Codes, CheckAndPlan) {
+  const WithScenes place;
+  const auto before = place.files();
+  const auto check = place.reye({"check", "blocks.toml"});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_TRUE(test::holds(check.out, "body slider: area 2 mm^2, box [1, 3] x [0, 1] mm, 15 nodes, 8 cells\n"));
+  EXPECT_TRUE(test::holds(check.out, "  boundary slider_bottom: 2 mm, 5 nodes\n"));
+  EXPECT_TRUE(check.out.ends_with("ok\n"));
+  const auto plan = place.reye({"plan", "wearing.toml"});
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  EXPECT_TRUE(test::holds(plan.out, "contact pad: "));
+  EXPECT_TRUE(test::holds(plan.out, "step \"wear\": 400 cycles in blocks of 100, 16 increments a cycle\n"));
+  EXPECT_TRUE(test::holds(plan.out, "skipped: body disc is linear"));
+  EXPECT_EQ(place.files(), before);
+}
+
+// `mesh` must write the meshes and nothing else.
+TEST(Codes, Mesh) {
+  const WithScenes place;
+  const auto told = place.reye({"mesh", "blocks.toml"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(told.out, "./blocks.out/mesh.vtu\n");
+  const auto files = place.files("blocks.out");
+  ASSERT_EQ(files.size(), 1U);
+  EXPECT_TRUE(test::holds(files.begin()->second, "<VTKFile type=\"UnstructuredGrid\""));
+}
+
+// `report` must make page and figures again, byte for byte, and refuse what holds no run without touching it.
+TEST(Codes, Report) {
+  const WithScenes place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
+  const auto before = place.files("o");
+  test::fs::remove_all(place / "o/figures");
+  test::fs::remove(place / "o/report.html");
+  const auto told = place.reye({"report", "o"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(told.out, "o/report.html\n");
+  EXPECT_EQ(place.files("o"), before);
+  test::fs::create_directories(place / "empty");
+  for (const char* folder : {"empty", "nowhere"}) {
+    const auto refused = place.reye({"report", folder});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.err, std::string("dir = ") + folder + ": holds no run of reye\n");
+  }
+  EXPECT_TRUE(test::fs::is_empty(place / "empty"));
+  EXPECT_FALSE(test::fs::exists(place / "nowhere"));
+}
+
+// A run that cannot go on must end with 1, with the reason and the last good state on disk.
+TEST(Codes, FailedSolve) {
+  const WithScenes place;
+  place.write("hard.toml", std::string(test::wearing) + "\n[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
+  const auto told = place.reye({"run", "hard.toml", "--quiet"});
+  EXPECT_EQ(told.code, 1);
+  const auto summary = test::read(place / "hard.out/summary.json");
+  EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
+  EXPECT_TRUE(test::holds(summary, "no convergence in 1 iterations"));
+  EXPECT_TRUE(test::holds(told.err, "reye: step \"press\", cycle 0"));
+  EXPECT_TRUE(test::fs::exists(place / "hard.out/series.pvd"));
+  EXPECT_TRUE(test::fs::exists(place / "hard.out/report.html"));
+}
+
+// Wear that no mesh can follow must end the run with 1 and name body and place; what was reached stays on disk.
+TEST(Codes, FailedShape) {
+  const WithScenes place;
+  const std::string eaten = test::changed(test::blocks, {
+      {"friction  = 0.3\n", "imposed_sliding_mm = 1000.0\n"},
+      {R"(law = "energy", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5)", R"(law = "archard", secondary_per_MPa = 1e-5)"}});
+  place.write("deep.toml", eaten + "\n[[step]]\nname = \"wear\"\ncycles = 50\n");  // a tenth of the block per cycle
+  const auto told = place.reye({"run", "deep.toml", "--quiet"});
+  EXPECT_EQ(told.code, 1);
+  EXPECT_TRUE(told.err.starts_with("reye: body slider: ")) << told.err;
+  const auto summary = test::read(place / "deep.out/summary.json");
+  EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
+  EXPECT_TRUE(test::holds(summary, R"("reason": "body slider: )"));
+  EXPECT_GE(test::lines(place / "deep.out/history.csv"), 10);
+  EXPECT_TRUE(test::fs::exists(place / "deep.out/report.html"));
+}

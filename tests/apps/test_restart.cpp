@@ -1,0 +1,122 @@
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "scenes.hpp"
+
+using namespace reye;
+
+namespace {
+
+struct WithWearing : test::Place {
+  WithWearing() {
+    write("wearing.geo", test::wearing_geo);
+    write("wearing.toml", test::wearing);
+  }
+};
+
+/// All results with times left out: what must not depend on when and how often the program ran.
+std::map<std::string, std::string> results(const test::Place& place, const std::string& folder) {
+  auto files = place.files(folder);
+  for (const char* changing : {"log.txt", "report.html"}) files.erase(changing);
+  auto summary = nlohmann::ordered_json::parse(files.at("summary.json"));
+  for (const char* time : {"wall_s", "cpu_s", "peak_rss_MB", "room_seconds"}) summary.erase(time);
+  files["summary.json"] = summary.dump();
+  return files;
+}
+
+void expect_same(const test::Place& place, const std::string& one, const std::string& other) {
+  const auto a = results(place, one), b = results(place, other);
+  for (const auto& [file, bytes] : a) {
+    ASSERT_TRUE(b.contains(file)) << file;
+    EXPECT_EQ(b.at(file) == bytes, true) << file << " differs";
+  }
+  EXPECT_EQ(a.size(), b.size());
+}
+
+std::string status(const test::Place& place, const std::string& folder) {
+  return nlohmann::json::parse(test::read(place / (folder + "/summary.json"))).at("status");
+}
+
+/// Runs until the history has so many rows, then sends a signal; the run must not have ended by itself.
+test::Told interrupted(const test::Place& place, const std::string& folder, long rows, std::vector<std::string> more = {},
+                       int signal = SIGINT) {
+  std::vector<std::string> words{"run", "wearing.toml", "--out", folder};
+  words.insert(words.end(), more.begin(), more.end());
+  auto run = place.start_reye(words);
+  EXPECT_TRUE(run.signal_when(signal, [&] { return test::lines(place / (folder + "/history.csv")) > rows; }));
+  return run.wait();
+}
+
+}  // namespace
+
+// Two runs of a scene must give the same bytes.
+TEST(Restart, TwoRunsAreTheSame) {
+  const WithWearing place;
+  for (const char* folder : {"a", "b"}) ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", folder, "--quiet"}).code, 0);
+  expect_same(place, "a", "b");
+}
+
+// Ctrl-C must finish the increment, write everything and end with 130.
+TEST(Restart, InterruptWritesAll) {
+  const WithWearing place;
+  const auto told = interrupted(place, "o", 25);
+  EXPECT_EQ(told.code, 130) << told.err;
+  EXPECT_TRUE(test::holds(told.err, "reye: interrupted in step \"wear\" at cycle "));
+  EXPECT_EQ(status(place, "o"), "interrupted");
+  const auto history = test::read(place / "o/history.csv");
+  EXPECT_EQ(history.back(), '\n');
+  EXPECT_LT(test::lines(place / "o/history.csv"), 67);
+  for (const char* file : {"report.html", "series.pvd", "surface_pad_secondary.csv", "checkpoint/current.bin"})
+    EXPECT_TRUE(test::fs::exists(place / "o" / file)) << file;
+}
+
+// A run that was interrupted after its first block of cycles and went on must leave the bytes of an unbroken one.
+TEST(Restart, SameBytesAsUnbroken) {
+  const WithWearing place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  ASSERT_EQ(interrupted(place, "broken", 22).code, 130);
+  const auto told = place.reye({"run", "wearing.toml", "--out", "broken", "--restart"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(status(place, "broken"), "done");
+  expect_same(place, "whole", "broken");
+}
+
+// Interrupted in the very first step and again later: still the same bytes.
+TEST(Restart, SeveralInterruptions) {
+  const WithWearing place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  ASSERT_EQ(interrupted(place, "broken", 1).code, 130);
+  ASSERT_EQ(interrupted(place, "broken", 30, {"--restart"}).code, 130);
+  ASSERT_EQ(interrupted(place, "broken", 45, {"--restart"}).code, 130);
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
+  expect_same(place, "whole", "broken");
+}
+
+// A run killed without warning must go on from its last checkpoint to the same bytes.
+TEST(Restart, Killed) {
+  const WithWearing place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  for (const long rows : {1L, 21L, 40L}) {
+    test::fs::remove_all(place / "broken");
+    EXPECT_EQ(interrupted(place, "broken", rows, {}, SIGKILL).code, 128 + SIGKILL);
+    EXPECT_FALSE(test::fs::exists(place / "broken/summary.json"));
+    ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
+    expect_same(place, "whole", "broken");
+  }
+}
+
+// A restart without a checkpoint, or with one of another scene, must be refused and write nothing.
+TEST(Restart, NothingToGoOnFrom) {
+  const WithWearing place;
+  const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--restart"});
+  EXPECT_EQ(told.code, 2);
+  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to go on from: o/checkpoint/current.bin: missing; ")) << told.err;
+  EXPECT_FALSE(test::fs::exists(place / "o"));
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
+  place.write("wearing.toml", test::changed(test::wearing, {{"cycles = 400", "cycles = 500"}}));
+  const auto before = place.files("o");
+  const auto other = place.reye({"run", "wearing.toml", "--out", "o", "--restart", "--force"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(test::holds(other.err, "of another scene"));
+  EXPECT_EQ(place.files("o"), before);
+}
