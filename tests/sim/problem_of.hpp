@@ -1,0 +1,86 @@
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/read.hpp"
+#include "sim/problem.hpp"
+
+/// Problems made from scene text.
+namespace reye::test {
+
+/// A block 2 x 1 above one of 4 x 1, `gap` between them.
+inline std::string two_blocks(double gap) {
+  return "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {1, " + std::to_string(gap) +
+         ", 0, 2, 1};\nRectangle(2) = {0, -1, 0, 4, 1};\n"
+         "Physical Surface(\"slider\") = {1};\nPhysical Surface(\"base\") = {2};\n"
+         "Physical Curve(\"slider_bottom\") = {1};\nPhysical Curve(\"slider_top\") = {3};\n"
+         "Physical Curve(\"base_bottom\") = {5};\nPhysical Curve(\"base_top\") = {7};\n";
+}
+
+inline const char* const block_scene = R"(geometry = ["blocks.geo"]
+[material.steel]
+E_MPa = 200e3
+nu    = 0.3
+[body.slider]
+material = "steel"
+mesh     = { far_size_mm = 0.5 }
+[body.base]
+material = "steel"
+mesh     = { far_size_mm = 0.4 }
+[contact.pad]
+secondary = "slider_bottom"
+primary   = ["base_top"]
+friction  = 0.3
+wear      = { law = "energy", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5 }
+[support.holder]
+edge     = "slider_top"
+x        = { motion_mm = 0.01, history = "stroke" }
+y        = { force_N_per_mm = -20.0, history = "press" }
+rotation = "fixed"
+[support.floor]
+edge     = "base_bottom"
+x        = "fixed"
+y        = "fixed"
+rotation = "fixed"
+[history]
+press  = [[0.0, 0.0], [1.0, 1.0]]
+stroke = [[0.0, 0.0], [0.25, 1.0], [0.75, -1.0], [1.0, 0.0]]
+[[step]]
+name = "press"
+play = ["press"]
+wear = false
+[[step]]
+name = "wear"
+play = ["stroke"]
+increments = 8
+cycles = 40
+jump = 10
+)";
+
+inline std::string with(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
+  for (const auto& [from, to] : changes) {
+    const auto at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("not in the scene: " + from);
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// The problem of a scene beside its geometry, both written to a folder that is removed again.
+inline sim::Problem problem_of(const std::string& scene_text, double gap = 0.0) {
+  auto name = (std::filesystem::temp_directory_path() / "reye_sim_XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+  const std::filesystem::path folder(name);
+  std::ofstream(folder / "blocks.geo") << two_blocks(gap);
+  std::ofstream(folder / "scene.toml") << scene_text;
+  const auto scene = scene::read((folder / "scene.toml").string());
+  const auto problem = sim::prepare(scene);
+  std::filesystem::remove_all(folder);
+  return problem;
+}
+
+}  // namespace reye::test

@@ -1,0 +1,150 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problem_of.hpp"
+#include "sim/block.hpp"
+#include "sim/measure.hpp"
+
+using namespace reye;
+
+namespace {
+
+struct Prepared {
+  sim::Problem problem;
+  sim::Cache cache;
+  sim::State state;
+
+  explicit Prepared(const std::string& text, double gap = 0.0)
+      : problem(test::problem_of(text, gap)), state(sim::initial_state(problem)) {
+    sim::begin_state(problem, state, cache);
+  }
+  const solver::System& system() { return sim::system_of(problem, state, cache); }
+  solver::Sides sides() { return solver::positions(system(), system().contacts[0], state.solution.q); }
+  sim::BlockSpan span(int step) const {
+    const auto& s = problem.scene.steps[step];
+    return {&s, s.cycles > 0.0 ? s.jump : 1.0, s.cycles > 0.0};
+  }
+};
+
+double lowest(const base::Points& points) {
+  double y = INFINITY;
+  for (const auto& p : points) y = std::min(y, p.y());
+  return y;
+}
+
+/// Everything of a state that a failed step could have touched.
+std::vector<double> numbers(const sim::State& s) {
+  std::vector<double> all(s.solution.q.begin(), s.solution.q.end());
+  for (const auto& c : s.solution.contacts) {
+    for (const auto& l : c.lambda) all.insert(all.end(), {l.x(), l.y()});
+    for (const auto& v : {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip})
+      all.insert(all.end(), v.begin(), v.end());
+    all.insert(all.end(), {c.frictional_work, c.worn_work, c.law_work, c.strip_secondary, c.strip_primary});
+  }
+  for (const auto& [name, factor] : s.factors) all.push_back(factor);
+  all.insert(all.end(), {s.cycle, static_cast<double>(s.counts.increments), static_cast<double>(s.counts.cutbacks)});
+  return all;
+}
+
+}  // namespace
+
+// Bodies apart and driven by a force must be moved along it until they touch, as rigid bodies, without a spring.
+TEST(Approach, LoadedBodyIsMovedUntilItTouches) {
+  Prepared p(test::block_scene, 0.2);
+  EXPECT_NEAR(lowest(p.sides().secondary), 0.0, 1e-12);
+  const auto& linear = p.system().bodies[0];
+  const auto q = p.system().part(p.state.solution.q, 0);
+  const base::Vector none;
+  const double force = std::visit([&](const auto& o) { return o.residual(q, none).norm(); }, linear);
+  EXPECT_LT(force, 1e-6);  // 200e3 MPa times round-off of the motion
+  EXPECT_EQ(p.state.solution.q.tail(1)[0], 0.0);
+}
+
+// A body whose motion along the load is held must stay where the scene puts it.
+TEST(Approach, HeldBodyStays) {
+  Prepared p(test::with(test::block_scene, {{"y        = { force_N_per_mm = -20.0, history = \"press\" }", "y = { motion_mm = -0.3, history = \"press\" }"}}), 0.2);
+  EXPECT_NEAR(lowest(p.sides().secondary), 0.2, 1e-12);
+  EXPECT_EQ(p.state.solution.q.norm(), 0.0);
+}
+
+// Bodies that touch from the start must not be moved.
+TEST(Approach, TouchingBodiesStay) {
+  Prepared p(test::block_scene);
+  EXPECT_LT(p.state.solution.q.norm(), 1e-12);
+}
+
+// A failed block must leave the state it started from untouched: it is a value, never half updated.
+TEST(Blocks, FailedStepLeavesTheState) {
+  Prepared p(test::block_scene);
+  p.problem.scene.max_cutbacks = 0;
+  solver::NewtonOptions hopeless;
+  hopeless.max_iterations = 1;
+  p.cache.newton = solver::Newton(hopeless);
+  const auto before = numbers(p.state);
+  const auto shapes = p.state.shapes;
+  const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), {});
+  EXPECT_NE(outcome.failure.find("no convergence in 1 iterations"), std::string::npos) << outcome.failure;
+  EXPECT_EQ(numbers(p.state), before);
+  EXPECT_EQ(p.state.shapes, shapes);
+}
+
+// An increment that does not converge must be halved, as often as allowed, and every halving say where and why.
+TEST(Blocks, CutBackHalvesAndSaysWhy) {
+  Prepared p(test::block_scene);
+  p.problem.scene.max_cutbacks = 2;
+  solver::NewtonOptions hopeless;
+  hopeless.max_iterations = 1;
+  p.cache.newton = solver::Newton(hopeless);
+  std::vector<std::string> log;
+  sim::Observer observer;
+  observer.log = [&](const std::string& line) { log.push_back(line); };
+  const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), observer);
+  EXPECT_EQ(outcome.state.counts.cutbacks, 2);
+  ASSERT_EQ(outcome.state.cutback_reasons.size(), 2U);
+  EXPECT_NE(outcome.state.cutback_reasons[0].find("step \"wear\", cycle 0.000000, progress 0.000000 to 0.125000: "), std::string::npos);
+  EXPECT_NE(outcome.state.cutback_reasons[1].find("progress 0.000000 to 0.062500: "), std::string::npos);
+  EXPECT_NE(outcome.failure.find("progress 0.000000 to 0.031250: "), std::string::npos);
+  ASSERT_EQ(log.size(), 2U);
+  EXPECT_EQ(log[0], "cut back: " + outcome.state.cutback_reasons[0]);
+}
+
+// Surface tables must run along the boundary from its end with smaller x, with the pressure in balance with the load
+// and the shear on the secondary side against its motion.
+TEST(Blocks, SurfaceTables) {
+  Prepared p(test::block_scene);
+  auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(0), {});
+  ASSERT_EQ(outcome.failure, "");
+  p.state = outcome.state;
+  std::vector<sim::IncrementRecord> rows;
+  sim::Observer observer;
+  observer.increment = [&](const sim::IncrementRecord& r) { rows.push_back(r); };
+  observer.interrupted = [&] { return rows.size() == 2; };  // at the end of the first stroke
+  outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), observer);
+  ASSERT_TRUE(outcome.interrupted);
+  p.state = outcome.state;
+  const auto tables = sim::surface_records(p.system().contacts[0], p.state.solution.contacts[0], p.state.shapes, p.problem.contacts[0]);
+  std::vector<double> sheared;
+  for (const auto& table : tables) {
+    EXPECT_TRUE(std::is_sorted(table.arc_length_mm.begin(), table.arc_length_mm.end()));
+    EXPECT_TRUE(std::is_sorted(table.x_mm.begin(), table.x_mm.end()));
+    EXPECT_EQ(table.arc_length_mm.front(), 0.0);
+    double pressure = 0.0, shear = 0.0;
+    for (std::size_t i = 1; i < table.node.size(); ++i) {
+      const double ds = table.arc_length_mm[i] - table.arc_length_mm[i - 1];
+      pressure += 0.5 * ds * (table.pressure_MPa[i] + table.pressure_MPa[i - 1]);
+      shear += 0.5 * ds * (table.shear_MPa[i] + table.shear_MPa[i - 1]);
+    }
+    EXPECT_NEAR(pressure, 20.0, 1e-6);
+    sheared.push_back(shear);
+  }
+  EXPECT_NEAR(sheared[0], -6.0, 1e-3);  // normals are those of the deformed surface, not of X
+  EXPECT_NEAR(sheared[1], -sheared[0], 1e-9);
+  EXPECT_DOUBLE_EQ(tables[0].arc_length_mm.back(), 2.0);
+  EXPECT_DOUBLE_EQ(tables[1].arc_length_mm.back(), 4.0);
+  const auto& forces = rows.back().support_forces;  // holder, floor: what the supports do to the bodies
+  EXPECT_NEAR(forces[0].y(), -20.0, 1e-8);
+  EXPECT_NEAR((forces[0] + forces[1]).norm(), 0.0, 1e-8);
+  EXPECT_NEAR(forces[0].x(), -sheared[0], 1e-8);
+}

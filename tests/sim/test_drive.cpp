@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "problem_of.hpp"
+#include "sim/drive.hpp"
+
+using namespace reye;
+
+namespace {
+
+const scene::History stroke{{0.0, 0.0}, {0.25, 1.0}, {0.75, -1.0}, {1.0, 0.0}};
+
+scene::Scene with_histories() {
+  scene::Scene scene;
+  scene.histories = {{"stroke", stroke}, {"press", {{0.0, 0.0}, {0.1, 1.0}, {1.0, 1.0}}}, {"other", {{0.0, 5.0}, {1.0, 7.0}}}};
+  return scene;
+}
+
+/// What is imposed on a motion (0 x, 1 y, 2 rotation) of a support, as a position or as a force.
+std::optional<double> imposed(const sim::Problem& p, const solver::System& system,
+                              const std::vector<std::pair<int, double>>& list, const std::string& support, int motion) {
+  for (int b = 0; b < p.body_count(); ++b)
+    for (const auto& column : std::visit([](const auto& o) { return o.support_columns(); }, system.bodies[b]))
+      if (p.inputs[b].supports[column.support].name == support && column.motion == motion)
+        for (const auto& [global, value] : list)
+          if (global == system.offset[b] + column.column) return value;
+  return {};
+}
+
+}  // namespace
+
+// The factor of a history must be its corners, straight between them, and its ends outside.
+TEST(Drive, FactorAt) {
+  for (const auto& [progress, factor] : stroke) EXPECT_EQ(sim::factor_at(stroke, progress), factor);
+  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.125), 0.5);
+  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.5), 0.0);
+  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.9), -0.4);
+  EXPECT_EQ(sim::factor_at({{0.2, 3.0}, {0.8, 4.0}}, 0.1), 3.0);
+  EXPECT_EQ(sim::factor_at({{0.2, 3.0}, {0.8, 4.0}}, 0.9), 4.0);
+}
+
+// Increments must end at equal parts and at every corner of a history that the step plays, each once, the last at 1.
+TEST(Drive, IncrementEnds) {
+  auto scene = with_histories();
+  scene::Step step{.name = "s", .play = {"stroke"}, .increments = 3};
+  EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{0.25, 1.0 / 3.0, 2.0 / 3.0, 0.75, 1.0}));
+  step.increments = 40;
+  const auto ends = sim::increment_ends(scene, step);
+  EXPECT_EQ(ends.size(), 40U);
+  EXPECT_EQ(ends.back(), 1.0);
+  step.play = {"stroke", "press"};
+  step.increments = 1;
+  EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{0.1, 0.25, 0.75, 1.0}));
+  step.play = {};
+  EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{1.0}));
+}
+
+// A step must move the factors it plays and hold all others where they were.
+TEST(Drive, FactorsHold) {
+  const auto scene = with_histories();
+  const scene::Step step{.name = "s", .play = {"stroke"}};
+  const std::map<std::string, double> held{{"stroke", 0.7}, {"press", 0.3}, {"other", 7.0}};
+  const auto factors = sim::factors_at(scene, step, 0.25, held);
+  EXPECT_EQ(factors, (std::map<std::string, double>{{"stroke", 1.0}, {"press", 0.3}, {"other", 7.0}}));
+}
+
+// Fixed and moved motions must be prescribed, loaded ones be forces, all times their factor; free ones neither.
+TEST(Drive, Controls) {
+  const auto p = test::problem_of(test::with(test::block_scene, {{"x        = \"fixed\"\n", "x = { motion_mm = 0.5 }\n"}}));
+  sim::Cache cache;
+  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const std::map<std::string, double> factors{{"press", 0.25}, {"stroke", -0.5}};
+  const auto c = sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0);
+  EXPECT_DOUBLE_EQ(imposed(p, system, c.prescribed, "holder", 0).value(), -0.005);
+  EXPECT_DOUBLE_EQ(imposed(p, system, c.forces, "holder", 1).value(), -5.0);
+  EXPECT_EQ(imposed(p, system, c.prescribed, "holder", 2).value(), 0.0);
+  EXPECT_DOUBLE_EQ(imposed(p, system, c.prescribed, "floor", 0).value(), 0.5);  // without a history: full
+  EXPECT_FALSE(imposed(p, system, c.prescribed, "holder", 1));
+  EXPECT_TRUE(c.contacts[0].wear);
+  EXPECT_EQ(c.contacts[0].jump, 10.0);
+  EXPECT_EQ(c.contacts[0].imposed_slip, 0.0);
+  EXPECT_FALSE(sim::controls_at(p, system, factors, p.scene.steps[0], 0.0, 1.0, 1.0).contacts[0].wear);
+}
+
+// Imposed sliding must be shared among the increments by their part of the play, and rest while a step does not wear.
+TEST(Drive, ImposedSliding) {
+  const auto p = test::problem_of(test::with(test::block_scene, {{"friction  = 0.3", "friction = 0.3\nimposed_sliding_mm = 100.0"}}));
+  sim::Cache cache;
+  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
+  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].imposed_slip, 50.0);
+  EXPECT_EQ(sim::controls_at(p, system, factors, p.scene.steps[0], 0.0, 1.0, 1.0).contacts[0].imposed_slip, 0.0);
+}

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include "problem_of.hpp"
+#include "sim/run.hpp"
+
+using namespace reye;
+
+namespace {
+
+struct Run {
+  sim::State state;
+  sim::Summary summary;
+};
+
+Run run(const sim::Problem& problem, const sim::Observer& observer = {}) {
+  Run r{sim::initial_state(problem), {}};
+  r.summary = sim::run(problem, r.state, observer);
+  return r;
+}
+
+const char* const limits = R"([limit.reached]
+contact  = "pad"
+depth_mm = 1e-7
+[limit.never]
+contact  = "pad"
+depth_mm = 1.0
+)";
+
+}  // namespace
+
+// The plan must say what each body, contact and step is, and what is skipped.
+TEST(Run, Plan) {
+  const auto problem = test::problem_of(test::block_scene);
+  EXPECT_EQ(problem.plan.lines,
+            (std::vector<std::string>{
+                "body slider: linear elastic, small strain, 8 quads, 23 dofs condensed to 13",
+                "body base: linear elastic, small strain, 20 quads, 47 dofs condensed to 25",
+                "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction 0.3, wear by dissipated energy",
+                "step \"press\": 1 increments, no wear",
+                "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
+            }));
+  EXPECT_EQ(problem.plan.skipped.size(), 2U);
+  const auto off = test::problem_of("shape = \"off\"\n" + test::with(test::block_scene, {{", primary_mm3_per_J = 2.0e-5", ""}}));
+  EXPECT_EQ(off.plan.skipped[2], "shape = \"off\": wear stays in the gap, no shape step");
+  EXPECT_EQ(off.plan.skipped[3], "contact pad: the primary side does not wear");
+}
+
+// A run must play all blocks, close its ledger, and end every block with a state from which it can go on.
+TEST(Run, BlocksAndLedger) {
+  const auto problem = test::problem_of(test::block_scene);
+  std::vector<double> cycles;
+  sim::Observer observer;
+  observer.block = [&](const sim::State& s) { cycles.push_back(s.cycle); };
+  const auto r = run(problem, observer);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
+  EXPECT_EQ(cycles, (std::vector{0.0, 10.0, 20.0, 30.0, 40.0}));
+  EXPECT_LT(r.summary.contacts[0].ledger_relative_error.value(), 1e-12);
+  EXPECT_NEAR(r.summary.contacts[0].primary.worn_area / r.summary.contacts[0].secondary.worn_area, 2.0 / 3.0, 1e-9);
+  EXPECT_EQ(r.summary.counts.blocks, 5);
+}
+
+// The life must be interpolated between the blocks in which the limit is crossed, and null where it is not.
+TEST(Run, LifeIsInterpolated) {
+  const auto text = std::string(test::block_scene) + limits;
+  const auto problem = test::problem_of(text);
+  std::vector<std::pair<double, double>> depth;  // of each block
+  sim::Observer observer;
+  observer.block = [&](const sim::State& s) { depth.emplace_back(s.cycle, s.limit_measure.at("reached")); };
+  const auto r = run(problem, observer);
+  ASSERT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
+  std::size_t k = 1;
+  while (k < depth.size() && depth[k].second < 1e-7) ++k;
+  ASSERT_LT(k, depth.size());
+  const auto [c0, d0] = depth[k - 1];
+  const auto [c1, d1] = depth[k];
+  EXPECT_DOUBLE_EQ(r.summary.life_cycles.at("reached").value(), c0 + (c1 - c0) * (1e-7 - d0) / (d1 - d0));
+  EXPECT_FALSE(r.summary.life_cycles.at("never"));
+  EXPECT_EQ(r.summary.cycles, 40.0);
+}
+
+// A limit with stop = true must end the run at the end of the block that reaches it.
+TEST(Run, LimitStops) {
+  const auto problem = test::problem_of(std::string(test::block_scene) + test::with(limits, {{"depth_mm = 1e-7", "depth_mm = 1e-9\nstop = true"}}));
+  const auto r = run(problem);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::done);
+  EXPECT_EQ(r.summary.cycles, 10.0);
+}
+
+// A run that fails must be a summary with its reason and the last accepted state, never an exception.
+TEST(Run, FailureIsASummary) {
+  const auto problem = test::problem_of(std::string(test::block_scene) + "[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
+  int frames = 0;
+  sim::Observer observer;
+  observer.frame = [&](const sim::Frame&) { ++frames; };
+  const auto r = run(problem, observer);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::failed);
+  EXPECT_NE(r.summary.reason.find("no convergence in 1 iterations"), std::string::npos);
+  EXPECT_EQ(frames, 2);  // the start, and the last good state
+  EXPECT_EQ(r.summary.contacts.size(), 1U);
+}
+
+// What an observer throws must end the run: a full disk is not a failed solve.
+TEST(Run, ObserverMayThrow) {
+  const auto problem = test::problem_of(test::block_scene);
+  sim::Observer observer;
+  observer.frame = [](const sim::Frame&) { throw std::runtime_error("disk full"); };
+  EXPECT_THROW(run(problem, observer), std::runtime_error);
+}
+
+// Going on from the state of a block's end, with nothing kept but that state, must change no bit.
+TEST(Run, GoesOnFromAnyBlock) {
+  const auto problem = test::problem_of(test::block_scene);
+  std::vector<sim::State> ends;
+  sim::Observer observer;
+  observer.block = [&](const sim::State& s) { ends.push_back(s); };
+  const auto whole = run(problem, observer);
+  for (auto state : ends) {
+    sim::run(problem, state, {});
+    EXPECT_EQ(state.cycle, whole.state.cycle);
+    EXPECT_EQ(state.solution.q, whole.state.solution.q);
+    EXPECT_EQ(state.solution.contacts[0].removed_secondary, whole.state.solution.contacts[0].removed_secondary);
+  }
+}
