@@ -48,7 +48,8 @@ scene::Scene read(const Request& request) {
 }
 
 void save(const sim::Problem& problem, const output::RunWriter& writer, const sim::State& state) {
-  output::save_checkpoint(writer.dir(), {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
+  output::save_checkpoint(writer.dir(),
+                          {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
 }
 
 /// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
@@ -92,7 +93,8 @@ void tell_contact(const sim::ContactSummary& c, bool ring) {
   spdlog::info("contact {}: peak pressure {} MPa, half width {} mm, normal force {:.6g} N{}", c.name,
                shown(c.peak_pressure_MPa), shown(c.contact_half_width_mm), c.normal_force, ring ? "" : "/mm");
   if (!c.ledger_relative_error) return;
-  spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]", ring ? "volume [mm^3]" : "area [mm^2]");
+  spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]",
+               ring ? "volume [mm^3]" : "area [mm^2]");
   const auto row = [](const char* side, const sim::SideSummary& v) {
     spdlog::info("  {:<10} {:>16.4f} {:>16.4f} {:>16.6g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
   };
@@ -102,8 +104,8 @@ void tell_contact(const sim::ContactSummary& c, bool ring) {
 }
 
 void tell_result(const sim::Summary& s, const std::string& dir) {
-  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status), s.cycles,
-               s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
+  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
+               s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
   if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", s.reason.c_str());
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& [name, cycles] : s.life_cycles)
@@ -149,9 +151,11 @@ int check(const Request& request) {
     const auto& mesh = problem.shapes[b]->mesh;
     const auto box = mesh::bounding_box(mesh.X);
     std::printf("body %s: area %.6g mm^2, box [%.6g, %.6g] x [%.6g, %.6g] mm, %d nodes, %d cells\n",
-                problem.inputs[b].name.c_str(), mesh::area(mesh), box[0], box[2], box[1], box[3], mesh.node_count(), mesh.cell_count());
+                problem.inputs[b].name.c_str(), mesh::area(mesh), box[0], box[2], box[1], box[3], mesh.node_count(),
+                mesh.cell_count());
     for (const auto& [name, boundary] : mesh.boundaries)
-      std::printf("  boundary %s: %.6g mm, %zu nodes\n", name.c_str(), mesh::length(mesh.X, boundary), mesh::nodes_of(boundary).size());
+      std::printf("  boundary %s: %.6g mm, %zu nodes\n", name.c_str(), mesh::length(mesh.X, boundary),
+                  mesh::nodes_of(boundary).size());
   }
   for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
   std::printf("ok\n");
@@ -178,8 +182,7 @@ int mesh(const Request& request) {
 }
 
 int report(const Request& request) {
-  if (!output::read_identity(request.path))
-    throw base::InputError({{"dir", request.path, "holds no run of reye"}});
+  if (!output::read_identity(request.path)) throw base::InputError({{"dir", request.path, "holds no run of reye"}});
   output::write_report(request.path);
   std::printf("%s/report.html\n", request.path.c_str());
   return 0;

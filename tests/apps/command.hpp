@@ -106,8 +106,10 @@ class Place {
     if (!fs::exists(top)) return all;
     for (const auto& entry : fs::recursive_directory_iterator(top)) {
       const auto name = fs::relative(entry.path(), top).string();
-      if (entry.is_directory()) all[name + "/"];
-      else all[name] = read(entry.path());
+      if (entry.is_directory())
+        all[name + "/"];
+      else
+        all[name] = read(entry.path());
     }
     return all;
   }
@@ -117,7 +119,9 @@ class Place {
     std::vector<char*> arguments;
     for (const auto& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    const auto to = [](const fs::path& file, int fd) { ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), fd); };
+    const auto to = [](const fs::path& file, int fd) {
+      ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), fd);
+    };
     to(out, 1);
     to(err, 2);
     if (::chdir(work().c_str()) == 0) ::execv(arguments[0], arguments.data());

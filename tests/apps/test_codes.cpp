@@ -21,8 +21,13 @@ struct WithScenes : test::Place {
 TEST(Codes, CommandLine) {
   const WithScenes place;
   const auto before = place.files();
-  const std::vector<std::vector<std::string>> wrong = {
-      {}, {"wear"}, {"run"}, {"run", "blocks.toml", "--fast"}, {"run", "blocks.toml", "again"}, {"run", "blocks.toml", "--out"}, {"report"}};
+  const std::vector<std::vector<std::string>> wrong = {{},
+                                                       {"wear"},
+                                                       {"run"},
+                                                       {"run", "blocks.toml", "--fast"},
+                                                       {"run", "blocks.toml", "again"},
+                                                       {"run", "blocks.toml", "--out"},
+                                                       {"report"}};
   for (const auto& words : wrong) {
     const auto told = place.reye(words);
     EXPECT_EQ(told.code, 2) << (words.empty() ? "" : words.back());
@@ -41,8 +46,9 @@ TEST(Codes, GoodRun) {
   EXPECT_EQ(told.code, 0) << told.err;
   EXPECT_TRUE(test::holds(told.out, "done: 400 cycles, 5 blocks"));
   EXPECT_TRUE(test::holds(told.out, "page ./wearing.out/report.html"));
-  for (const char* file : {"series.pvd", "surfaces.pvd", "history.csv", "surface_pad_secondary.csv", "surface_pad_primary.csv",
-                           "summary.json", "log.txt", "checkpoint/current.bin", "report.html", "figures/overview-pad.svg"})
+  for (const char* file :
+       {"series.pvd", "surfaces.pvd", "history.csv", "surface_pad_secondary.csv", "surface_pad_primary.csv",
+        "summary.json", "log.txt", "checkpoint/current.bin", "report.html", "figures/overview-pad.svg"})
     EXPECT_TRUE(test::fs::exists(place / "wearing.out" / file)) << file;
   EXPECT_TRUE(test::holds(test::read(place / "wearing.out/summary.json"), R"("status": "done",)"));
 }
@@ -131,9 +137,10 @@ TEST(Codes, FailedSolve) {
 // Wear that no mesh can follow must end the run with 1 and name body and place; what was reached stays on disk.
 TEST(Codes, FailedShape) {
   const WithScenes place;
-  const std::string eaten = test::changed(test::blocks, {
-      {"friction  = 0.3\n", "imposed_sliding_mm = 1000.0\n"},
-      {R"(law = "energy", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5)", R"(law = "archard", secondary_per_MPa = 1e-5)"}});
+  const std::string eaten =
+      test::changed(test::blocks, {{"friction  = 0.3\n", "imposed_sliding_mm = 1000.0\n"},
+                                   {R"(law = "energy", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5)",
+                                    R"(law = "archard", secondary_per_MPa = 1e-5)"}});
   place.write("deep.toml", eaten + "\n[[step]]\nname = \"wear\"\ncycles = 50\n");  // a tenth of the block per cycle
   const auto told = place.reye({"run", "deep.toml", "--quiet"});
   EXPECT_EQ(told.code, 1);

@@ -22,9 +22,10 @@ TEST(Folder, AnotherRun) {
   const auto before = place.files("o");
   const auto refused = place.reye({"run", "other.toml", "--out", "o"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_EQ(refused.err,
-            "--out = o: the output folder o holds the run of another scene, 'blocks'; choose another folder with --out, or "
-            "replace it with --force\n");
+  EXPECT_EQ(
+      refused.err,
+      "--out = o: the output folder o holds the run of another scene, 'blocks'; choose another folder with --out, or "
+      "replace it with --force\n");
   EXPECT_EQ(place.files("o"), before);
   EXPECT_EQ(place.reye({"run", "other.toml", "--out", "o", "--quiet", "--force"}).code, 0);
   EXPECT_TRUE(test::holds(test::read(place / "o/.reye.json"), "other"));
@@ -53,13 +54,15 @@ TEST(Folder, CannotBeMade) {
   const auto in_a_file = place.reye({"run", "blocks.toml", "--out", "file/o"});
   EXPECT_EQ(in_a_file.code, 2);
   EXPECT_TRUE(in_a_file.err.starts_with("--out = file/o: cannot make the output folder file/o in /")) << in_a_file.err;
-  EXPECT_EQ(place.reye({"run", "blocks.toml", "--out", "file"}).err, "--out = file: the output folder file is a file\n");
+  EXPECT_EQ(place.reye({"run", "blocks.toml", "--out", "file"}).err,
+            "--out = file: the output folder file is a file\n");
 }
 
 // A disk that refuses in the middle of a run must end it with 1 and a message that names the file.
 TEST(Folder, DiskRefuses) {
   const WithBlocks place;
-  const std::string limited = "trap '' XFSZ; ulimit -f 4; exec \"$0\" run blocks.toml --out o --quiet";  // blocks of 1 KB
+  const std::string limited =
+      "trap '' XFSZ; ulimit -f 4; exec \"$0\" run blocks.toml --out o --quiet";  // blocks of 1 KB
   const auto told = place.start({"/bin/bash", "-c", limited, REYE_COMMAND}).wait();
   EXPECT_EQ(told.code, 1) << told.err;
   EXPECT_TRUE(told.err.starts_with("reye: cannot write o/")) << told.err;

@@ -38,8 +38,8 @@ std::string status(const test::Place& place, const std::string& folder) {
 }
 
 /// Runs until the history has so many rows, then sends a signal; the run must not have ended by itself.
-test::Told interrupted(const test::Place& place, const std::string& folder, long rows, std::vector<std::string> more = {},
-                       int signal = SIGINT) {
+test::Told interrupted(const test::Place& place, const std::string& folder, long rows,
+                       std::vector<std::string> more = {}, int signal = SIGINT) {
   std::vector<std::string> words{"run", "wearing.toml", "--out", folder};
   words.insert(words.end(), more.begin(), more.end());
   auto run = place.start_reye(words);
@@ -52,7 +52,8 @@ test::Told interrupted(const test::Place& place, const std::string& folder, long
 // Two runs of a scene must give the same bytes.
 TEST(Restart, TwoRunsAreTheSame) {
   const WithWearing place;
-  for (const char* folder : {"a", "b"}) ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", folder, "--quiet"}).code, 0);
+  for (const char* folder : {"a", "b"})
+    ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", folder, "--quiet"}).code, 0);
   expect_same(place, "a", "b");
 }
 
@@ -110,7 +111,8 @@ TEST(Restart, NothingToGoOnFrom) {
   const WithWearing place;
   const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--restart"});
   EXPECT_EQ(told.code, 2);
-  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to go on from: o/checkpoint/current.bin: missing; ")) << told.err;
+  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to go on from: o/checkpoint/current.bin: missing; "))
+      << told.err;
   EXPECT_FALSE(test::fs::exists(place / "o"));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
   place.write("wearing.toml", test::changed(test::wearing, {{"cycles = 400", "cycles = 500"}}));

@@ -49,11 +49,36 @@ std::vector<Operation> operations() {
       operation("exp", [](auto a, auto b) { return exp(a * b); }),
       operation("sin", [](auto a, auto b) { return sin(a) * b; }),
       operation("cos", [](auto a, auto b) { return cos(a) * b; }),
-      operation("+=", [](auto a, auto b) { auto c = a * a; c += b * b * b; return c; }),
-      operation("-=", [](auto a, auto b) { auto c = a * a; c -= b * b * b; return c; }),
-      operation("*=", [](auto a, auto b) { auto c = a * a; c *= b; return c; }),
-      operation("/=", [](auto a, auto b) { auto c = a * a; c /= b; return c; }),
-      operation("a a", [](auto a, auto b) { auto c = a; c *= c; return c * b; }),
+      operation("+=",
+                [](auto a, auto b) {
+                  auto c = a * a;
+                  c += b * b * b;
+                  return c;
+                }),
+      operation("-=",
+                [](auto a, auto b) {
+                  auto c = a * a;
+                  c -= b * b * b;
+                  return c;
+                }),
+      operation("*=",
+                [](auto a, auto b) {
+                  auto c = a * a;
+                  c *= b;
+                  return c;
+                }),
+      operation("/=",
+                [](auto a, auto b) {
+                  auto c = a * a;
+                  c /= b;
+                  return c;
+                }),
+      operation("a a",
+                [](auto a, auto b) {
+                  auto c = a;
+                  c *= c;
+                  return c * b;
+                }),
   };
 }
 

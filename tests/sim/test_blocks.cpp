@@ -64,7 +64,9 @@ TEST(Approach, LoadedBodyIsMovedUntilItTouches) {
 
 // A body whose motion along the load is held must stay where the scene puts it.
 TEST(Approach, HeldBodyStays) {
-  Prepared p(test::with(test::block_scene, {{"y        = { force_N_per_mm = -20.0, history = \"press\" }", "y = { motion_mm = -0.3, history = \"press\" }"}}), 0.2);
+  Prepared p(test::with(test::block_scene, {{"y        = { force_N_per_mm = -20.0, history = \"press\" }",
+                                             "y = { motion_mm = -0.3, history = \"press\" }"}}),
+             0.2);
   EXPECT_NEAR(lowest(p.sides().secondary), 0.2, 1e-12);
   EXPECT_EQ(p.state.solution.q.norm(), 0.0);
 }
@@ -103,7 +105,8 @@ TEST(Blocks, CutBackHalvesAndSaysWhy) {
   const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), observer);
   EXPECT_EQ(outcome.state.counts.cutbacks, 2);
   ASSERT_EQ(outcome.state.cutback_reasons.size(), 2U);
-  EXPECT_NE(outcome.state.cutback_reasons[0].find("step \"wear\", cycle 0.000000, progress 0.000000 to 0.125000: "), std::string::npos);
+  EXPECT_NE(outcome.state.cutback_reasons[0].find("step \"wear\", cycle 0.000000, progress 0.000000 to 0.125000: "),
+            std::string::npos);
   EXPECT_NE(outcome.state.cutback_reasons[1].find("progress 0.000000 to 0.062500: "), std::string::npos);
   EXPECT_NE(outcome.failure.find("progress 0.000000 to 0.031250: "), std::string::npos);
   ASSERT_EQ(log.size(), 2U);
@@ -124,7 +127,8 @@ TEST(Blocks, SurfaceTables) {
   outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), observer);
   ASSERT_TRUE(outcome.interrupted);
   p.state = outcome.state;
-  const auto tables = sim::surface_records(p.system().contacts[0], p.state.solution.contacts[0], p.state.shapes, p.problem.contacts[0]);
+  const auto tables =
+      sim::surface_records(p.system().contacts[0], p.state.solution.contacts[0], p.state.shapes, p.problem.contacts[0]);
   std::vector<double> sheared;
   for (const auto& table : tables) {
     EXPECT_TRUE(std::is_sorted(table.arc_length_mm.begin(), table.arc_length_mm.end()));

@@ -11,7 +11,8 @@ const scene::History stroke{{0.0, 0.0}, {0.25, 1.0}, {0.75, -1.0}, {1.0, 0.0}};
 
 scene::Scene with_histories() {
   scene::Scene scene;
-  scene.histories = {{"stroke", stroke}, {"press", {{0.0, 0.0}, {0.1, 1.0}, {1.0, 1.0}}}, {"other", {{0.0, 5.0}, {1.0, 7.0}}}};
+  scene.histories = {
+      {"stroke", stroke}, {"press", {{0.0, 0.0}, {0.1, 1.0}, {1.0, 1.0}}}, {"other", {{0.0, 5.0}, {1.0, 7.0}}}};
   return scene;
 }
 
@@ -65,7 +66,8 @@ TEST(Drive, FactorsHold) {
 
 // Fixed and moved motions must be prescribed, loaded ones be forces, all times their factor; free ones neither.
 TEST(Drive, Controls) {
-  const auto p = test::problem_of(test::with(test::block_scene, {{"x        = \"fixed\"\n", "x = { motion_mm = 0.5 }\n"}}));
+  const auto p =
+      test::problem_of(test::with(test::block_scene, {{"x        = \"fixed\"\n", "x = { motion_mm = 0.5 }\n"}}));
   sim::Cache cache;
   const auto& system = sim::system_of(p, sim::initial_state(p), cache);
   const std::map<std::string, double> factors{{"press", 0.25}, {"stroke", -0.5}};
@@ -83,10 +85,12 @@ TEST(Drive, Controls) {
 
 // Imposed sliding must be shared among the increments by their part of the play, and rest while a step does not wear.
 TEST(Drive, ImposedSliding) {
-  const auto p = test::problem_of(test::with(test::block_scene, {{"friction  = 0.3", "friction = 0.3\nimposed_sliding_mm = 100.0"}}));
+  const auto p = test::problem_of(
+      test::with(test::block_scene, {{"friction  = 0.3", "friction = 0.3\nimposed_sliding_mm = 100.0"}}));
   sim::Cache cache;
   const auto& system = sim::system_of(p, sim::initial_state(p), cache);
   const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
-  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].imposed_slip, 50.0);
+  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].imposed_slip,
+                   50.0);
   EXPECT_EQ(sim::controls_at(p, system, factors, p.scene.steps[0], 0.0, 1.0, 1.0).contacts[0].imposed_slip, 0.0);
 }

@@ -31,16 +31,18 @@ depth_mm = 1.0
 // The plan must say what each body, contact and step is, and what is skipped.
 TEST(Run, Plan) {
   const auto problem = test::problem_of(test::block_scene);
-  EXPECT_EQ(problem.plan.lines,
-            (std::vector<std::string>{
-                "body slider: linear elastic, small strain, 8 quads, 23 dofs condensed to 13",
-                "body base: linear elastic, small strain, 20 quads, 47 dofs condensed to 25",
-                "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction 0.3, wear by dissipated energy",
-                "step \"press\": 1 increments, no wear",
-                "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
-            }));
+  EXPECT_EQ(
+      problem.plan.lines,
+      (std::vector<std::string>{
+          "body slider: linear elastic, small strain, 8 quads, 23 dofs condensed to 13",
+          "body base: linear elastic, small strain, 20 quads, 47 dofs condensed to 25",
+          "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction 0.3, wear by dissipated energy",
+          "step \"press\": 1 increments, no wear",
+          "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
+      }));
   EXPECT_EQ(problem.plan.skipped.size(), 2U);
-  const auto off = test::problem_of("shape = \"off\"\n" + test::with(test::block_scene, {{", primary_mm3_per_J = 2.0e-5", ""}}));
+  const auto off =
+      test::problem_of("shape = \"off\"\n" + test::with(test::block_scene, {{", primary_mm3_per_J = 2.0e-5", ""}}));
   EXPECT_EQ(off.plan.skipped[2], "shape = \"off\": wear stays in the gap, no shape step");
   EXPECT_EQ(off.plan.skipped[3], "contact pad: the primary side does not wear");
 }
@@ -80,7 +82,8 @@ TEST(Run, LifeIsInterpolated) {
 
 // A limit with stop = true must end the run at the end of the block that reaches it.
 TEST(Run, LimitStops) {
-  const auto problem = test::problem_of(std::string(test::block_scene) + test::with(limits, {{"depth_mm = 1e-7", "depth_mm = 1e-9\nstop = true"}}));
+  const auto problem = test::problem_of(std::string(test::block_scene) +
+                                        test::with(limits, {{"depth_mm = 1e-7", "depth_mm = 1e-9\nstop = true"}}));
   const auto r = run(problem);
   EXPECT_EQ(r.summary.status, sim::RunStatus::done);
   EXPECT_EQ(r.summary.cycles, 10.0);
@@ -88,7 +91,8 @@ TEST(Run, LimitStops) {
 
 // A run that fails must be a summary with its reason and the last accepted state, never an exception.
 TEST(Run, FailureIsASummary) {
-  const auto problem = test::problem_of(std::string(test::block_scene) + "[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
+  const auto problem =
+      test::problem_of(std::string(test::block_scene) + "[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
   int frames = 0;
   sim::Observer observer;
   observer.frame = [&](const sim::Frame&) { ++frames; };

@@ -40,7 +40,8 @@ TEST(Widths, ExactOnHertz) {
   for (const double a : {0.1, 0.37, 0.5})
     for (const double h : {0.01, 0.03, 0.045})
       for (int k = 0; k < 5; ++k) {
-        const auto s = surface(h, 0.2 * k * h, 0.013, 0.0, [a](double x) { return hertz(x, a); }, no_shear);
+        const auto s = surface(
+            h, 0.2 * k * h, 0.013, 0.0, [a](double x) { return hertz(x, a); }, no_shear);
         EXPECT_NEAR(sim::contact_half_width(s).value(), a, 1e-10 * a) << a << ' ' << h << ' ' << k;
       }
 }
@@ -51,8 +52,9 @@ TEST(Widths, ExactOnCattaneoMindlin) {
   for (const double c : {0.15, 0.3, 0.45})
     for (int k = 0; k < 5; ++k)
       for (const double sign : {1.0, -1.0}) {
-        const auto s = surface(0.025, 0.005 * k, 0.004, mu, [a](double x) { return hertz(x, a); },
-                               [&](double x) { return sign * mindlin(x, mu, a, c); });
+        const auto s = surface(
+            0.025, 0.005 * k, 0.004, mu, [a](double x) { return hertz(x, a); },
+            [&](double x) { return sign * mindlin(x, mu, a, c); });
         EXPECT_NEAR(sim::stick_half_width(s, mu).value(), c, 1e-9 * c) << c << ' ' << k;
         EXPECT_NEAR(sim::contact_half_width(s).value(), a, 1e-9 * a);
       }
@@ -60,16 +62,19 @@ TEST(Widths, ExactOnCattaneoMindlin) {
 
 // A contact of constant pressure must reach to its last loaded nodes, at most one element further.
 TEST(Widths, FlatPressure) {
-  const auto s = surface(0.1, 0.0, 0.0, 0.0, [](double x) { return std::abs(x) < 0.45 ? 10.0 : 0.0; }, no_shear);
+  const auto s = surface(
+      0.1, 0.0, 0.0, 0.0, [](double x) { return std::abs(x) < 0.45 ? 10.0 : 0.0; }, no_shear);
   EXPECT_NEAR(sim::contact_half_width(s).value(), 0.4, 1e-12);
 }
 
 // Too few loaded or sticking nodes must give no width rather than a wrong one.
 TEST(Widths, TooFewNodes) {
-  const auto narrow = surface(0.1, 0.0, 0.0, 0.0, [](double x) { return hertz(x, 0.15); }, no_shear);
+  const auto narrow = surface(
+      0.1, 0.0, 0.0, 0.0, [](double x) { return hertz(x, 0.15); }, no_shear);
   EXPECT_FALSE(sim::contact_half_width(narrow));
   EXPECT_FALSE(sim::stick_half_width(sim::SurfaceRecord{}, 0.3));
-  const auto sliding = surface(0.02, 0.0, 0.0, 0.3, [](double x) { return hertz(x, 0.5); }, [](double x) { return 0.3 * hertz(x, 0.5); });
+  const auto sliding = surface(
+      0.02, 0.0, 0.0, 0.3, [](double x) { return hertz(x, 0.5); }, [](double x) { return 0.3 * hertz(x, 0.5); });
   EXPECT_FALSE(sim::stick_half_width(sliding, 0.3));
 }
 
