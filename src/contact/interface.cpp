@@ -44,10 +44,26 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
 void Interface::integrate(const Points& xs, const Points& xm) {
   placement_.xs = xs;
   placement_.xm = xm;
+  placement_.cut = setup_->cut;
   records_ = &integrator_.values(placement_);
   differentiated_.assign(records_->size(), 0);
   sum_rows();
+  if (leave_out_slivers()) sum_rows();
   sum_start_of_increment();
+}
+
+/// A node of which hardly anything is covered carries no multiplier; its share goes to the other node of the
+/// facet, or forces would be lost there: the dual functions of the others alone do not add up to one.
+bool Interface::leave_out_slivers() {
+  bool found = false;
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const int node = static_cast<int>(j);
+    if (placement_.cut[j] || record_of_[node] == std::array{-1, -1} || touching(node)) continue;
+    placement_.cut[j] = found = true;
+    for (int r : record_of_[node])
+      if (r >= 0) integrator_.renew(placement_, (*records_)[r]);
+  }
+  return found;
 }
 
 void Interface::sum_rows() {
@@ -116,7 +132,8 @@ mortar::NormalStencil Interface::stencil(int node) const {
 bool Interface::uses_drift(int node) const {
   if (options_.held) return true;  // the reference belongs to the shape before
   const double D = before_->reference[node].D;
-  return D <= 0.0 || std::abs(rows_[node].D - D) > 1e-6 * setup_->secondary.area[node];
+  const double change = std::abs(rows_[node].D - D) + std::abs(rows_[node].off - before_->reference[node].off);
+  return D <= 0.0 || change > 1e-6 * setup_->secondary.area[node];
 }
 
 /// Weighted motion of the secondary against the primary in this increment: the objective form
@@ -200,8 +217,11 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
       // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
       // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
       const double bound = o.friction * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
-      status_[j] = std::abs(trial) < bound ? ContactStatus::stick : ContactStatus::slip;
-      sign_[j] = trial < 0.0 ? -1.0 : 1.0;
+      const double sign = trial < 0.0 ? -1.0 : 1.0;
+      // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
+      const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;
+      status_[j] = reverses || std::abs(trial) < bound ? ContactStatus::stick : ContactStatus::slip;
+      sign_[j] = sign;
     }
   }
 }

@@ -95,6 +95,7 @@ class Interface {
   double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
   void sum_rows();
+  bool leave_out_slivers();
   void sum_start_of_increment();
   mortar::NormalStencil stencil(int node) const;
   NodeConditions<Ten> node_duals(int node, const std::vector<Vec2>& lambda) const;

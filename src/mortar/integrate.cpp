@@ -123,6 +123,12 @@ std::vector<FacetRecord>& Integrator::values(const Placement& p) {
   return records_;
 }
 
+void Integrator::renew(const Placement& p, FacetRecord& record) {
+  load<double>(p, record, plain_.in, plain_value);
+  integrate(plain_);
+  std::swap(record.value, plain_.out);
+}
+
 void Integrator::differentiate(const Placement& p, FacetRecord& record) {
   using Scalar = base::Dual<width>;
   record.dofs = dofs_of(p, record);
