@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Partial-slip fretting towards its state without further wear (references B4), for several element sizes."""
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from wear_case import figure, run, value_at, write_csv, write_measured  # noqa: E402
+
+A, P0, R, MU = 0.0913360, 836.410, 6.0, 0.6
+C = A * math.sqrt(0.5)
+LIMIT = 0.15674e-3                # largest depth of the limit [mm]
+SIZES = {10: 0.018, 20: 0.009, 40: 0.0045}   # elements across the first contact
+
+
+def largest_depth(c):
+    """Of the limit profile with stick half width c, at x^2 = (a^2 + c^2) / 2."""
+    x = math.sqrt(0.5 * (A * A + c * c))
+    return (A * A * math.acosh(x / c) - x * math.sqrt(x * x - c * c)) / (2.0 * R)
+
+
+def edge_of_stick(rows):
+    """Half the distance between the outermost stick nodes."""
+    x = [r["x_mm"] for r in rows if r["status"] == "stick"]
+    return 0.5 * (max(x) - min(x))
+
+
+def centre(rows):
+    force = sum(r["pressure_MPa"] for r in rows)
+    return sum(r["x_mm"] * r["pressure_MPa"] for r in rows) / force
+
+
+def main():
+    measured, sizes, profiles, growth = {}, [], [], []
+    for across, h in SIZES.items():
+        result = run("partial_slip_limit", f"across_{across}", [("size_mm = 0.0045", f"size_mm = {h}")])
+        frames = result.frames("secondary")
+        depth = {cycle: max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
+        rows = frames[-1][1]
+        own = edge_of_stick(rows)
+        pressure = value_at(rows, "pressure_MPa", centre(rows)) / P0
+        wear = [r["depth_max_secondary_mm"] for r in result.history]
+        sizes.append([across, h, depth[1000.0] / LIMIT, depth[10000.0] / LIMIT, own, C, pressure,
+                      result.contact["ledger_relative_error"]])
+        growth += [[across, cycle * 2.5e-3, d / LIMIT] for cycle, d in depth.items()]
+        profiles += [[across, r["x_mm"], 1e3 * r["wear_depth_mm"], r["pressure_MPa"], r["status"]]
+                     for r in rows if abs(r["x_mm"]) < 0.125]
+        if across == 40:
+            measured.update({
+                "depth_at_2.5_over_limit": depth[1000.0] / LIMIT,
+                "stick_edge_error_in_elements": abs(own - C) / h,
+                "pressure_in_the_middle": pressure,
+                "own_stick_half_width_mm": own,
+                "depth_at_25_um": 1e3 * depth[10000.0],
+                "depth_at_25_over_closed_form_with_own_c": depth[10000.0] / largest_depth(own),
+                "largest_drop_of_depth": max(0.0, max(a - b for a, b in zip(wear, wear[1:]))) / wear[-1],
+                "ledger": result.contact["ledger_relative_error"]})
+    write_csv("sizes.csv", ["across", "h_mm", "depth_at_2.5", "depth_at_25", "stick_edge_mm", "exact_c_mm",
+                            "p0_ratio", "ledger"], sizes)
+    write_csv("profiles.csv", ["across", "x_mm", "depth_um", "pressure_MPa", "status"], profiles)
+    write_csv("growth.csv", ["across", "alpha_N_mm3_per_J", "depth_over_limit"], growth)
+    write_measured(measured)
+    lines = ", ".join(f"'< grep ^{n}, profiles.csv' using 2:3 with linespoints pt 7 ps 0.4 title '{n} elements across'" for n in SIZES)
+    figure(f"a = {A}\nc = {C}\nset samples 1000\nset xrange [-0.125:0.125]\nset yrange [0:0.3]\n"
+           f"w(x) = abs(x) <= c ? 0 : (a**2 * acosh(abs(x) / c) - abs(x) * sqrt(x**2 - c**2)) / {2.0 * R} * 1e3\n"
+           "set xlabel 'x [mm]'\nset ylabel 'depth [um]'\n"
+           f"set title 'alpha N = 25 mm^3/J'\nplot {lines}, w(x) > 0 ? w(x) : 0 with lines lc 'black' title 'limit, half-plane'\n")
+
+
+if __name__ == "__main__":
+    main()
