@@ -80,6 +80,20 @@ TEST(slip, exact_where_coverage_changes) {
     }
 }
 
+// An accepted state must be the next increment's slip reference: no motion, no slip.
+TEST(slip, next_increment_counts_its_own) {
+  auto c = support::case_of(support::facing({}), frictional(0.5));
+  c.setup.stiffness.assign(c.xs.size(), 10.0);
+  slide(c, 0.0);
+  support::press(c, 100.0, 0.0);
+  const auto first = support::interface_of(c, 0);
+  EXPECT_NEAR(first.condition(2).slip / first.rows()[2].D, 0.21, 0.02);
+  c.before = first.accepted(c.lambda);
+  c.xs0 = c.xs;
+  c.xm0 = c.xm;
+  EXPECT_LT(largest_slip(support::interface_of(c, 0)), 1e-15);
+}
+
 struct Balance {
   Vec2 force = Vec2::Zero();
   double moment = 0.0;

@@ -137,11 +137,12 @@ TEST(patch, stick) {
   }
 }
 
-// Shear at the friction bound must do so while the upper block slides by a tenth of the width.
+// Shear at the friction bound must do so while the upper block slides. By little: the first iteration takes the
+// contact as sticking, and a block that is held by contact alone would tip over under the shear of a long slide.
 TEST(patch, slip) {
   for (const auto& [upper, lower] : meshes)
     for (double sign : {1.0, -1.0})
-      every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = sign * 3.0, .friction = 0.3, .slide = sign * 0.2},
+      every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = sign * 3.0, .friction = 0.3, .slide = sign * 0.01},
                 [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::slip), 3); });
 }
 
