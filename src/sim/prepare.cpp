@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <cstdio>
 #include <filesystem>
 
@@ -141,13 +142,15 @@ void place_contacts(Problem& p, Resolver& resolve) {
 void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
   for (const auto& contact : p.contacts) {
     const auto& mesh = p.shapes[contact.secondary.body]->mesh;
-    const auto nodes = mesh::nodes_of(mesh.boundaries.at(contact.secondary.boundary));
     for (const auto& support : p.inputs[contact.secondary.body].supports) {
       if (!support.rigid || support.edge.empty()) continue;
-      const auto held = mesh::nodes_of(mesh.boundaries.at(support.edge));
-      const auto shared = std::count_if(nodes.begin(), nodes.end(),
-                                        [&](int n) { return std::find(held.begin(), held.end(), n) != held.end(); });
-      if (shared > 1 || support.edge == contact.secondary.boundary)
+      const auto list = mesh::nodes_of(mesh.boundaries.at(support.edge));
+      const std::set<int> held(list.begin(), list.end());
+      // An end node that the two share is cut down; a whole facet on the rigid edge could not take part.
+      bool facet = false;
+      for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
+        for (std::size_t i = 1; i < chain.size(); ++i) facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
+      if (facet)
         issues.push_back({"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
                           "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
     }
