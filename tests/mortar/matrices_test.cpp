@@ -33,7 +33,7 @@ double hat(const base::Points& X, int l, double x) {
 
 struct Exact {
   Vector D;
-  Matrix M;
+  Matrix M, T;
 };
 
 /// int of f over [a, b] cut at the primary nodes.
@@ -48,11 +48,11 @@ double piecewise(const base::Points& cuts, double a, double b, F f) {
   return sum + simpson(from, b, f);
 }
 
-/// D and M of two straight surfaces along x that touch, by exact integration of polynomials.
+/// D, M and T of two straight surfaces along x that touch, by exact integration of polynomials.
 Exact exact(const support::Facing& f) {
   const auto& X = f.secondary.X;
   const int ns = static_cast<int>(X.size()), nm = static_cast<int>(f.xm.size());
-  Exact e{Vector::Zero(ns), Matrix::Zero(ns, nm)};
+  Exact e{Vector::Zero(ns), Matrix::Zero(ns, nm), Matrix::Zero(ns, nm)};
   const auto r = [&](double x) { return base::out_of_plane(f.analysis, x); };
   for (const auto& [i, k] : f.secondary.facets) {
     const double a = std::max(X[k].x(), f.xm.front().x()), b = std::min(X[i].x(), f.xm.back().x());
@@ -69,10 +69,12 @@ Exact exact(const support::Facing& f) {
     for (int j = 0; j < 2; ++j) {
       const int node = j == 0 ? i : k;
       e.D[node] += own[j];
-      for (int l = 0; l < nm; ++l)
+      for (int l = 0; l < nm; ++l) {
         e.M(node, l) += piecewise(f.xm, a, b, [&](double x) {
           return (A(j, 0) * N(0, x) + A(j, 1) * N(1, x)) * hat(f.xm, l, x) * r(x);
         });
+        e.T(node, l) += piecewise(f.xm, a, b, [&](double x) { return N(j, x) * hat(f.xm, l, x) * r(x); });
+      }
     }
   }
   return e;
@@ -95,10 +97,11 @@ void expect_exact(const FacingOptions& o) {
   const double size = e.D.lpNorm<Eigen::Infinity>();
   EXPECT_LT((s.D - e.D).lpNorm<Eigen::Infinity>(), 1e-13 * size);
   EXPECT_LT((s.M - e.M).lpNorm<Eigen::Infinity>(), 1e-13 * size);
+  EXPECT_LT((s.cover - e.T).lpNorm<Eigen::Infinity>(), 1e-13 * size);
   EXPECT_LT(s.gap.lpNorm<Eigen::Infinity>(), 1e-14);
 }
 
-// D and M must be exact on straight surfaces of 2 against 3 and 7 against 5 facets, in both roles.
+// D, M and T must be exact on straight surfaces of 2 against 3 and 7 against 5 facets, in both roles.
 TEST(matrices, exact_on_straight_surfaces) {
   for (const auto& [a, b] : {std::pair{2, 3}, {3, 2}, {7, 5}, {5, 7}}) expect_exact(straight(a, b));
 }
