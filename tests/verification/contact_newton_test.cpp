@@ -1,0 +1,78 @@
+#include <cstdlib>
+
+#include "sim/block.hpp"
+#include "verification/contact_scene.hpp"
+
+using namespace reye;
+using namespace reye::verification;
+
+namespace {
+
+struct Row {
+  std::string step;
+  double progress = 0.0;
+  int iteration = 0;
+  solver::Iteration at;
+};
+
+/// Newton tables of all increments of a scene's steps, each from the accepted state before it.
+std::vector<Row> newton_rows(const std::string& text) {
+  const auto problem = prepared(text);
+  auto state = sim::initial_state(problem);
+  sim::Cache cache;
+  sim::begin_state(problem, state, cache);
+  const auto& system = sim::system_of(problem, state, cache);
+  std::vector<Row> rows;
+  for (const auto& step : problem.scene.steps) {
+    double from = 0.0;
+    const auto held = state.factors;
+    for (const double to : sim::increment_ends(problem.scene, step)) {
+      state.factors = sim::factors_at(problem.scene, step, to, held);
+      auto result = cache.newton.solve(system, state.solution, sim::controls_at(problem, system, state.factors, step, from, to, 1.0));
+      EXPECT_TRUE(result.report.converged) << result.report.reason;
+      int iteration = 0;
+      for (const auto& at : result.report.table) rows.push_back({step.name, to, iteration++, at});
+      state.solution = std::move(result.state);
+      from = to;
+    }
+  }
+  return rows;
+}
+
+/// As CSV where the caller asks for it.
+void write_rows(const std::string& name, const std::vector<Row>& rows) {
+  const char* folder = std::getenv("REYE_NEWTON");
+  if (!folder) return;
+  std::ofstream out(std::string(folder) + "/" + name + ".csv");
+  out << "step,progress,iteration,force,condition,changes\n";
+  for (const auto& r : rows)
+    out << r.step << ',' << r.progress << ',' << r.iteration << ',' << r.at.force << ',' << r.at.condition << ',' << r.at.changes << '\n';
+}
+
+double worse(const solver::Iteration& i) { return std::max(i.force, i.condition); }
+
+/// Smallest of log(r_k+1) / log(r_k) over the tails: no status change, r_k between 1e-5 and 1e-2. Each must exceed 1.
+double smallest_order(const std::vector<Row>& rows, int& tails) {
+  double order = 10.0;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    if (rows[i + 1].iteration != rows[i].iteration + 1 || rows[i].at.changes != 0 || rows[i + 1].at.changes != 0) continue;
+    const double now = worse(rows[i].at), next = std::max(worse(rows[i + 1].at), 1e-13);
+    if (now > 1e-2 || now < 1e-5) continue;
+    order = std::min(order, std::log(next) / std::log(now));
+    ++tails;
+  }
+  return order;
+}
+
+}  // namespace
+
+// Once the active set has settled the residual must fall quadratically: r_k+1 < r_k^1.5 at the least.
+TEST(ContactNewton, QuadraticTail) {
+  for (const std::string name : {"hertz", "cattaneo_mindlin"}) {
+    const auto rows = newton_rows(scene_text(name, name == "hertz" ? Replacements{} : Replacements{{"increments = 20", "increments = 5"}}));
+    write_rows(name, rows);
+    int tails = 0;
+    EXPECT_GT(smallest_order(rows, tails), 1.5) << name;
+    EXPECT_GE(tails, 2) << name;
+  }
+}
