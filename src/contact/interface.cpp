@@ -189,7 +189,8 @@ double Interface::others_wear(int node) const {
 void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool predicted) {
   status_last_ = status_;
   const auto& o = setup_->options;
-  const bool spread = o.wear.primary > 0.0 && options_.wear && !options_.held && o.implicit_wear && iteration >= 5;
+  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && iteration >= 5;
+  const bool spread = late && o.wear.primary > 0.0;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
     const double D = rows_[j].D, stiffness = setup_->stiffness[j];
@@ -202,7 +203,8 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
     const bool was = status_last_[j] != ContactStatus::inactive;
     // Nodes that touch at zero gap start active: the first matrix would be singular without them.
     const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
-    if (!start && lambda_n - o.c_normal * stiffness * opened <= 0.0) {
+    // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
+    if (!start && lambda_n - (late && was ? 0.0 : o.c_normal * stiffness * opened) <= 0.0) {
       status_[j] = ContactStatus::inactive;
       continue;
     }

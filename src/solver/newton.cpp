@@ -192,9 +192,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   Vector q = reduction_.restrict_to(before.q);
   if (predicted) q += controls.continues * reduction_.restrict_to(last_step_);
   for (const auto& [column, value] : controls.prescribed) q[reduction_.index(column)] = value;
+  bool late = false;
   for (int iteration = 0; iteration <= options_.max_iterations; ++iteration) {
     place(system, reduction_.scatter(q), false);
-    const int changes = decide(iteration, predicted);
+    const int changes = decide(late ? options_.max_iterations : iteration, predicted);
     Iteration row = measure(system, controls, q);
     row.changes = changes;
     report.table.push_back(row);
@@ -202,11 +203,17 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       report.reason = "the residual is not finite after " + std::to_string(iteration) + " iterations";
       return result;
     }
-    if (iteration > 0 && changes == 0 && row.force < options_.force_tolerance && row.condition < options_.condition_tolerance) {
+    const bool met = iteration > 0 && changes == 0 && row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
+    // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
+    if (met && (late || decide(options_.max_iterations, predicted) == 0)) {
       report.converged = true;
       if (accept(system, q, result) == Fit::good) return result;
       choose_reach(system, before, true);
       return iterate(system, before, controls, predicted);
+    }
+    if (met) {
+      late = true;
+      measure(system, controls, q);
     }
     if (iteration == options_.max_iterations) break;
     condenser_.start(system, controls, reduction_, q, -structural_);

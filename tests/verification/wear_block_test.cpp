@@ -135,6 +135,14 @@ TEST(WearBlock, WiderWearsAsPrimary) {
   EXPECT_GT(std::log(coarse / fine) / std::log(4.0), 0.8);
 }
 
+/// A node that its neighbours' wear opens lets go: would it pull, more work than mu P s would be booked (seen: 1.5 %).
+TEST(WearBlock, OpenedByNeighbours) {
+  const Replacements mesh{{"far_size_mm = 0.5", "far_size_mm = 0.125"}, {"far_size_mm = 0.7", "far_size_mm = 0.175"}};
+  const Played run = played(scene_text("sliding_block", wider("200e3", "3.0e-4") + mesh + Replacements{{coefficients, "primary_mm3_per_J = 1.0e-4"}}));
+  EXPECT_NEAR(run.contact().dissipated_energy / 30000.0, 1.0, 1e-6);
+  for (double p : run.surface(Side::secondary).pressure_MPa) EXPECT_GE(p, 0.0);
+}
+
 /// Wear that moves from the gap into the shape of flat blocks under force leaves the multipliers alone (references B11).
 TEST(WearBlock, ShapeStepLeavesPressureAlone) {
   const Replacements ten_times_softer{{"E_MPa = 200e6", "E_MPa = 20e6"}, {"motion_mm = 3.0e-7", "motion_mm = 3.0e-6"}};
