@@ -64,7 +64,7 @@ def main():
     write_csv("closure.csv", ["increments", "work_of_supports", "dissipated", "amplitude_mm", "4_mu_P_amplitude",
                               "work_over_energy_minus_1", "loop_over_formula_minus_1"], table)
     write_measured(measured)
-    figure("set xlabel 'motion of the shaker [mm]'\nset ylabel 'its force Q [N/mm]'\nset key bottom right\n"
+    figure("set xlabel 'motion of the shaker [mm]'\nset ylabel 'its force Q [N/mm]'\nset key center center\n"
            f"plot 'loop.csv' skip 1 using 1:2 with linespoints pt 7 ps 0.3 title 'second cycle, 160 increments', "
            f"{MU * P} with lines dt 2 lc 'black' title 'mu P', {-MU * P} with lines dt 2 lc 'black' notitle\n")
 

@@ -46,7 +46,7 @@ def main():
              for column, title in ((2, "a / a_0"), (3, "2 R w(0) / a_0^2"), (4, "p(0) / p_0"))]
     plots += [f"$curve using 1:{column} with points pt 6 ps 1.2 lc {column} {title}"
               for column, title in ((2, "title 'half-plane solution'"), (3, "notitle"), (4, "notitle"))]
-    figure(reference + "set logscale xy\nset xrange [0.08:12]\nset key top left\nset xlabel 'S = k E^* s / a_0'\nplot "
+    figure(reference + "set logscale xy\nset xrange [0.08:12]\nset key bottom right\nset xlabel 'S = k E^* s / a_0'\nplot "
            + ", ".join(plots) + "\n")
 
 

@@ -61,7 +61,7 @@ def main():
     write_csv("growth.csv", ["across", "alpha_N_mm3_per_J", "depth_over_limit"], growth)
     write_measured(measured)
     lines = ", ".join(f"'< grep ^{n}, profiles.csv' using 2:3 with linespoints pt 7 ps 0.4 title '{n} elements across'" for n in SIZES)
-    figure(f"a = {A}\nc = {C}\nset samples 1000\nset xrange [-0.125:0.125]\nset yrange [0:0.3]\n"
+    figure(f"a = {A}\nc = {C}\nset samples 1000\nset xrange [-0.125:0.125]\nset yrange [0:0.4]\n"
            f"w(x) = abs(x) <= c ? 0 : (a**2 * acosh(abs(x) / c) - abs(x) * sqrt(x**2 - c**2)) / {2.0 * R} * 1e3\n"
            "set xlabel 'x [mm]'\nset ylabel 'depth [um]'\n"
            f"set title 'alpha N = 25 mm^3/J'\nplot {lines}, w(x) > 0 ? w(x) : 0 with lines lc 'black' title 'limit, half-plane'\n")
