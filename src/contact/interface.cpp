@@ -277,6 +277,7 @@ Vector Interface::forces(const std::vector<Vec2>& lambda) const {
 ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   ContactState next = *before_;
   next.lambda = lambda;
+  next.normal = normal_;
   next.status = status_;
   next.reference = rows_;
   if (options_.held) return next;

@@ -75,6 +75,7 @@ ContactState fresh_state(const Setup& setup) {
   const auto ns = static_cast<std::size_t>(setup.secondary_count()), nm = static_cast<std::size_t>(setup.primary_count());
   ContactState state;
   state.lambda.assign(ns, Vec2::Zero());
+  state.normal.assign(ns, Vec2::Zero());
   state.status.assign(ns, ContactStatus::inactive);
   state.reference.resize(ns);
   state.pending_secondary.assign(ns, 0.0);

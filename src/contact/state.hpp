@@ -24,6 +24,7 @@ struct MortarRow {
 /// All of a contact that evolves. Volumes are stored, depth is derived: volume / full nodal length on X.
 struct ContactState {
   std::vector<Vec2> lambda;               ///< per secondary node [MPa]; lambda . n > 0 in compression
+  std::vector<Vec2> normal;               ///< unit normal per secondary node on x, zero before the first increment
   std::vector<ContactStatus> status;
   std::vector<MortarRow> reference;       ///< D and M of the last accepted state: the slip reference
   std::vector<double> pending_secondary;  ///< removed volume per node that still stands in the gap

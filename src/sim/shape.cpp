@@ -64,13 +64,9 @@ std::vector<HeldTraction> held_tractions(const solver::System& system, const Sta
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& contact = state.solution.contacts[c];
-    contact::Interface face;
-    auto sides = solver::positions(system, setup, state.solution.q);
-    face.begin(setup, contact, sides.secondary, sides.primary, {});
-    face.integrate(sides.secondary, sides.primary);
     auto& held = tractions.emplace_back();
     for (int j = 0; j < setup.secondary_count(); ++j) {
-      const Vec2 n = face.normal()[j], force = contact.lambda[j] * setup.secondary.area[j];
+      const Vec2 n = contact.normal[j], force = contact.lambda[j] * setup.secondary.area[j];
       held.normal.push_back(force.dot(n));
       held.tangential.push_back(-n.y() * force.x() + n.x() * force.y());
     }

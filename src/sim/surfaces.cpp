@@ -43,7 +43,7 @@ std::vector<double> direction(const mesh::Boundary& boundary, const base::Points
 
 NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
   NodalValues v;
-  const auto n = normals(setup.secondary);
+  const auto& n = state.normal;  // those that the friction law saw
   for (int j = 0; j < setup.secondary_count(); ++j) {
     const double D = state.reference[j].D, A = setup.secondary.area[j];
     const double share = D < 0.5 * A ? D / A : 1.0;
