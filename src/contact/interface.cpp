@@ -173,61 +173,6 @@ NodeConstants Interface::constants(int node) const {
   return c;
 }
 
-/// Gap at a node opened by the wear that its neighbours cause on the primary side in this increment.
-double Interface::others_wear(int node) const {
-  const double coefficient = setup_->options.wear.primary * options_.jump;
-  double others = 0.0;
-  for (const auto& [l, M] : rows_[node].M) {
-    others += M * (primary_depth_[l] - primary_start_[l]);
-    for (const auto& [k, T] : cover_[node])
-      if (k == l && rows_[node].D > 0.0)
-        others -= M * coefficient * T * condition_[node].work / (rows_[node].D * setup_->primary.area[l]);
-  }
-  return others;
-}
-
-void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool predicted) {
-  status_last_ = status_;
-  const auto& o = setup_->options;
-  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && iteration >= 5;
-  const bool spread = late && o.wear.primary > 0.0;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const int node = static_cast<int>(j);
-    const double D = rows_[j].D, stiffness = setup_->stiffness[j];
-    if (setup_->cut[j] || !touching(node)) {
-      status_[j] = ContactStatus::inactive;
-      continue;
-    }
-    const double lambda_n = lambda[j].dot(normal_[j]);
-    const double opened = (gap_[j] + worn_before_[j] + (spread ? others_wear(node) : 0.0)) / D;
-    const bool was = status_last_[j] != ContactStatus::inactive;
-    // Nodes that touch at zero gap start active: the first matrix would be singular without them.
-    const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
-    // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
-    if (!start && lambda_n - (late && was ? 0.0 : o.c_normal * stiffness * opened) <= 0.0) {
-      status_[j] = ContactStatus::inactive;
-      continue;
-    }
-    const Vec2 tangent(-normal_[j].y(), normal_[j].x());
-    if (o.imposed || o.friction == 0.0) {
-      status_[j] = ContactStatus::slip;
-      sign_[j] = o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
-    } else if ((iteration == 0 && !predicted) || options_.held) {
-      status_[j] = ContactStatus::stick;
-    } else {
-      const double trial = lambda[j].dot(tangent) + o.c_tangential * stiffness * tangent.dot(motion(node)) / D;
-      // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
-      // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
-      const double bound = o.friction * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
-      const double sign = trial < 0.0 ? -1.0 : 1.0;
-      // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
-      const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;
-      status_[j] = reverses || std::abs(trial) < bound ? ContactStatus::stick : ContactStatus::slip;
-      sign_[j] = sign;
-    }
-  }
-}
-
 /// Primary depth per node from the works of all slip nodes: dw_l = coefficient / A_l sum_j T_jl E_j / D_j.
 void Interface::spread_wear() {
   primary_depth_ = primary_start_;
