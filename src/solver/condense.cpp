@@ -91,7 +91,7 @@ void Condenser::load(const PlacedNode& node, const Elimination& elim, int from, 
     }
 }
 
-void Condenser::eliminate(const System&, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
+void Condenser::eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                           const std::vector<Vec2>& lambda) {
   auto& elim = elimination_[contact];
   express(face, nodes, elim);

@@ -26,7 +26,7 @@ class Condenser {
                    const std::vector<Vec2>& lambda, const Reduction& reduction, const Vector& q);
 
   /// Eliminates the multipliers of one contact; contacts come in the order of System::elimination.
-  void eliminate(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
+  void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                  const std::vector<Vec2>& lambda);
 
   /// Keeps a column at its value.

@@ -219,7 +219,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     condenser_.start(system, controls, reduction_, q, -structural_);
     for (std::size_t c = 0; c < interfaces_.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
-    for (int c : system.elimination) condenser_.eliminate(system, c, interfaces_[c], nodes_[c], lambda_[c]);
+    for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c], lambda_[c]);
     for (const auto& [column, value] : controls.prescribed) condenser_.fix(reduction_.index(column));
     try {
       const Vector dq = condenser_.solve();
