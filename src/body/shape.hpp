@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "cad/drawing.hpp"
 #include "mesh/mesh.hpp"
 
 namespace reye::body {
@@ -9,14 +10,15 @@ namespace reye::body {
 struct Shape {
   mesh::Mesh mesh;                          ///< on X
   std::shared_ptr<const mesh::Mesh> born;   ///< the mesh as it was generated, before any wear moved it
+  std::shared_ptr<const cad::Drawing> drawing;  ///< the curves `born` was made from; null: not known
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;
 
 /// A fresh shape on a fresh mesh.
-inline ShapePtr make_shape(mesh::Mesh mesh) {
+inline ShapePtr make_shape(mesh::Mesh mesh, std::shared_ptr<const cad::Drawing> drawing = {}) {
   auto born = std::make_shared<const mesh::Mesh>(mesh);
-  return std::make_shared<const Shape>(Shape{std::move(mesh), std::move(born)});
+  return std::make_shared<const Shape>(Shape{std::move(mesh), std::move(born), std::move(drawing)});
 }
 
 }  // namespace reye::body

@@ -30,6 +30,14 @@ std::vector<Part> import_all(const std::vector<std::string>& files) {
   return map_to_plane(raw);
 }
 
+Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
+  Drawing drawing{*plan.part, plan.boundaries, *plan.options, {}, options.axisymmetric};
+  for (const FineZone& zone : options.fine_zones)
+    if (applies(zone, plan.options->name) && zone_outline(*plan.part, zone, !zone.bodies.empty()))
+      drawing.zones.push_back(zone);
+  return drawing;
+}
+
 }  // namespace
 
 Geometry build(const GeometryOptions& options) {
@@ -40,12 +48,12 @@ Geometry build(const GeometryOptions& options) {
     mesh::Mesh mesh;
     try {
       mesh = generate(plan);
-      if (options.axisymmetric)
-        for (Vec2& p : mesh.X) p.x() = std::max(p.x(), 0.0);  // known to be round-off
+      if (options.axisymmetric) clear_axis(mesh);
       mesh::check(mesh);
     } catch (const base::MeshError& error) {
       throw base::MeshError("body " + plan.options->name + ": " + error.what());
     }
+    geometry.drawings.push_back(drawing_of(plan, options));
     geometry.facts.push_back({plan.options->name, area(*plan.part), bounding_box(*plan.part)});
     geometry.bodies.push_back(std::move(mesh));
   }

@@ -166,4 +166,8 @@ mesh::Mesh generate(const BodyPlan& plan) {
   return best;
 }
 
+void clear_axis(mesh::Mesh& mesh) {
+  for (Vec2& p : mesh.X) p.x() = std::max(p.x(), 0.0);
+}
+
 }  // namespace reye::cad

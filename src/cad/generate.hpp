@@ -8,4 +8,7 @@ namespace reye::cad {
 /// Throws base::MeshError, naming the place, when no mesh with positive Jacobians is found.
 mesh::Mesh generate(const BodyPlan& plan);
 
+/// Nodes that lie at a negative radius by round-off alone go to the axis.
+void clear_axis(mesh::Mesh& mesh);
+
 }  // namespace reye::cad

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "cad/options.hpp"
+#include "cad/drawing.hpp"
 #include "mesh/mesh.hpp"
 
 namespace reye::cad {
@@ -15,6 +15,7 @@ struct BodyFacts {
 
 struct Geometry {
   std::vector<mesh::Mesh> bodies;  ///< in the order of the options; a rigid body has outline and boundaries, no cells
+  std::vector<Drawing> drawings;   ///< what each was made from
   std::vector<BodyFacts> facts;
 };
 

@@ -14,10 +14,6 @@ using base::Issue;
 
 constexpr double most_nodes = 2e6;
 
-bool applies(const FineZone& zone, const std::string& body) {
-  return zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), body) != zone.bodies.end();
-}
-
 double diagonal(const Part& part) {
   const auto box = bounding_box(part);
   return std::hypot(box[2] - box[0], box[3] - box[1]);
@@ -35,14 +31,6 @@ void check_zone(const FineZone& zone, const std::vector<BodyPlan>& plans, std::v
   if (wanted)
     issues.push_back({"contact." + zone.contact + ".fine_zone.centre_mm", text(zone.centre_mm),
                       "no edge of a body passes through the fine zone"});
-}
-
-double estimated_nodes(const BodyPlan& plan) {
-  const double far = far_size(plan);
-  double elements = area(*plan.part) / (far * far);
-  for (const ZoneOutline& zone : plan.zones)
-    elements += estimated_elements(zone.length(), zone.depth, zone.size, far, plan.options->mesh.growth);
-  return plan.options->mesh.element == mesh::CellKind::quad4 ? elements : 1.15 * elements;
 }
 
 void check_body(const BodyPlan& plan, bool axisymmetric, std::vector<Issue>& issues) {
@@ -76,9 +64,21 @@ void add_boundaries(std::vector<BodyPlan>& plans, const GeometryOptions& options
 
 }  // namespace
 
+bool applies(const FineZone& zone, const std::string& body) {
+  return zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), body) != zone.bodies.end();
+}
+
 double far_size(const BodyPlan& plan) {
   const double wished = plan.options->mesh.far_size_mm;
   return wished > 0.0 ? wished : diagonal(*plan.part) / 20.0;
+}
+
+double estimated_nodes(const BodyPlan& plan) {
+  const double far = far_size(plan);
+  double elements = area(*plan.part) / (far * far);
+  for (const ZoneOutline& zone : plan.zones)
+    elements += estimated_elements(zone.length(), zone.depth, zone.size, far, plan.options->mesh.growth);
+  return plan.options->mesh.element == mesh::CellKind::quad4 ? elements : 1.15 * elements;
 }
 
 std::vector<BodyPlan> make_plans(const std::vector<Part>& parts, const GeometryOptions& options) {

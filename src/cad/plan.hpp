@@ -16,8 +16,14 @@ struct BodyPlan {
   std::vector<ZoneOutline> zones;
 };
 
+/// Whether a fine zone refines the body of this name: all bodies where it names none.
+bool applies(const FineZone& zone, const std::string& body);
+
 /// Element size far from fine zones: as asked for, or a twentieth of the body's bounding-box diagonal [mm].
 double far_size(const BodyPlan& plan);
+
+/// Nodes that a mesh of the plan would have, about: int dA / size^2 over the body and its fine zones.
+double estimated_nodes(const BodyPlan& plan);
 
 /// Finds parts, boundaries and fine zones of all bodies. Throws base::InputError with every issue there is: selectors
 /// that match nothing or several things, material at a negative radius, a mesh of more than 2e6 nodes.

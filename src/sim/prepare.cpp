@@ -224,7 +224,8 @@ Problem built(const scene::Scene& scene) {
   cad::Geometry geometry = cad::build(scene.geometry);
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
-    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b])));
+    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
+                                        std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
     p.rigid.push_back(options.rigid);
     p.inputs.push_back(body_input(scene, options));
   }

@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cad/options.hpp"
+#include "cad/select.hpp"
+
+namespace reye::cad {
+
+/// All that a mesh of one body is made from, as a value that outlives the gmsh session: the outline as curves, which of
+/// them each boundary is made of, the wishes, and the fine zones. Wear changes the curves; a new mesh comes from `remesh`.
+struct Drawing {
+  Part part;
+  std::map<std::string, EdgeChoice> boundaries;
+  BodyOptions options;
+  std::vector<FineZone> zones;  ///< those that apply to this body
+  bool axisymmetric = false;
+};
+
+/// Nodes a mesh of the drawing would have, about: int dA / size^2.
+double estimated_nodes(const Drawing& drawing);
+
+/// A fresh mesh with the same boundaries, in a gmsh session of its own. A mesh that came with the drawing's part is
+/// returned as it is. Throws base::MeshError: more than `most_nodes` expected (saying how many), or no mesh with
+/// positive Jacobians.
+mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);
+
+}  // namespace reye::cad
