@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mortar/surface.hpp"
+
+/// Fields carried from one boundary to the same boundary meshed anew.
+namespace reye::adapt {
+
+/// What a nodal value of a surface is, hence how it is carried (README, 6).
+enum class SurfaceKind {
+  interpolated,  ///< value at a point: linear along the old polyline
+  summed,        ///< nodal share of an integral: its density is interpolated, its sum kept
+  nearest        ///< label: that of the nearest old node
+};
+
+/// values: one per node of the surface.
+struct SurfaceField {
+  std::string name;
+  SurfaceKind kind = SurfaceKind::interpolated;
+  std::vector<double> values;
+};
+
+struct SurfaceTransfer {
+  std::vector<SurfaceField> fields;
+  double largest_distance = 0.0;  ///< of a new node from the old polyline [mm]; 0 without fields
+};
+
+/// The fields of `from` on the nodes of `to`, both made of the same named boundary of the old and the new mesh, each
+/// with at least one facet. A new node belongs to the closest point of the old polyline; of facets that are equally
+/// near to round-off, one that runs its own way. Identical surfaces: identical values to round-off.
+SurfaceTransfer carry(const mortar::Surface& from, const std::vector<SurfaceField>& fields, const mortar::Surface& to);
+
+}  // namespace reye::adapt
