@@ -39,15 +39,19 @@ std::map<Facet, double> heights(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-double wear_in_elements(const mesh::Mesh& now, const mesh::Mesh& born, const Vec2& place) {
-  double nearest = std::numeric_limits<double>::infinity(), wear = 0.0;
-  std::map<int, double> depth;  // of a node over its two facets: a corner that slides along one is worn on the other
+std::map<int, double> wear_in_elements(const mesh::Mesh& now, const mesh::Mesh& born) {
+  std::map<int, double> depth;
   for (const auto& [facet, height] : heights(born))
     for (int node : {facet.first, facet.second}) {
       const Vec2 t = (born.X[facet.second] - born.X[facet.first]).normalized();
       if (height > 0.0) depth[node] = std::max(depth[node], base::cross(t, now.X[node] - born.X[node]) / height);
     }
-  for (const auto& [node, value] : depth)
+  return depth;
+}
+
+double wear_in_elements(const mesh::Mesh& now, const mesh::Mesh& born, const Vec2& place) {
+  double nearest = std::numeric_limits<double>::infinity(), wear = 0.0;
+  for (const auto& [node, value] : wear_in_elements(now, born))
     if (const double d = (now.X[node] - place).norm(); value > 1e-9 && d < nearest) {
       nearest = d;
       wear = value;

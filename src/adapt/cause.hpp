@@ -1,9 +1,14 @@
 #pragma once
+#include <map>
 #include <string>
 
 #include "mesh/quality.hpp"
 
 namespace reye::adapt {
+
+/// Depth worn since the mesh was made, over the height of the cell that lay below then, of every outline node; the
+/// larger of its two facets, because a corner that slides along one is worn on the other.
+std::map<int, double> wear_in_elements(const mesh::Mesh& now, const mesh::Mesh& born);
 
 /// Depth worn since the mesh was made, over the height of the cell that lay below then, at the worn outline node
 /// nearest to a place; 0 when nothing has worn.

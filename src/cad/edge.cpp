@@ -71,11 +71,11 @@ Vec2 tangent_at(const Edge& edge, double s) {
 Edge reversed(Edge edge) {
   const double total = edge.length();
   if (edge.straight) {
-    std::set<std::string> names = std::move(edge.names);
     std::reverse(edge.knots.begin(), edge.knots.end());
-    edge = make_polyline(edge.type, std::move(edge.knots));
-    edge.names = std::move(names);
-    return edge;
+    Edge turned = make_polyline(edge.type, std::move(edge.knots));
+    turned.names = std::move(edge.names);
+    turned.worn = edge.worn;
+    return turned;
   }
   std::reverse(edge.knots.begin(), edge.knots.end());
   std::reverse(edge.tangents.begin(), edge.tangents.end());
@@ -83,6 +83,27 @@ Edge reversed(Edge edge) {
   for (Vec2& t : edge.tangents) t = -t;
   for (double& s : edge.arc) s = total - s;
   return edge;
+}
+
+Edge trimmed(const Edge& edge, double s0, double s1) {
+  if (s0 <= 0.0 && s1 >= edge.length()) return edge;
+  Points knots{at(edge, s0)}, directions{tangent_at(edge, s0)};
+  const auto apart = [&](std::size_t i, double s) {
+    const double width = s < edge.arc[i] ? edge.arc[i] - edge.arc[i - 1] : edge.arc[i + 1] - edge.arc[i];
+    return std::abs(edge.arc[i] - s) > 0.1 * width;
+  };
+  for (std::size_t i = 1; i + 1 < edge.knots.size(); ++i)
+    if (edge.arc[i] > s0 && edge.arc[i] < s1 && apart(i, s0) && apart(i, s1)) {
+      knots.push_back(edge.knots[i]);
+      directions.push_back(edge.tangents[i]);
+    }
+  knots.push_back(at(edge, s1));
+  directions.push_back(tangent_at(edge, s1));
+  Edge part = edge.straight ? make_polyline(edge.type, std::move(knots))
+                            : make_edge(edge.type, std::move(knots), std::move(directions));
+  part.names = edge.names;
+  part.worn = edge.worn;
+  return part;
 }
 
 Foot foot_on(const Edge& edge, const Vec2& p) {

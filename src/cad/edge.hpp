@@ -25,6 +25,7 @@ struct Edge {
   Points tangents;              ///< at the knots, in the direction of travel
   std::vector<double> arc;      ///< arc length at the knots, from zero [mm]
   std::set<std::string> names;  ///< physical curves it belongs to
+  bool worn = false;            ///< drawn through the nodes of a worn outline, not by CAD
 
   double length() const { return arc.back(); }
   const Vec2& first() const { return knots.front(); }
@@ -44,6 +45,10 @@ Vec2 at(const Edge& edge, double s);
 Vec2 tangent_at(const Edge& edge, double s);
 
 Edge reversed(Edge edge);
+
+/// The part of an edge between arc lengths 0 <= s0 < s1 <= length: the same curve, type and names. Knots within a tenth
+/// of their piece of a cut are left out; the whole edge comes back unchanged.
+Edge trimmed(const Edge& edge, double s0, double s1);
 
 /// The point of an edge nearest to p: arc length and distance.
 struct Foot {

@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "base/analysis.hpp"
+#include "base/linalg.hpp"
+
+namespace reye::adapt {
+
+using base::Analysis;
+using base::Points;
+
+/// One edge of a drawing as nodes of the old outline and of the new one; both polygons have the same ends.
+struct EdgePair {
+  std::vector<int> before, after;
+  bool worn = false;  ///< may be corrected
+};
+
+/// What makes the new outline enclose as much as the old one.
+struct Correction {
+  Points shift;             ///< of every new node; zero off the worn edges and at their ends
+  double residue = 0.0;     ///< content the new outline had too much, all edges together [mm^2 per mm; mm^3]
+  double left = 0.0;        ///< of it that no edge could take [mm^2 per mm; mm^3]
+  double largest_mm = 0.0;  ///< longest shift
+};
+
+/// Content between the polygon of `points` and its closing chord, body on the left: 1/2 sum (x_i - x_0) cross (x_(i+1) - x_i);
+/// in axisymmetry of the solid of revolution.
+double fan_volume(Analysis analysis, const Points& points);
+
+/// Shifts the inner nodes of every worn edge along their normals by one length, less within two facets of its ends,
+/// that gives the edge the content it had, found by the secant method down to round-off. Edges are measured one by one
+/// from their own first point, so that no digits go into the size of the body. What straight edges and worn
+/// edges without inner nodes have too much goes to the longest worn edge.
+Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges);
+
+}  // namespace reye::adapt

@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/analysis.hpp"
+#include "body/shape.hpp"
+
+namespace reye::adapt {
+
+struct RemeshOptions {
+  double most_nodes = 2e6;
+  double fit_tolerance_mm = 0.0;  ///< of the spline through a worn run; 0: a twentieth of its mean facet
+};
+
+struct RemeshResult {
+  body::ShapePtr shape;                ///< null when it failed
+  double area_residue = 0.0;           ///< what the fresh outline had too much on worn runs, before it was corrected
+                                       ///< [mm^2 per mm; mm^3 in axisymmetry]
+  double largest_correction_mm = 0.0;  ///< the farthest a node was moved for that
+  double mesh_seconds = 0.0;           ///< spent in redrawing and meshing
+  std::string failure;                 ///< empty; else what cannot be drawn or meshed, and where
+};
+
+/// A fresh mesh inside the worn outline, with the same boundaries. On worn runs the fresh polygon has exactly the content
+/// of the old one, to round-off; curves of CAD are only divided anew (their polygons differ by what chords cut off).
+/// `zones` are the fine zones from now on; none: those of the drawing. Nothing else of the drawing's wishes changes.
+/// Runs gmsh: one call at a time.   (README, 7)
+RemeshResult remesh(const body::ShapePtr& worn, base::Analysis analysis, const std::vector<cad::FineZone>& zones = {},
+                    const RemeshOptions& options = {});
+
+}  // namespace reye::adapt

@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+
+#include "body/shape.hpp"
+
+namespace reye::adapt {
+
+/// Bounds beyond which a worn mesh is made anew.
+struct Triggers {
+  double min_scaled_jacobian = 0.3;
+  double min_angle_deg = 15.0;
+  double size_ratio = 2.5;
+  double wear_fraction = 0.5;
+};
+
+/// A measured value and where in the body it was found [mm, on X].
+struct Measured {
+  double value = 0.0;
+  base::Vec2 at{0.0, 0.0};
+};
+
+/// What wear and deformation have made of a mesh since it was born.
+struct MeshState {
+  Measured scaled_jacobian{1.0};  ///< poorest of the cells that have less than 0.7 of what they were born with; 1: none
+  Measured angle_deg{90.0};       ///< smallest of the cells whose smallest corner angle is below 0.7 of that at birth; 90: none
+  Measured size_ratio{1.0};       ///< of the length of an outline facet to that at birth, or the other way round; the largest
+  Measured wear_fraction{0.0};    ///< wear since birth over the height of the element below then; the largest of all nodes
+};
+
+/// Measures a shape with its nodes at `x`: X itself, or X + u; the wear is always that on X.
+MeshState measure(const body::Shape& shape, const base::Points& x);
+
+/// Why a mesh is no longer fit, in words: value, place and bound of what exceeds its bound by the largest factor, on X or in
+/// the current shape. Empty when it is fit. `current`: positions in the current shape; null: X alone.
+/// A mesh that was born poor is no reason: only cells that have lost 0.3 of their quality since count, or no new mesh
+/// would ever do.
+std::string why_remesh(const body::Shape& shape, const base::Points* current, const Triggers& triggers);
+
+}  // namespace reye::adapt
