@@ -80,6 +80,7 @@ sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer
     writer.increment(r);
   };
   o.frame = [&](const sim::Frame& f) { writer.frame(f); };
+  o.remesh = [&](const sim::RemeshRecord& r) { writer.remesh(r); };
   o.log = [&](const std::string& text) { writer.log(text); };
   o.interrupted = [] { return interrupted != 0; };
   o.block = [&](const sim::State& state) { save(problem, writer, state); };

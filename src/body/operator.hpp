@@ -89,6 +89,10 @@ class LinearBody {
   std::shared_ptr<const Impl> impl_;
 };
 
+/// Sets the columns of the contact nodes in q so that these take the displacements u (one per contact node) as far
+/// as supports leave them free; the support columns of q are given and stay.
+void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q);
+
 /// A body without elements: q = (u_x, u_y, theta) of its reference point c (the centre of its first support,
 /// edge or point, else of its bounding box); x = c + u + R(theta) (X - c), finite rotation. u_x and u_y are along
 /// the axes of that first support (x and y unless it is turned). All three motions are retained; those held by

@@ -14,12 +14,12 @@ namespace {
 
 using base::Issue;
 
-std::vector<Part> import_all(const std::vector<std::string>& files) {
+std::vector<Part> import_all(const std::vector<std::string>& files, const std::optional<Section>& section) {
   std::vector<Issue> issues;
   std::vector<RawPart> raw;
   for (const std::string& file : files) {
     try {
-      std::vector<RawPart> parts = read_file(file);
+      std::vector<RawPart> parts = read_file(file, section);
       raw.insert(raw.end(), std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
     } catch (const base::InputError& error) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
@@ -27,7 +27,7 @@ std::vector<Part> import_all(const std::vector<std::string>& files) {
   }
   if (files.empty()) issues.push_back({"geometry", "[]", "names no file"});
   if (!issues.empty()) throw base::InputError(issues);
-  return map_to_plane(raw);
+  return map_to_plane(raw, section);
 }
 
 Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
@@ -42,9 +42,9 @@ Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
 
 Geometry build(const GeometryOptions& options) {
   const Session session;
-  const std::vector<Part> parts = import_all(options.files);
+  const Plans plans = make_plans(import_all(options.files, options.section), options);
   Geometry geometry;
-  for (const BodyPlan& plan : make_plans(parts, options)) {
+  for (const BodyPlan& plan : plans.bodies) {
     mesh::Mesh mesh;
     try {
       mesh = generate(plan);

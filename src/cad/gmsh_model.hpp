@@ -4,8 +4,19 @@
 /// Readers of gmsh's current model. gmsh's bare std::string exceptions pass through.
 namespace reye::cad {
 
+/// A surface of the model with its name: of its physical group (`group`), or the last component of the label that was
+/// imported with it.
+struct Face {
+  int tag = 0;
+  std::string label;
+  bool group = false;
+};
+
+/// All surfaces of the model that bound no solid.
+std::vector<Face> free_faces();
+
 /// One part per face; the faces of one physical surface are one part, in which shared curves vanish.
-std::vector<RawPart> parts_from_faces();
+std::vector<RawPart> parts_from_faces(const std::vector<Face>& faces);
 
 /// One part per physical surface of the mesh, or per surface where there is none.
 std::vector<RawPart> parts_from_mesh();
@@ -13,7 +24,7 @@ std::vector<RawPart> parts_from_mesh();
 /// Physical names of an entity; a group without a name goes by its number.
 std::set<std::string> physical_names(int dim, int tag);
 
-/// Name of a surface: its physical group (`group` true) or the last component of the label imported with it.
-std::string surface_label(int tag, bool& group);
+/// The last component of the label that was imported with an entity; empty when the file names none.
+std::string imported_label(int dim, int tag);
 
 }  // namespace reye::cad

@@ -11,6 +11,21 @@
 namespace reye::cad {
 
 using base::Vec2;
+using Vec3 = Eigen::Vector3d;
+
+/// The plane that cuts solids into faces; the normal's length and sign do not matter.
+struct Section {
+  Vec3 point_mm = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();
+};
+
+/// A start profile: height [mm], positive out of the body, over arc length [mm] along a boundary from its end with smaller
+/// x (then smaller y). Zero outside of the range given.
+struct Profile {
+  std::string file;  ///< as the scene names it, for messages
+  std::vector<double> arc_mm;
+  std::vector<double> height_mm;
+};
 
 struct MeshOptions {
   mesh::CellKind element = mesh::CellKind::quad4;  ///< scene: "tri" | "quad"
@@ -35,6 +50,7 @@ struct BoundaryOptions {
   std::optional<std::array<double, 4>> box_mm;  ///< x_min, y_min, x_max, y_max: edges wholly inside
   std::optional<std::string> type;              ///< "line" | "circle" | "spline"
   std::optional<Vec2> nearest_mm;               ///< the one edge nearest to the point
+  std::optional<Profile> profile;               ///< put on the edges once they are chosen
 };
 
 /// A box round a contact in which the mesh is fine: constant size within
@@ -55,6 +71,7 @@ struct GeometryOptions {
   std::vector<BoundaryOptions> boundaries;
   std::vector<FineZone> fine_zones;
   bool axisymmetric = false;
+  std::optional<Section> section;
 };
 
 }  // namespace reye::cad

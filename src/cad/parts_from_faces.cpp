@@ -112,26 +112,33 @@ std::set<std::string> physical_names(int dim, int tag) {
   return names;
 }
 
-std::string surface_label(int tag, bool& group) {
-  const std::set<std::string> names = physical_names(2, tag);
-  group = !names.empty();
-  if (group) return *names.begin();
+std::string imported_label(int dim, int tag) {
   std::string path;
-  gmsh::model::getEntityName(2, tag, path);
+  gmsh::model::getEntityName(dim, tag, path);
   return path.substr(path.find_last_of('/') + 1);
 }
 
-std::vector<RawPart> parts_from_faces() {
-  gmsh::vectorpair faces;
-  gmsh::model::getEntities(faces, 2);
+std::vector<Face> free_faces() {
+  gmsh::vectorpair surfaces;
+  gmsh::model::getEntities(surfaces, 2);
+  std::vector<Face> faces;
+  for (const auto& [dim, tag] : surfaces) {
+    std::vector<int> solids, curves;
+    gmsh::model::getAdjacencies(dim, tag, solids, curves);
+    if (!solids.empty()) continue;
+    const std::set<std::string> names = physical_names(dim, tag);
+    faces.push_back({tag, names.empty() ? imported_label(dim, tag) : *names.begin(), !names.empty()});
+  }
+  return faces;
+}
+
+std::vector<RawPart> parts_from_faces(const std::vector<Face>& faces) {
   std::vector<RawPart> parts;
-  for (const auto& [dim, tag] : faces) {
-    bool group = false;
-    const std::string label = surface_label(tag, group);
+  for (const Face& face : faces) {
     auto part = std::find_if(parts.begin(), parts.end(),
-                             [&](const RawPart& p) { return group && p.group && p.label == label; });
-    if (part == parts.end()) part = parts.insert(parts.end(), RawPart{label, group, {}, {}, {}});
-    add_face(*part, tag);
+                             [&](const RawPart& p) { return face.group && p.group && p.label == face.label; });
+    if (part == parts.end()) part = parts.insert(parts.end(), RawPart{face.label, face.group, {}, {}, {}});
+    add_face(*part, face.tag);
   }
   return parts;
 }

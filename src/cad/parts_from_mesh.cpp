@@ -70,19 +70,15 @@ RawMesh make_mesh(const Elements& elements) {
 }  // namespace
 
 std::vector<RawPart> parts_from_mesh() {
-  gmsh::vectorpair faces;
-  gmsh::model::getEntities(faces, 2);
   std::vector<RawPart> parts;
   std::vector<Elements> elements;
-  for (const auto& [dim, tag] : faces) {
-    const Elements own = elements_of(2, tag);
+  for (const Face& face : free_faces()) {
+    const Elements own = elements_of(2, face.tag);
     if (own.nodes.empty()) continue;
-    bool group = false;
-    const std::string label = surface_label(tag, group);
     std::size_t k = 0;
-    while (k < parts.size() && !(group && parts[k].group && parts[k].label == label)) ++k;
+    while (k < parts.size() && !(face.group && parts[k].group && parts[k].label == face.label)) ++k;
     if (k == parts.size()) {
-      parts.push_back({label, group, {}, {}, {}});
+      parts.push_back({face.label, face.group, {}, {}, {}});
       elements.push_back({own.nodes_each, {}});
     }
     elements[k].nodes.insert(elements[k].nodes.end(), own.nodes.begin(), own.nodes.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cad/profile.hpp"
 #include "cad/size_field.hpp"
 #include "cad/text.hpp"
 
@@ -62,6 +63,37 @@ void add_boundaries(std::vector<BodyPlan>& plans, const GeometryOptions& options
   }
 }
 
+/// The name of a boundary, before this one in the scene, that has put its profile on one of these edges.
+std::optional<std::string> earlier_profile(const BodyPlan& plan, const BoundaryOptions& boundary,
+                                           const std::vector<BoundaryOptions>& all) {
+  const EdgeChoice& edges = plan.boundaries.at(boundary.name);
+  for (const BoundaryOptions& other : all) {
+    if (other.name == boundary.name) return std::nullopt;
+    if (!other.profile || other.body != boundary.body || !plan.boundaries.contains(other.name)) continue;
+    const EdgeChoice& theirs = plan.boundaries.at(other.name);
+    for (std::size_t loop = 0; loop < edges.size(); ++loop)
+      for (std::size_t k = 0; k < edges[loop].size(); ++k)
+        if (edges[loop][k] && theirs[loop][k]) return other.name;
+  }
+  return std::nullopt;
+}
+
+/// Displaces the edges of boundaries that have a profile. Edges keep their numbers.
+void put_profiles(Plans& plans, const GeometryOptions& options, std::vector<Issue>& issues) {
+  for (const BoundaryOptions& boundary : options.boundaries) {
+    const auto plan = std::find_if(plans.bodies.begin(), plans.bodies.end(),
+                                   [&](const BodyPlan& p) { return p.options->name == boundary.body; });
+    if (!boundary.profile || plan == plans.bodies.end() || !plan->boundaries.contains(boundary.name)) continue;
+    if (const auto other = earlier_profile(*plan, boundary, options.boundaries)) {
+      issues.push_back({"boundary." + boundary.name + ".profile", "\"" + boundary.profile->file + "\"",
+                        "shares an edge with boundary '" + *other + "', which has a profile too"});
+      continue;
+    }
+    if (auto part = with_profile(*plan->part, plan->boundaries.at(boundary.name), boundary, issues))
+      plans.parts[plan->part - plans.parts.data()] = std::move(*part);
+  }
+}
+
 }  // namespace
 
 bool applies(const FineZone& zone, const std::string& body) {
@@ -81,22 +113,24 @@ double estimated_nodes(const BodyPlan& plan) {
   return plan.options->mesh.element == mesh::CellKind::quad4 ? elements : 1.15 * elements;
 }
 
-std::vector<BodyPlan> make_plans(const std::vector<Part>& parts, const GeometryOptions& options) {
+Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
   std::vector<Issue> issues;
-  const std::vector<int> chosen = select_parts(parts, options.bodies, issues);
-  std::vector<BodyPlan> plans;
+  Plans plans{std::move(all), {}};
+  const std::vector<int> chosen = select_parts(plans.parts, options.bodies, issues);
   for (std::size_t b = 0; b < options.bodies.size(); ++b) {
-    plans.push_back({chosen[b] < 0 ? nullptr : &parts[chosen[b]], &options.bodies[b], {}, {}});
-    BodyPlan& plan = plans.back();
+    const Part* part = chosen[b] < 0 ? nullptr : &plans.parts[chosen[b]];
+    plans.bodies.push_back({part, &options.bodies[b], part ? named_edges(*part) : decltype(BodyPlan::boundaries){}, {}});
+  }
+  add_boundaries(plans.bodies, options, issues);
+  put_profiles(plans, options, issues);
+  for (BodyPlan& plan : plans.bodies) {
     if (!plan.part) continue;
-    plan.boundaries = named_edges(*plan.part);
     for (const FineZone& zone : options.fine_zones)
       if (!plan.part->mesh && applies(zone, plan.options->name))
         if (auto outline = zone_outline(*plan.part, zone, !zone.bodies.empty())) plan.zones.push_back(*outline);
     check_body(plan, options.axisymmetric, issues);
   }
-  for (const FineZone& zone : options.fine_zones) check_zone(zone, plans, issues);
-  add_boundaries(plans, options, issues);
+  for (const FineZone& zone : options.fine_zones) check_zone(zone, plans.bodies, issues);
   if (!issues.empty()) throw base::InputError(issues);
   return plans;
 }

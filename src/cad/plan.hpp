@@ -25,8 +25,15 @@ double far_size(const BodyPlan& plan);
 /// Nodes that a mesh of the plan would have, about: int dA / size^2 over the body and its fine zones.
 double estimated_nodes(const BodyPlan& plan);
 
-/// Finds parts, boundaries and fine zones of all bodies. Throws base::InputError with every issue there is: selectors
-/// that match nothing or several things, material at a negative radius, a mesh of more than 2e6 nodes.
-std::vector<BodyPlan> make_plans(const std::vector<Part>& parts, const GeometryOptions& options);
+/// The bodies of a scene with the parts they point into.
+struct Plans {
+  std::vector<Part> parts;
+  std::vector<BodyPlan> bodies;
+};
+
+/// Finds parts and boundaries of all bodies, puts profiles on the boundaries that have one, finds fine zones. Throws
+/// base::InputError with every issue there is: selectors that match nothing or several things, profiles that do not fit,
+/// material at a negative radius, a mesh of more than 2e6 nodes.
+Plans make_plans(std::vector<Part> parts, const GeometryOptions& options);
 
 }  // namespace reye::cad

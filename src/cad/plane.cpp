@@ -54,13 +54,7 @@ std::string named(const RawPart& raw, std::size_t k) {
 
 }  // namespace
 
-Plane plane_of(const std::vector<Vec3>& points) {
-  const Vec3 origin = points.front();
-  const Vec3 far = farthest(points, [&](const Vec3& p) { return (p - origin).squaredNorm(); }) - origin;
-  const Vec3 wide = farthest(points, [&](const Vec3& p) { return far.cross(p - origin).squaredNorm(); }) - origin;
-  Vec3 normal = far.cross(wide);
-  if (!(normal.norm() > 1e-12 * far.squaredNorm())) throw base::MeshError("a face has no area");
-  normal.normalize();
+Plane plane_across(Vec3 normal) {
   for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())})
     if (std::abs(normal.dot(axis)) > 1.0 - 1e-14) normal = axis;
   if (normal.z() == 1.0) return {};
@@ -76,17 +70,28 @@ Plane plane_of(const std::vector<Vec3>& points) {
   return {e1, normal.cross(e1)};
 }
 
-std::vector<Part> map_to_plane(const std::vector<RawPart>& raw) {
+Plane plane_of(const std::vector<Vec3>& points) {
+  const Vec3 origin = points.front();
+  const Vec3 far = farthest(points, [&](const Vec3& p) { return (p - origin).squaredNorm(); }) - origin;
+  const Vec3 wide = farthest(points, [&](const Vec3& p) { return far.cross(p - origin).squaredNorm(); }) - origin;
+  const Vec3 normal = far.cross(wide);
+  if (!(normal.norm() > 1e-12 * far.squaredNorm())) throw base::MeshError("a face has no area");
+  return plane_across(normal.normalized());
+}
+
+std::vector<Part> map_to_plane(const std::vector<RawPart>& raw, const std::optional<Section>& section) {
   constexpr double tolerance = 1e-6;
   std::vector<base::Issue> issues;
   std::vector<Part> parts;
-  const Plane plane = plane_of(all_points(raw.front()));
+  const Plane plane =
+      section ? plane_across(section->normal.stableNormalized()) : plane_of(all_points(raw.front()));
   for (std::size_t k = 0; k < raw.size(); ++k) {
     const std::vector<Vec3> points = all_points(raw[k]);
     if (unevenness(points, plane_of(points)) > tolerance)
       issues.push_back({"geometry", named(raw[k], k), "a body must be a planar face"});
     else if (unevenness(points, plane) > tolerance)
-      issues.push_back({"geometry", named(raw[k], k), "all faces of a scene must lie in parallel planes"});
+      issues.push_back({"geometry", named(raw[k], k), section ? "lies in a plane that is not parallel to the section"
+                                                           : "all faces of a scene must lie in parallel planes"});
     else
       parts.push_back(mapped(raw[k], plane));
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "cad/part.hpp"
@@ -17,11 +18,14 @@ struct Plane {
   Vec2 map(const Vec3& p) const { return {p.dot(e1), p.dot(e2)}; }
 };
 
+/// The plane across a unit normal.
+Plane plane_across(Vec3 normal);
+
 /// The plane of the points. Throws base::MeshError when they lie on one line.
 Plane plane_of(const std::vector<Vec3>& points);
 
-/// All parts of a scene, mapped by the plane of the first. Throws base::InputError (key "geometry") naming each part
-/// that is not planar or whose plane is not parallel to the first one's.
-std::vector<Part> map_to_plane(const std::vector<RawPart>& raw);
+/// All parts of a scene, mapped by the plane of the section or, without one, of the first part. Throws base::InputError
+/// (key "geometry") naming each part that is not planar or whose plane is not parallel to that one.
+std::vector<Part> map_to_plane(const std::vector<RawPart>& raw, const std::optional<Section>& section = {});
 
 }  // namespace reye::cad

@@ -1,16 +1,16 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "cad/edge.hpp"
+#include "cad/options.hpp"
 #include "mesh/mesh.hpp"
 
 /// What a file holds, in space, before it is mapped to the plane of the scene.
 namespace reye::cad {
-
-using Vec3 = Eigen::Vector3d;
 
 struct RawCurve {
   int tag = 0;  ///< within its file: curves of the same tag are the same curve
@@ -36,8 +36,10 @@ struct RawPart {
   RawMesh mesh;
 };
 
-/// Reads one file in the running session: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, lengths in mm.
-/// Throws base::InputError (key "geometry", value the path) for what cannot be used.
-std::vector<RawPart> read_file(const std::string& path);
+/// Reads one file in the running session: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, lengths in mm. Its solids are
+/// cut by the section.
+/// Throws base::InputError (key "geometry", value the path) for what cannot be used; key "section.point_mm" where the
+/// section misses all its solids.
+std::vector<RawPart> read_file(const std::string& path, const std::optional<Section>& section);
 
 }  // namespace reye::cad

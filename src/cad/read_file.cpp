@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cad/gmsh_model.hpp"
+#include "cad/section.hpp"
 #include "cad/session.hpp"
 
 namespace reye::cad {
@@ -80,12 +80,22 @@ void load(const std::string& path, Format format) {
   gmsh::option::setNumber("General.Terminal", 0);  // a script may have asked for talk
 }
 
-void check_content(const std::string& path, Format format) {
-  gmsh::vectorpair faces, solids;
-  gmsh::model::getEntities(faces, 2);
+bool has_solids() {
+  gmsh::vectorpair solids;
   gmsh::model::getEntities(solids, 3);
+  return !solids.empty();
+}
+
+void check_content(const std::string& path, Format format, bool cut) {
+  gmsh::vectorpair faces;
+  gmsh::model::getEntities(faces, 2);
   if (faces.empty()) refuse(path, "holds no face");
-  if (!solids.empty()) refuse(path, "holds a solid; bodies are planar faces: export the section instead");
+  if (has_solids() && format == Format::mesh) refuse(path, "holds a mesh of a solid, which a plane scene has no use for");
+  if (has_solids() && !cut)
+    refuse(path,
+           "holds a solid; bodies are planar faces: cut it by section = { point_mm = [...], normal = [...] }");
+  if (has_solids() && !can_be_cut())
+    refuse(path, "holds a solid of gmsh's own kernel; only those of SetFactory(\"OpenCASCADE\") can be cut");
   if (format != Format::mesh) return;
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 2);
@@ -94,17 +104,25 @@ void check_content(const std::string& path, Format format) {
     refuse(path, "the mesh must be all triangles of 3 nodes or all quadrilaterals of 4 nodes");
 }
 
+/// The faces of the model: those there are, and those cut from its solids.
+std::vector<Face> faces_of(const std::string& path, const std::optional<Section>& section) {
+  std::vector<Face> faces = free_faces();
+  if (has_solids())
+    for (Face& face : faces_of_section(*section, path)) faces.push_back(std::move(face));
+  return faces;
+}
+
 }  // namespace
 
-std::vector<RawPart> read_file(const std::string& path) {
+std::vector<RawPart> read_file(const std::string& path, const std::optional<Section>& section) {
   const Format format = format_of(path);
   check_readable(path);
   if (format == Format::script) check_last_line(path);
   try {
     gmsh::model::add("import");
     load(path, format);
-    check_content(path, format);
-    std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces();
+    check_content(path, format, section.has_value());
+    std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces(faces_of(path, section));
     gmsh::model::remove();
     return parts;
   } catch (const std::string& message) {

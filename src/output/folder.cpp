@@ -26,7 +26,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 /// Whether a run writes an entry of this name at the top of its folder.
 bool is_result(const std::string& name) {
-  for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "summary.json", "log.txt", "report.html",
+  for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "remesh.csv", "summary.json", "log.txt", "report.html",
                           "frames", "figures", "checkpoint"})
     if (name == own) return true;
   return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));

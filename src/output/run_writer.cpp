@@ -40,6 +40,10 @@ void RunWriter::resume(const Counters& counters) {
     const std::string name = entry.path().filename().string();
     if (name.rfind("surface_", 0) == 0 && !counters_.surface_rows.count(name)) begun_later.push_back(entry.path());
   }
+  if (counters_.remesh_rows > 0)
+    keep_rows(path("remesh.csv"), counters_.remesh_rows);
+  else
+    begun_later.push_back(path("remesh.csv"));
   for (const auto& table : begun_later) fs::remove(table);
   // They tell of the run that is being continued.
   for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
@@ -53,6 +57,12 @@ void RunWriter::increment(const sim::IncrementRecord& record) {
   assert(started_);
   append_text(path("history.csv"), history_row(record));
   ++counters_.history_rows;
+}
+
+void RunWriter::remesh(const sim::RemeshRecord& record) {
+  assert(started_);
+  if (counters_.remesh_rows++ == 0) atomic_write(path("remesh.csv"), remesh_header(identity_.analysis));
+  append_text(path("remesh.csv"), remesh_row(record));
 }
 
 void RunWriter::frame(const sim::Frame& frame) {

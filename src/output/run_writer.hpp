@@ -13,6 +13,7 @@ namespace reye::output {
 /// the killed run wrote after it.
 struct Counters {
   long history_rows = 0;
+  long remesh_rows = 0;
   std::map<std::string, long> surface_rows;  ///< by file name
   std::vector<double> frame_cycles;          ///< one per frame written
 
@@ -20,7 +21,7 @@ struct Counters {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(history_rows, surface_rows, frame_cycles);
+    archive(history_rows, remesh_rows, surface_rows, frame_cycles);
   }
 };
 
@@ -33,6 +34,7 @@ class RunWriter {
   void begin();                           ///< the former results go, the new ones start
   void resume(const Counters& counters);  ///< tables and series cut back to the checkpoint
   void increment(const sim::IncrementRecord& record);
+  void remesh(const sim::RemeshRecord& record);
   void frame(const sim::Frame& frame);
   void finish(const sim::Summary& summary);  ///< summary and report
   void log(const std::string& line);         ///< may be called before begin(): kept until then

@@ -4,6 +4,7 @@
 #include <cereal/types/map.hpp>
 #include <cereal/types/memory.hpp>
 #include <cereal/types/optional.hpp>
+#include <cereal/types/set.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/utility.hpp>
 #include <cereal/types/variant.hpp>
@@ -14,6 +15,7 @@
 
 #include "base/linalg.hpp"
 #include "body/shape.hpp"
+#include "cad/drawing.hpp"
 #include "mesh/mesh.hpp"
 
 /// cereal functions for the vocabulary of states: Eigen vectors, matrices and sparse matrices, meshes, shapes,
@@ -68,12 +70,46 @@ void serialize(Archive& archive, Mesh& mesh) {
 
 }  // namespace reye::mesh
 
+namespace reye::cad {
+
+template <class Archive>
+void serialize(Archive& archive, Edge& edge) {
+  archive(edge.type, edge.straight, edge.knots, edge.tangents, edge.arc, edge.names, edge.worn);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Part& part) {
+  archive(part.label, part.loops, part.mesh);
+}
+
+template <class Archive>
+void serialize(Archive& archive, MeshOptions& options) {
+  archive(options.element, options.far_size_mm, options.growth);
+}
+
+template <class Archive>
+void serialize(Archive& archive, BodyOptions& options) {
+  archive(options.name, options.at, options.label, options.rigid, options.mesh);
+}
+
+template <class Archive>
+void serialize(Archive& archive, FineZone& zone) {
+  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Drawing& drawing) {
+  archive(drawing.part, drawing.boundaries, drawing.options, drawing.zones, drawing.axisymmetric);
+}
+
+}  // namespace reye::cad
+
 namespace reye::body {
 
 /// Pointers to the same mesh or shape within one archive are one object again after loading.
 template <class Archive>
 void serialize(Archive& archive, Shape& shape) {
-  archive(shape.mesh, shape.born);
+  archive(shape.mesh, shape.born, shape.drawing);
 }
 
 }  // namespace reye::body

@@ -19,6 +19,10 @@ Suffixes suffixes(base::Analysis analysis);
 std::string history_header(const std::vector<std::string>& supports, base::Analysis analysis);
 std::string history_row(const sim::IncrementRecord& record);
 
+std::string remesh_header(base::Analysis analysis);
+/// One body meshed anew; times stay in the log, so that two runs write the same bytes.
+std::string remesh_row(const sim::RemeshRecord& record);
+
 std::string surface_header();
 /// One row per node of the surface, all at this cycle.
 std::string surface_rows(double cycle, const sim::SurfaceRecord& surface);

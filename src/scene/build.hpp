@@ -11,7 +11,9 @@ base::Analysis analysis_of(const Entry& root);
 std::map<std::string, material::Material> materials_of(const Entry& root);
 std::map<std::string, BodyMaterial> body_materials_of(const Entry& root);
 std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
-std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issues);
+/// Profiles are read from their files, whose paths count from the scene at `path`.
+std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, const std::string& path, Issues& issues);
+std::optional<cad::Section> section_of(const Entry& root, Issues& issues);
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues);
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries);
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
@@ -20,6 +22,7 @@ void add_loads(const Entry& root, Scene& scene, Issues& issues);
 std::map<std::string, History> histories_of(const Entry& root);
 std::vector<Step> steps_of(const Entry& root);
 std::vector<Limit> limits_of(const Entry& root, Issues& issues);
+Remesh remesh_of(const Entry& root);
 Output output_of(const Entry& root);
 
 /// True when exactly one of the keys is given; else an issue that names them.

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "cad/profile.hpp"
 #include "scene/build.hpp"
+#include "scene/geometry_files.hpp"
 
 namespace reye::scene {
 
@@ -56,7 +58,30 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues) {
   return bodies;
 }
 
-std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issues) {
+namespace {
+
+std::optional<cad::Profile> profile_of(const Entry& entry, const std::string& path, Issues& issues) {
+  const std::string name = entry.text("profile");
+  if (name.empty()) return std::nullopt;
+  const std::string file = beside(path, name);
+  std::string rule = unreadable_rule(file);
+  try {
+    std::string bytes;
+    if (rule.empty() && read_bytes(file, bytes)) {
+      cad::Profile profile = cad::parse_profile(bytes);
+      profile.file = name;
+      return profile;
+    }
+  } catch (const base::InputError& error) {
+    rule = error.issues().front().rule;
+  }
+  issues.push_back({entry.key("profile"), entry.written("profile"), rule});
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, const std::string& path, Issues& issues) {
   std::vector<cad::BoundaryOptions> boundaries;
   for (const auto& entry : root.all("boundary")) {
     cad::BoundaryOptions boundary;
@@ -70,9 +95,20 @@ std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, Issues& issue
         issues.push_back({entry.key("box_mm"), entry.written("box_mm"),
                           "must be [x_min, y_min, x_max, y_max] with x_min < x_max and y_min < y_max"});
     }
+    boundary.profile = profile_of(entry, path, issues);
     boundaries.push_back(boundary);
   }
   return boundaries;
+}
+
+std::optional<cad::Section> section_of(const Entry& root, Issues& issues) {
+  const auto entry = root.at("section");
+  const auto point = entry.numbers("point_mm"), normal = entry.numbers("normal");
+  if (point.size() != 3 || normal.size() != 3) return std::nullopt;
+  const cad::Section section{{point[0], point[1], point[2]}, {normal[0], normal[1], normal[2]}};
+  if (section.normal.isZero(0.0))
+    issues.push_back({entry.key("normal"), entry.written("normal"), "must not be zero"});
+  return section;
 }
 
 bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> names, Issues& issues) {

@@ -41,6 +41,20 @@ std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
   return limits;
 }
 
+Remesh remesh_of(const Entry& root) {
+  const auto entry = root.at("remesh");
+  Remesh remesh;
+  remesh.automatic = entry.flag("automatic");
+  remesh.every_blocks = entry.whole("every_blocks");
+  remesh.triggers = {.min_scaled_jacobian = entry.number("min_scaled_jacobian"),
+                     .min_angle_deg = entry.number("min_angle_deg"),
+                     .size_ratio = entry.number("size_ratio"),
+                     .wear_fraction = entry.number("wear_fraction")};
+  remesh.options = {.most_nodes = 0.5 * entry.number("max_dofs"),
+                    .fit_tolerance_mm = entry.maybe_number("fit_tolerance_mm").value_or(0.0)};
+  return remesh;
+}
+
 Output output_of(const Entry& root) {
   Output output;
   const auto entry = root.at("output");

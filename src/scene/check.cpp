@@ -18,6 +18,7 @@ std::string type_rule(Type type) {
     case Type::whole: return "must be a whole number";
     case Type::flag: return "must be true or false";
     case Type::pair: return "must be a list of two numbers";
+    case Type::triple: return "must be a list of three numbers";
     case Type::box: return "must be a list of four numbers";
     case Type::history: return "must be a list of at least two pairs [progress, factor]";
     case Type::refused: break;
@@ -38,6 +39,7 @@ bool has_type(const Node& node, Type type) {
     case Type::whole: return node.is_number() && (std::rint(node.number) == node.number || !std::isfinite(node.number));
     case Type::flag: return node.kind == NodeKind::flag;
     case Type::pair: return numbers(node, 2);
+    case Type::triple: return numbers(node, 3);
     case Type::box: return numbers(node, 4);
     case Type::texts:
       return node.kind == NodeKind::list &&

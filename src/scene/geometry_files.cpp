@@ -27,29 +27,36 @@ std::string lower(std::string text) {
 std::string broken_rule(const fs::path& file) {
   if (std::find(std::begin(extensions), std::end(extensions), lower(file.extension().string())) == std::end(extensions))
     return "not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh";
+  return unreadable_rule(file.string());
+}
+
+}  // namespace
+
+std::string beside(const std::string& scene_path, const std::string& name) {
+  return (fs::absolute(scene_path).parent_path() / name).lexically_normal().string();
+}
+
+std::string unreadable_rule(const std::string& file) {
   std::error_code error;
   const auto status = fs::status(file, error);
   if (!fs::exists(status)) return "no such file";
   if (!fs::is_regular_file(status)) return "is not a file";
   std::string bytes;
-  if (!read_bytes(file.string(), bytes)) return "cannot be read";
+  if (!read_bytes(file, bytes)) return "cannot be read";
   return bytes.empty() ? "is empty" : "";
 }
 
-}  // namespace
-
 std::vector<std::string> geometry_files(const Entry& root, const std::string& path, Issues& issues) {
-  const auto folder = fs::absolute(path).parent_path();
   const auto names = root.texts("geometry");
   if (root.empty_list("geometry")) issues.push_back({"geometry", "[]", "names no file"});
   std::vector<std::string> files;
   std::set<std::string> seen;
   for (const auto& name : names) {
-    const auto file = (folder / name).lexically_normal();
+    const auto file = beside(path, name);
     auto rule = broken_rule(file);
-    if (rule.empty() && !seen.insert(file.string()).second) rule = "is named twice";
+    if (rule.empty() && !seen.insert(file).second) rule = "is named twice";
     if (!rule.empty()) issues.push_back({"geometry", '"' + name + '"', rule});
-    files.push_back(file.string());
+    files.push_back(file);
   }
   return files;
 }

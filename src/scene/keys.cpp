@@ -17,6 +17,9 @@ constexpr Key table[] = {
      "idealisation; axisymmetric: r = x >= 0, axis y"},
     {"geometry", Type::texts, "", "required", any,
      "geometry files in mm (.step .stp .iges .igs .brep .geo .msh); paths count from the scene file"},
+    {"section.point_mm", Type::triple, "mm", "required", any,
+     "a point of the plane that cuts every solid of the geometry files into faces"},
+    {"section.normal", Type::triple, "", "required", any, "normal of that plane; length and sign do not matter"},
     {"shape", Type::text, "", "on", one_of("on|off"), "off: wear stays in the gap, the surfaces do not move"},
 
     {"material.*.law", Type::text, "", "linear_elastic", one_of("linear_elastic"), "stress law"},
@@ -44,6 +47,9 @@ constexpr Key table[] = {
     {"boundary.*.box_mm", Type::box, "mm", "", any, "edges wholly inside [x_min, y_min, x_max, y_max]"},
     {"boundary.*.type", Type::text, "", "", one_of("line|circle|spline"), "edges of this kind"},
     {"boundary.*.nearest_mm", Type::pair, "mm", "", any, "the one edge nearest to this point"},
+    {"boundary.*.profile", Type::text, "", "", any,
+     "start profile, a CSV file headed `arc_length_mm,height_mm`: height out of the body over the arc length from the "
+     "end with smaller x (then smaller y), zero outside of its range; the path counts from the scene file"},
 
     {"contact.*.secondary", Type::text, "", "required", any,
      "boundary that carries the multipliers; of a deformable body"},
@@ -127,6 +133,21 @@ constexpr Key table[] = {
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
+
+    {"remesh.automatic", Type::flag, "", "true", any,
+     "a worn body is meshed anew when one of the bounds below is passed; false: the run ends there"},
+    {"remesh.every_blocks", Type::whole, "", "0", at_least(0.0),
+     "bodies in contact are meshed anew after each so many blocks, needed or not; 0: only when needed"},
+    {"remesh.min_scaled_jacobian", Type::number, "", "0.3", {.low = 0.0, .high = 0.8, .low_open = true},
+     "smallest sine of an element's corner angle"},
+    {"remesh.min_angle_deg", Type::number, "degree", "15", {.low = 0.0, .high = 50.0}, "smallest corner angle"},
+    {"remesh.size_ratio", Type::number, "", "2.5", {.low = 1.0, .low_open = true},
+     "length of an outline facet against that at its birth, either way"},
+    {"remesh.wear_fraction", Type::number, "", "0.5", {.low = 0.0, .high = 2.0, .low_open = true},
+     "depth worn since the mesh was made over the height of the element below"},
+    {"remesh.max_dofs", Type::number, "", "4e6", {.low = 100.0}, "a new mesh that would need more ends the run"},
+    {"remesh.fit_tolerance_mm", Type::number, "mm", "", positive,
+     "a spline farther than this from the worn nodes' polygon is replaced by the polygon; without it chosen from the elements"},
 
     {"solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"},
     {"solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"},

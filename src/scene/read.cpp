@@ -85,7 +85,8 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.geometry.axisymmetric = scene.analysis == base::Analysis::axisymmetric;
   scene.geometry.files = geometry_files(root, scene.path, issues);
   scene.geometry.bodies = bodies_of(root, issues);
-  scene.geometry.boundaries = boundaries_of(root, issues);
+  scene.geometry.section = section_of(root, issues);
+  scene.geometry.boundaries = boundaries_of(root, scene.path, issues);
   scene.geometry.fine_zones = fine_zones_of(root, scene.geometry.boundaries);
   scene.contacts = contacts_of(root, issues);
   scene.supports = supports_of(root, issues);
@@ -93,7 +94,16 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.histories = histories_of(root);
   scene.steps = steps_of(root);
   scene.limits = limits_of(root, issues);
+  scene.remesh = remesh_of(root);
   scene.output = output_of(root);
+}
+
+/// The files that make the scene what it is: geometry, then profiles.
+std::vector<std::string> files_of(const Scene& scene) {
+  auto files = scene.geometry.files;
+  for (const auto& boundary : scene.geometry.boundaries)
+    if (boundary.profile) files.push_back(beside(scene.path, boundary.profile->file));
+  return files;
 }
 
 }  // namespace
@@ -115,7 +125,7 @@ Scene read(const std::string& path) {
 
   auto odd = suspicious(root, scene);
   scene.warnings = in_words(odd, scene.lines, path);
-  scene.sha256 = digest(text, scene.geometry.files);
+  scene.sha256 = digest(text, files_of(scene));
   return scene;
 }
 

@@ -13,6 +13,7 @@ std::string type_name(Type type) {
     case Type::whole: return "whole number";
     case Type::flag: return "true, false";
     case Type::pair: return "two numbers";
+    case Type::triple: return "three numbers";
     case Type::box: return "four numbers";
     case Type::history: return "list of pairs";
     case Type::refused: break;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "adapt/remesh.hpp"
+#include "adapt/triggers.hpp"
 #include "base/analysis.hpp"
 #include "body/supports.hpp"
 #include "cad/options.hpp"
@@ -55,6 +57,14 @@ struct Output {
   std::vector<Probe> probes;
 };
 
+/// When a worn body is meshed anew, and how.
+struct Remesh {
+  bool automatic = true;
+  int every_blocks = 0;  ///< 0: only when a trigger asks for it
+  adapt::Triggers triggers;
+  adapt::RemeshOptions options;
+};
+
 struct Scene {
   std::string title;
   base::Analysis analysis = base::Analysis::plane_strain;
@@ -70,6 +80,7 @@ struct Scene {
   std::vector<Step> steps;
   std::vector<Limit> limits;
   Output output;
+  Remesh remesh;
   bool shape = true;         ///< false (shape = "off"): wear stays in the gap
   int max_newton = 30;
   int max_cutbacks = 8;
@@ -77,7 +88,7 @@ struct Scene {
   // Where the scene came from.
   std::string name;          ///< file name without .toml, or the folder's name for scene.toml
   std::string path;
-  std::string sha256;        ///< over scene and geometry files
+  std::string sha256;        ///< over scene, geometry files and profiles
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
   /// What is suspicious but no error, one line each as in an InputError.

@@ -32,8 +32,9 @@ bool held_along(const Problem& problem, const solver::System& system, int body, 
 /// All increments of one block, with cut-backs.
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
-/// Shape evolution of all worn bodies, then re-equilibration with the shear as history.
-Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span);
+/// Shape evolution of all worn bodies, fresh meshes where a trigger asks for them, then re-equilibration with the
+/// shear as history.
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
 /// Everything a picture needs of a state.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);

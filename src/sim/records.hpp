@@ -74,6 +74,22 @@ struct ContactSummary {
   std::optional<double> ledger_relative_error;  ///< empty where nothing wears
 };
 
+/// One body meshed anew. The jumps compare the equilibrium before the shape step with that on the new mesh.
+struct RemeshRecord {
+  std::string step;
+  double cycle = 0.0;
+  std::string body;
+  std::string reason;
+  int nodes_before = 0, nodes_after = 0;
+  double scaled_jacobian_before = 0.0, scaled_jacobian_after = 0.0;  ///< of the poorest element
+  double projection_mm = 0.0;     ///< farthest a new contact node lay outside the old mesh
+  double area_residue = 0.0;      ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
+  double pressure_jump = 0.0;     ///< largest difference in pressure over the largest pressure, of this body's contacts
+  double force_jump = 0.0;        ///< difference of the contact force over the force
+  double energy_jump = 0.0;       ///< difference of the strain energy over the energy
+  double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh and all in all, re-equilibration included
+};
+
 struct Counts {
   long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
 };

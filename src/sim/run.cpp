@@ -119,8 +119,9 @@ class Runner {
     const BlockSpan span{&step, step.cycles > 0.0 ? std::min(step.jump, remaining(step, state_.block)) : 1.0, step.cycles > 0.0,
                          step_over(step, state_.block + 1)};
     Outcome outcome = play_increments(p_, state_, cache_, span, observer_);
-    if (outcome.failure.empty() && !outcome.interrupted && p_.scene.shape && step.wear) {
-      Outcome moved = evolve_shape(p_, outcome.state, cache_, span);
+    if (outcome.failure.empty() && !outcome.interrupted && p_.scene.shape &&
+        (step.wear || p_.scene.remesh.every_blocks > 0)) {
+      Outcome moved = evolve_shape(p_, outcome.state, cache_, span, observer_);
       moved.interrupted = false;
       outcome = std::move(moved);
     }

@@ -1,5 +1,12 @@
+#include "sim/shape.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
 #include "adapt/shape_step.hpp"
-#include "sim/block.hpp"
+#include "sim/drive.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
@@ -53,11 +60,6 @@ void book_strips(const Problem& problem, State& state, const std::vector<double>
       }
   }
 }
-
-/// Tractions of the secondary nodes before the shape moves, as forces: times A_j.
-struct HeldTraction {
-  std::vector<double> normal, tangential;
-};
 
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
   std::vector<HeldTraction> tractions;
@@ -124,32 +126,94 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   return {};
 }
 
-}  // namespace
+double relative(double now, double before) { return before != 0.0 ? std::abs(now - before) / std::abs(before) : 0.0; }
 
-Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span) {
-  const auto& system = timed_system(problem, state, cache);
-  const auto held = held_tractions(system, state);
-  std::vector<double> ratio(state.shapes.size(), 1.0);
-  auto shapes = state.shapes;
-  {
-    Timer timer(cache, "adapt");
-    for (int b = 0; b < problem.body_count(); ++b) {
-      double total = 0.0;
-      const auto worn = worn_boundaries(problem, state, b, total);
-      if (total <= 0.0) continue;
-      auto moved = adapt::evolve(state.shapes[b], problem.scene.analysis, worn, {}, &cache.relocation);
-      if (!moved.failure.empty()) return {std::move(state), "body " + problem.inputs[b].name + ": " + moved.failure, false};
-      ratio[b] = moved.removed / total;
-      shapes[b] = std::move(moved.shape);
-      ++state.counts.factorisations;
+/// The outlines of all worn bodies taken back by what waited in the gap; `ratio`: strip over waiting volume.
+std::string move_outlines(const Problem& problem, const State& state, Cache& cache, std::vector<Moved>& moved,
+                          std::vector<double>& ratio) {
+  Timer timer(cache, "adapt");
+  for (int b = 0; b < problem.body_count(); ++b) {
+    moved.push_back({state.shapes[b], {}});
+    double total = 0.0;
+    const auto worn = worn_boundaries(problem, state, b, total);
+    if (total <= 0.0) continue;
+    auto step = adapt::evolve(state.shapes[b], problem.scene.analysis, worn, {}, &cache.relocation);
+    if (!step.failure.empty()) return "body " + problem.inputs[b].name + ": " + step.failure;
+    ratio[b] = step.removed / total;
+    moved[b] = {std::move(step.shape), std::move(step.poor)};
+    if (!moved[b].poor.empty() && !problem.scene.remesh.automatic) return "body " + problem.inputs[b].name + ": " + moved[b].poor;
+  }
+  return {};
+}
+
+void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
+  for (const auto& r : records) {
+    if (observer.remesh) observer.remesh(r);
+    if (!observer.log) continue;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "body %s meshed anew at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
+                  "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
+                  r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,
+                  r.pressure_jump, r.force_jump, r.energy_jump, r.projection_mm, r.seconds, r.mesh_seconds);
+    observer.log(text + r.reason);
+  }
+}
+
+/// What the new equilibrium changed against the one before.
+void fill_jumps(const Problem& problem, const State& next, const solver::System& system, const Balance& before,
+                const std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
+  const Balance now = balance_of(problem, next, system);
+  for (auto& r : records) {
+    int body = 0;
+    while (problem.inputs[body].name != r.body) ++body;
+    r.energy_jump = relative(now.energy[body], before.energy[body]);
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      const auto& placed = problem.contacts[c];
+      bool here = placed.secondary.body == body;
+      for (const auto& ref : placed.primary) here = here || ref.body == body;
+      if (!here) continue;
+      r.pressure_jump = std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
+      if (before.force[c].norm() > 0.0)
+        r.force_jump = std::max(r.force_jump, (now.force[c] - before.force[c]).norm() / before.force[c].norm());
     }
   }
-  if (shapes == state.shapes) return {std::move(state), {}, false};
+}
+
+}  // namespace
+
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto& system = timed_system(problem, state, cache);
+  auto held = held_tractions(system, state);
+  std::vector<double> ratio(state.shapes.size(), 1.0);
+  std::vector<Moved> moved;
+  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
+    return {std::move(state), failure, false};
   State next = state;
-  next.shapes = std::move(shapes);
+  for (std::size_t b = 0; b < moved.size(); ++b)
+    next.shapes[b] = moved[b].shape;
   book_strips(problem, next, ratio);
+  const auto reasons = remesh_reasons(problem, state, system, moved);
+  std::vector<RemeshRecord> records;
+  Balance before;
+  if (std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.empty(); })) {
+    before = balance_of(problem, state, system);
+    const std::string failure = remesh_bodies(problem, state, reasons, next, cache, held, records);
+    if (!failure.empty()) return {std::move(state), failure, false};
+  }
+  if (next.shapes == state.shapes) return {std::move(state), {}, false};
+  for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
   const std::string failure = re_equilibrate(problem, next, cache, span, held);
   if (!failure.empty()) return {std::move(state), failure, false};
+  if (!records.empty()) {
+    fill_jumps(problem, next, system_of(problem, next, cache), before, held, records);
+    for (auto& r : records) {
+      r.step = span.step->name;
+      r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    tell(observer, records);
+  }
   return {std::move(next), {}, false};
 }
 

@@ -155,7 +155,7 @@ TEST(WearBlock, ShapeStepLeavesPressureAlone) {
     ASSERT_EQ(outcome.failure, "");
     state = std::move(outcome.state);
   }
-  const auto moved = sim::evolve_shape(problem, state, cache, {&problem.scene.steps.back(), 1.0, true});
+  const auto moved = sim::evolve_shape(problem, state, cache, {&problem.scene.steps.back(), 1.0, true}, {});
   ASSERT_EQ(moved.failure, "");
   const auto &before = state.solution.contacts[0], &after = moved.state.solution.contacts[0];
   EXPECT_GT(*std::max_element(before.pending_secondary.begin(), before.pending_secondary.end()), 0.0);

@@ -1,0 +1,34 @@
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "body/operator.hpp"
+
+namespace reye::body {
+
+void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
+  const auto& supports = body.support_columns();
+  const auto held = [&](int column) {
+    return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.column == column; });
+  };
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const NodePosition node = body.position(static_cast<int>(k), q);
+    Vec2 rest = u[k];
+    std::vector<Term> free;
+    for (int t = 0; t < node.count; ++t) {
+      const Term& term = node.terms[t];
+      if (held(term.column))
+        rest -= q[term.column] * term.direction;
+      else
+        free.push_back(term);
+    }
+    if (free.size() == 1) q[free[0].column] = rest.dot(free[0].direction) / free[0].direction.squaredNorm();
+    if (free.size() != 2) continue;
+    Eigen::Matrix2d directions;
+    directions << free[0].direction, free[1].direction;
+    const Vec2 values = directions.inverse() * rest;
+    q[free[0].column] = values.x();
+    q[free[1].column] = values.y();
+  }
+}
+
+}  // namespace reye::body

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "adapt/remesh.hpp"
+#include "adapt/transfer.hpp"
+#include "mesh/quality.hpp"
+#include "sim/carry.hpp"
+#include "sim/drive.hpp"
+#include "sim/timer.hpp"
+#include "sim/zones.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+bool in_contact(const Problem& problem, int body) { return !problem.inputs[body].contact_boundaries.empty(); }
+
+const body::LinearBody& linear(const solver::System& system, int body) {
+  return std::get<body::LinearBody>(system.bodies[body]);
+}
+
+base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
+  const scene::Step none;
+  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
+  return linear(system, body).recover(system.part(state.solution.q, body), controls.load_factors[body]);
+}
+
+/// A body's displacement as it was before its mesh was made anew.
+struct Displaced {
+  base::Points u;   ///< of all nodes
+  Vector q;
+  std::vector<body::SupportColumn> supports;
+};
+
+double shortest_facet(const mesh::Mesh& mesh) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& loop : mesh.outline)
+    for (std::size_t k = 1; k < loop.size(); ++k) shortest = std::min(shortest, (mesh.X[loop[k]] - mesh.X[loop[k - 1]]).norm());
+  return shortest;
+}
+
+/// Start values of q on a fresh mesh: supports as they were, contact nodes displaced as the old mesh is at their place.
+/// A linear body has no other state. Returns why it can not be done; `projection`: how far outside a node lay.
+std::string start_values(const mesh::Mesh& old, Displaced before, const mesh::Mesh& fresh, const body::LinearBody& body,
+                         Vector& q, double& projection) {
+  for (const auto& now : body.support_columns())
+    for (const auto& then : before.supports)
+      if (then.support == now.support && then.motion == now.motion) q[now.column] = before.q[then.column];
+  adapt::Field u{"displacement", 2, {}};
+  for (const Vec2& v : before.u) u.values.insert(u.values.end(), {v.x(), v.y()});
+  mesh::Mesh nodes;
+  for (int node : body.contact_nodes()) nodes.X.push_back(fresh.X[node]);
+  const auto carried = adapt::transfer(old, {{std::move(u)}, {}}, nodes, 0.5 * shortest_facet(fresh));
+  if (!carried.failure.empty()) return carried.failure;
+  projection = carried.largest_distance;
+  const auto& values = carried.fields.nodal.front().values;
+  base::Points displacement;
+  for (std::size_t k = 0; k < nodes.X.size(); ++k) displacement.emplace_back(values[2 * k], values[2 * k + 1]);
+  body::seat(body, displacement, q);
+  return {};
+}
+
+/// D and M on the fresh meshes: what the next equilibrium starts from.
+void renew_references(const solver::System& system, solver::SolverState& solution) {
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    contact::IncrementOptions held;
+    held.held = true;
+    const auto at = solver::positions(system, system.contacts[c], solution.q);
+    contact::Interface face;
+    const contact::ContactState before = solution.contacts[c];
+    face.begin(system.contacts[c], before, at.secondary, at.primary, held);
+    face.integrate(at.secondary, at.primary);
+    face.renew_reference(solution.contacts[c]);
+  }
+}
+
+RemeshRecord record_of(const Problem& problem, const State& next, int body, const std::string& reason, const mesh::Mesh& old,
+                       const adapt::RemeshResult& made) {
+  RemeshRecord r;
+  r.cycle = next.cycle;
+  r.body = problem.inputs[body].name;
+  r.reason = reason;
+  r.nodes_before = old.node_count();
+  r.nodes_after = made.shape->mesh.node_count();
+  r.scaled_jacobian_before = mesh::poorest_cell(old).scaled_jacobian;
+  r.scaled_jacobian_after = mesh::poorest_cell(made.shape->mesh).scaled_jacobian;
+  r.area_residue = made.area_residue;
+  r.mesh_seconds = made.mesh_seconds;
+  return r;
+}
+
+}  // namespace
+
+std::vector<std::string> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
+                                        const std::vector<Moved>& moved) {
+  const auto& options = problem.scene.remesh;
+  std::vector<std::string> reasons(moved.size());
+  const bool due = options.every_blocks > 0 && (state.counts.blocks + 1) % options.every_blocks == 0;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (problem.rigid[b] || !in_contact(problem, b)) continue;
+    const auto& [shape, poor] = moved[b];
+    auto& reason = reasons[b];
+    if (options.automatic && shape != state.shapes[b]) {
+      reason = poor;
+      if (!reason.empty()) continue;
+      base::Points x = recovered(problem, state, system, b);
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape->mesh.X[i];
+      reason = adapt::why_remesh(*shape, &x, options.triggers);
+    }
+    if (options.automatic && reason.empty()) reason = leaves_zone(problem, state, b, *shape);
+    if (due && reason.empty()) reason = "every " + std::to_string(options.every_blocks) + " blocks, as asked for";
+  }
+  return reasons;
+}
+
+std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<std::string>& reasons, State& next,
+                          Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
+  const auto& old = cache.system;
+  auto shapes = next.shapes;
+  std::map<int, Displaced> displaced;
+  std::vector<Vector> parts;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    parts.emplace_back(old.part(state.solution.q, b));
+    if (reasons[b].empty()) continue;
+    Timer timer(cache, "adapt");
+    const auto made = adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]),
+                                    problem.scene.remesh.options);
+    if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b] + "): " + made.failure;
+    displaced[b] = {recovered(problem, state, old, b), parts[b], linear(old, b).support_columns()};
+    records.push_back(record_of(problem, next, b, reasons[b], next.shapes[b]->mesh, made));
+    shapes[b] = made.shape;
+    ++next.counts.remeshes;
+  }
+  {
+    Timer timer(cache, "adapt");
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+      carry_contact(problem.contacts[c], problem.scene.analysis, next.shapes, shapes, next.solution.contacts[c], held[c]);
+  }
+  next.shapes = std::move(shapes);
+  const auto& system = timed_system(problem, next, cache);
+  next.solution.q = Vector::Zero(system.dofs);
+  std::size_t r = 0;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (const auto found = displaced.find(b); found != displaced.end()) {
+      parts[b] = Vector::Zero(linear(system, b).dofs());
+      const auto& fresh = next.shapes[b]->mesh;
+      const std::string failure = start_values(state.shapes[b]->mesh, found->second, fresh, linear(system, b), parts[b],
+                                               records[r++].projection_mm);
+      if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
+    }
+    next.solution.q.segment(system.offset[b], parts[b].size()) = parts[b];
+  }
+  renew_references(system, next.solution);
+  return {};
+}
+
+Balance balance_of(const Problem& problem, const State& state, const solver::System& system) {
+  Balance balance;
+  for (const auto& contact : state.solution.contacts) {
+    balance.force.emplace_back(Vec2::Zero());
+    for (std::size_t j = 0; j < contact.lambda.size(); ++j)
+      balance.force.back() += (contact.reference[j].D + contact.reference[j].off) * contact.lambda[j];
+  }
+  for (int b = 0; b < problem.body_count(); ++b) {
+    const Vector q = system.part(state.solution.q, b);
+    balance.energy.push_back(problem.rigid[b] ? 0.0 : 0.5 * q.dot(linear(system, b).tangent(q) * q));
+  }
+  return balance;
+}
+
+double pressure_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried) {
+  double difference = 0.0, all = 0.0;
+  for (std::size_t j = 0; j < carried.normal.size(); ++j) {
+    const double A = setup.secondary.area[j], before = carried.normal[j] / A, now = state.lambda[j].dot(state.normal[j]);
+    difference += A * (now - before) * (now - before);
+    all += A * before * before;
+  }
+  return all > 0.0 ? std::sqrt(difference / all) : 0.0;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/block.hpp"
+
+/// What the shape step and the making of a fresh mesh share.
+namespace reye::sim {
+
+/// Tractions of the secondary nodes as forces, times A_j, before the shape moves.
+struct HeldTraction {
+  std::vector<double> normal, tangential;
+};
+
+/// A body after the wear of a block has been taken off.
+struct Moved {
+  body::ShapePtr shape;
+  std::string poor;  ///< why its mesh can not be used; empty when it can
+};
+
+/// Why each body is to be meshed anew; empty where it is not.
+std::vector<std::string> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
+                                        const std::vector<Moved>& moved);
+
+/// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shape step;
+/// `next`: its shapes moved, its wear booked. `held` becomes that of the new nodes. Returns a failure in words;
+/// `records` tells what was done, jumps still open.
+std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<std::string>& reasons, State& next,
+                          Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records);
+
+/// Fills the jumps from the re-equilibrated state.
+struct Balance {
+  std::vector<Vec2> force;        ///< on the secondary side of each contact
+  std::vector<double> energy;     ///< strain energy of each body [mJ per mm; mJ]
+};
+Balance balance_of(const Problem& problem, const State& state, const solver::System& system);
+
+/// Root mean square over the contact of p - p0, over that of p0; p0 the pressures that were carried over.
+double pressure_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried);
+
+}  // namespace reye::sim

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/problem.hpp"
+
+/// Fine zones that follow the contact as wear widens and moves it.
+namespace reye::sim {
+
+/// "contact pad reaches ... of the end of its fine zone" when a node of the body that touches, or has worn in this
+/// block, lies within three elements of an end of its zone or beyond; empty else. `shape`: the body after the move.
+std::string leaves_zone(const Problem& problem, const State& state, int body, const body::Shape& shape);
+
+/// The zones a fresh mesh of the body is made with. A zone that holds its contact keeps its width; one that does not
+/// gets 1.5 times the half width in use, and its size and depth grow by as much against the scene's, so that the
+/// number of elements across stays. Its centre goes to the outline.
+std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body, const body::Shape& shape);
+
+}  // namespace reye::sim
