@@ -5,6 +5,7 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,64 @@ bool clash(const mesh::Mesh& mesh, const Facet& f, const Facet& g) {
   return CGAL::do_intersect(Kernel::Segment_2(at(f.a), at(f.b)), Kernel::Segment_2(at(g.a), at(g.b)));
 }
 
+using Nodes = std::array<int, 2>;
+
+bool on(const mesh::Boundary& boundary, const Nodes& facet) {
+  for (const auto& chain : boundary)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      if (chain[i] == facet[0] && chain[i + 1] == facet[1]) return true;
+  return false;
+}
+
+std::set<std::string> names_of(const mesh::Mesh& mesh, const Nodes& facet) {
+  std::set<std::string> names;
+  for (const auto& [name, boundary] : mesh.boundaries)
+    if (on(boundary, facet)) names.insert(name);
+  return names;
+}
+
+/// A boundary of the facet that the other one is not on; "" when it has none.
+std::string own_name(const mesh::Mesh& mesh, const Nodes& facet, const Nodes& other) {
+  const auto theirs = names_of(mesh, other);
+  for (const auto& name : names_of(mesh, facet))
+    if (!theirs.contains(name)) return "boundary '" + name + "'";
+  return {};
+}
+
+struct Place {
+  std::size_t loop = 0, facet = 0;
+};
+
+Place place_of(const mesh::Mesh& mesh, const Nodes& facet) {
+  for (std::size_t l = 0; l < mesh.outline.size(); ++l)
+    for (std::size_t i = 0; i + 1 < mesh.outline[l].size(); ++i)
+      if (mesh.outline[l][i] == facet[0] && mesh.outline[l][i + 1] == facet[1]) return {l, i};
+  return {};
+}
+
+/// Facets of one side: with the same boundaries, or without any and within a few facets of each other.
+bool same_side(const mesh::Mesh& mesh, const Crossing& c) {
+  const Place f = place_of(mesh, c.first), g = place_of(mesh, c.second);
+  if (f.loop != g.loop) return false;
+  const std::size_t n = mesh.outline[f.loop].size() - 1, way = f.facet > g.facet ? f.facet - g.facet : g.facet - f.facet;
+  if (std::min(way, n - way) == 1) return true;
+  const auto names = names_of(mesh, c.first);
+  if (names != names_of(mesh, c.second)) return false;
+  constexpr std::size_t few = 4;
+  return !names.empty() || std::min(way, n - way) <= few;
+}
+
 }  // namespace
+
+std::string meaning(const Crossing& c, const mesh::Mesh& now, const mesh::Mesh& born) {
+  const auto worn = [&](const Nodes& f) { return now.X[f[0]] != born.X[f[0]] || now.X[f[1]] != born.X[f[1]]; };
+  if (same_side(now, c)) return "the worn outline crosses itself";
+  const bool both = worn(c.first) && worn(c.second);
+  if (both && place_of(now, c.first).loop == place_of(now, c.second).loop) return "the body is worn into two pieces";
+  const auto& met = worn(c.first) ? c.second : c.first;
+  const std::string name = own_name(now, met, worn(c.first) ? c.first : c.second);
+  return "worn through to " + (!name.empty() ? name : both ? "another part of the outline" : "the unworn outline");
+}
 
 std::optional<Crossing> find_crossing(const mesh::Mesh& mesh) {
   const auto facets = facets_of(mesh);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 
 #include "base/linalg.hpp"
 #include "mesh/mesh.hpp"
@@ -15,5 +16,10 @@ struct Crossing {
 
 /// The first place where the loops of an outline cross or touch themselves or each other; n log^2 n, exact.
 std::optional<Crossing> find_crossing(const mesh::Mesh& mesh);
+
+/// What a crossing means for the body: "worn through to boundary 'bottom'" (or "the unworn outline") when only one of
+/// the two facets has moved since birth and they are of different sides, or of different loops; "the body is worn into
+/// two pieces" when two worn sides of one loop meet; else "the worn outline crosses itself".
+std::string meaning(const Crossing& crossing, const mesh::Mesh& now, const mesh::Mesh& born);
 
 }  // namespace reye::adapt

@@ -15,7 +15,7 @@ namespace {
 
 std::string crossing_report(const mesh::Mesh& now, const mesh::Mesh& born, const Crossing& crossing) {
   std::ostringstream text;
-  text << "the worn outline crosses itself at (" << crossing.at.x() << ", " << crossing.at.y() << ") mm, facet "
+  text << meaning(crossing, now, born) << " at (" << crossing.at.x() << ", " << crossing.at.y() << ") mm, facet "
        << crossing.first[0] << "-" << crossing.first[1] << " with facet " << crossing.second[0] << "-"
        << crossing.second[1] << cause(now, born, crossing.at);
   return text.str();
@@ -50,7 +50,7 @@ double strip_between(Analysis analysis, const Points& before, const Points& afte
   return strip_volume(analysis, before, facets, moved);
 }
 
-/// The mesh after the outline has moved: refused when it crosses itself or an element is poor.
+/// The mesh after the outline has moved: refused when that crosses itself; `poor` where an element is.
 void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const Outline& outline,
            const QualityBound& bound, RelocationCache* cache) {
   if (const auto crossing = find_crossing(next->mesh)) {
@@ -61,9 +61,8 @@ void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const Out
   const auto poorest = mesh::poorest_cell(next->mesh);
   result.min_quality = poorest.scaled_jacobian;
   if (poorest.cell >= 0 && !(poorest.scaled_jacobian >= bound.min_scaled_jacobian))
-    result.failure = poor_cell_report(next->mesh, *next->born, poorest, bound.min_scaled_jacobian);
-  else
-    result.shape = std::move(next);
+    result.poor = poor_cell_report(next->mesh, *next->born, poorest, bound.min_scaled_jacobian);
+  result.shape = std::move(next);
 }
 
 }  // namespace

@@ -22,12 +22,13 @@ struct QualityBound {
 };
 
 struct ShapeStepResult {
-  body::ShapePtr shape;      ///< null when the step failed
+  body::ShapePtr shape;      ///< null when the outline could not follow the wear
   double removed = 0.0;      ///< volume of the strip between old and new outline, measured on the stored coordinates
   double theta = 1.0;        ///< the factor that made the strip exact; of several parts, the one farthest from 1
   double min_quality = 1.0;  ///< smallest scaled Jacobian of the new mesh
   int parts = 1;             ///< sub-steps the motion was split into
-  std::string failure;       ///< empty; else the element, where it is, and the cause
+  std::string failure;       ///< empty; else what the outline ran into, where, and the cause
+  std::string poor;          ///< the shape is there but its mesh not fit for a solve: the element, where it is, the cause
 };
 
 /// Moves the worn boundaries of X inwards along their normals so that the strip between old and new outline
