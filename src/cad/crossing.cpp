@@ -18,6 +18,12 @@ bool cross_each_other(const Segment& s, const Segment& t) {
   return side(s, t.a) * side(s, t.b) < 0.0 && side(t, s.a) * side(t, s.b) < 0.0;
 }
 
+/// Where two segments that cross do so.
+Vec2 meeting_point(const Segment& s, const Segment& t) {
+  const Vec2 along = s.b - s.a, other = t.b - t.a;
+  return s.a + base::cross(t.a - s.a, other) / base::cross(along, other) * along;
+}
+
 void add_segments(std::vector<Segment>& segments, const Points& X, const std::vector<int>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vec2 &a = X[nodes[i]], &b = X[nodes[(i + 1) % nodes.size()]];
@@ -29,7 +35,7 @@ std::optional<Vec2> first_crossing(std::vector<Segment> segments) {
   std::sort(segments.begin(), segments.end(), [](const Segment& s, const Segment& t) { return s.left < t.left; });
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (std::size_t k = i + 1; k < segments.size() && segments[k].left <= segments[i].right; ++k)
-      if (cross_each_other(segments[i], segments[k])) return segments[i].a;
+      if (cross_each_other(segments[i], segments[k])) return meeting_point(segments[i], segments[k]);
   return std::nullopt;
 }
 

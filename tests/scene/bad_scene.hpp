@@ -26,6 +26,11 @@ inline std::string refusal(const std::string& text) {
   Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
   Folder::write("empty.geo", "");
   Folder::write("part.stl", "solid");
+  Folder::write("wrong.csv", "s,h\n0,0\n1,0\n");
+  Folder::write("short.csv", "arc_length_mm,height_mm\n0,0\n");
+  Folder::write("back.csv", "arc_length_mm,height_mm\n0,0\n2,0\n1,0\n");
+  Folder::write("infinite.csv", "arc_length_mm,height_mm\n0,0\n1,inf\n");
+  Folder::write("empty.csv", "");
   std::filesystem::create_directory("folder.msh");
   try {
     scene::read("scene.toml");

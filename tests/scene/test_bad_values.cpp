@@ -16,7 +16,7 @@ TEST(BadScene, Values) {
       {"unknown key far from all",
        {{"[material.steel]", R"(colour = "red")" "\n"
          "[material.steel]"}},
-       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, shape, material, body, boundary, contact, support, load, history, step, limit, output, solver)"},
+       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, section, shape, material, body, boundary, contact, support, load, history, step, limit, output, remesh, solver)"},
       {"unknown table",
        {{"[limit.life]", "[limits.life]"}},
        "scene.toml:68: limits: unknown key; did you mean limit?"},
@@ -107,6 +107,39 @@ TEST(BadScene, Values) {
        R"(scene.toml:3: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh)" "\n"
        R"(scene.toml:3: geometry = "./cylinder_on_flat.step": is named twice)" "\n"
        R"(scene.toml:3: geometry = "folder.msh": is not a file)"},
+      {"section",
+       {{"[material.steel]", "section = { point_mm = [0, 0], normal = [0, 0, 0] }\n"
+         "[material.steel]"}},
+       "scene.toml:5: section.point_mm = [0, 0]: must be a list of three numbers"},
+      {"section without normal",
+       {{"[material.steel]", "section = { point_mm = [0, nan, 0] }\n"
+         "[material.steel]"}},
+       "scene.toml:5: section.point_mm = [0, nan, 0]: must be finite\n"
+       "scene.toml:5: section.normal: missing"},
+      {"section with a zero normal",
+       {{"[material.steel]", "[section]\n"
+         "point_mm = [0, 0, 1]\n"
+         "normal = [0, 0.0, 0]\n"
+         "[material.steel]"}},
+       "scene.toml:7: section.normal = [0, 0.0, 0]: must not be zero"},
+      {"profile files",
+       {{R"(box_mm = [-6.1, 5.9, 6.1, 6.1] })", R"(profile = "none.csv" })"},
+        {R"(type = "circle" })", R"(type = "circle", profile = "wrong.csv" })"},
+        {R"(nearest_mm = [0.0, 0.0] })", R"(nearest_mm = [0.0, 0.0], profile = "back.csv" })"},
+        {R"(box_mm = [-6.1, -6.1, 6.1, -5.9] })", R"(profile = "infinite.csv" })"}},
+       R"(scene.toml:21: boundary.top.profile = "none.csv": no such file)" "\n"
+       R"(scene.toml:22: boundary.round.profile = "wrong.csv": its first line must be arc_length_mm,height_mm)" "\n"
+       R"(scene.toml:23: boundary.face.profile = "back.csv": line 4: arc_length_mm must increase)" "\n"
+       R"(scene.toml:24: boundary.bottom.profile = "infinite.csv": line 3: must be finite)"},
+      {"more profile files",
+       {{R"(box_mm = [-6.1, 5.9, 6.1, 6.1] })", R"(profile = "" })"},
+        {R"(type = "circle" })", R"(type = "circle", profile = "empty.csv" })"},
+        {R"(nearest_mm = [0.0, 0.0] })", R"(nearest_mm = [0.0, 0.0], profile = "short.csv" })"},
+        {R"(box_mm = [-6.1, -6.1, 6.1, -5.9] })", R"(profile = "folder.msh" })"}},
+       R"(scene.toml:21: boundary.top.profile = "": must not be empty)" "\n"
+       R"(scene.toml:22: boundary.round.profile = "empty.csv": is empty)" "\n"
+       R"(scene.toml:23: boundary.face.profile = "short.csv": needs at least two rows of numbers)" "\n"
+       R"(scene.toml:24: boundary.bottom.profile = "folder.msh": is not a file)"},
       {"growth",
        {{"far_size_mm = 0.8 }", "far_size_mm = -1, growth = 3.5 }"},
         {"far_size_mm = 0.8 }", "far_size_mm = 0.8, growth = 1.0 }"}},

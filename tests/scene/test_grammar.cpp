@@ -97,6 +97,27 @@ TEST(Grammar, OneLiners) {
   EXPECT_TRUE(s.body_material.at("ring").material.empty());
 }
 
+/// A section and a profile reach the geometry stage as numbers.
+TEST(Grammar, SectionAndProfile) {
+  const test::Folder folder;
+  std::filesystem::create_directory("scans");
+  test::Folder::write("scans/a.csv", "arc_length_mm,height_mm\n0,0\n1,0.25\n2,0\n");
+  test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+  const auto text = test::replaced(test::example, R"(type = "circle")", R"(type = "circle", profile = "scans/a.csv")");
+  test::Folder::write("scene.toml", test::replaced(text, "[material.steel]",
+                                                   "section = { point_mm = [1, 2, 3], normal = [0, 0.5, -2] }\n[material.steel]"));
+  const auto s = scene::read("scene.toml");
+  ASSERT_TRUE(s.geometry.section);
+  EXPECT_EQ(s.geometry.section->point_mm, cad::Vec3(1, 2, 3));
+  EXPECT_EQ(s.geometry.section->normal, cad::Vec3(0, 0.5, -2));
+  const auto& profile = s.geometry.boundaries[1].profile;
+  ASSERT_TRUE(profile);
+  EXPECT_EQ(profile->file, "scans/a.csv");
+  EXPECT_EQ(profile->arc_mm, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(profile->height_mm, (std::vector<double>{0, 0.25, 0}));
+  EXPECT_FALSE(s.geometry.boundaries[0].profile);
+}
+
 /// An axisymmetric scene has forces on the whole ring and worn volumes.
 TEST(Grammar, Axisymmetric) {
   const test::Folder folder;

@@ -79,3 +79,16 @@ TEST(Sha256, OfAScene) {
   EXPECT_NE(first, hash(test::example, "two"));
   EXPECT_NE(first, hash(test::replaced(test::example, "0.9", "0.8"), "one"));
 }
+
+/// The identity follows the bytes of the profiles too.
+TEST(Sha256, OfAProfile) {
+  const auto hash = [](const std::string& height) {
+    const test::Folder folder;
+    test::Folder::write("scene.toml", test::replaced(test::example, R"(type = "circle")", R"(profile = "a.csv")"));
+    test::Folder::write("cylinder_on_flat.step", "one");
+    test::Folder::write("a.csv", "arc_length_mm,height_mm\n0,0\n1," + height + "\n2,0\n");
+    return scene::read("scene.toml").sha256;
+  };
+  EXPECT_EQ(hash("0.1"), hash("0.1"));
+  EXPECT_NE(hash("0.1"), hash("0.10"));
+}
