@@ -14,7 +14,7 @@ using mortar::Surface;
 using Values = std::vector<double>;
 using Foot = SegmentTree::Foot;
 
-/// Two distances, or a point and a node, are the same within this share of the largest coordinate.
+/// Two distances are the same within this share of the largest coordinate.
 constexpr double round_off = 1e-13;
 
 double largest_coordinate(const Surface& surface) {
@@ -44,11 +44,8 @@ std::vector<Foot> feet(const Surface& on, const SegmentTree& tree, const Surface
   for (int k = 0; k < nodes.node_count(); ++k) {
     const Foot any = tree.nearest(nodes.X[k]);
     const auto fits = [&](int facet) { return runs_along(nodes, k, direction(on, facet)); };
-    Foot foot = fits(any.segment) ? any : tree.nearest(nodes.X[k], fits, any.distance + same);
-    if (foot.segment < 0) foot = any;
-    for (int end : {0, 1})  // on a node: its value to the bit
-      if ((nodes.X[k] - on.X[on.facets[foot.segment][end]]).norm() <= same) foot.s = end;
-    result.push_back(foot);
+    const Foot own = fits(any.segment) ? any : tree.nearest(nodes.X[k], fits, any.distance + same);
+    result.push_back(own.segment < 0 ? any : own);
   }
   return result;
 }
@@ -94,12 +91,10 @@ Values landed(const Surface& from, const Values& values, const Surface& to) {
   return result;
 }
 
-/// Twice, because the first correction is itself rounded.
+/// In proportion to the magnitude of each share: what is zero stays zero, what is not negative stays so.
 void keep_sum(Values& values, long double total) {
-  for (int pass = 0; pass < 2; ++pass) {
-    const long double factor = (total - sum(values)) / magnitude(values);
-    for (double& v : values) v = static_cast<double>(v + factor * std::abs(v));
-  }
+  const long double factor = (total - sum(values)) / magnitude(values);
+  for (double& v : values) v = static_cast<double>(v + factor * std::abs(v));
 }
 
 Values summed(const Surface& from, const Values& values, const Surface& to, const std::vector<Foot>& feet) {
