@@ -51,8 +51,7 @@ inline cad::Drawing block_drawing(const DrawnOptions& o = {}, double x0 = 0.0) {
   return drawing({line(a, b), line(b, c), line(c, d), line(d, a)}, {"bottom", "right", "top", "left"}, o);
 }
 
-/// The left half of a disc of radius 1 about the origin, above x = 0 in its own turn: `round`, and `flat` on the y axis
-/// of an upper half disc: flat on y = 0.
+/// The upper half of a disc of radius 1 about the origin: `flat` on y = 0, and `round`.
 inline cad::Drawing half_disc(const DrawnOptions& o = {}) {
   return drawing({line({-1, 0}, {1, 0}), arc({0, 0}, 1.0, 0.0, std::numbers::pi)}, {"flat", "round"}, o);
 }

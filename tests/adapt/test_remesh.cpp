@@ -72,8 +72,7 @@ TEST(Remesh, ContentOfAWornRunOnADisc) {
   EXPECT_NEAR(adapt::fan_volume(plane, before), adapt::fan_volume(plane, after), 1e-16);
 }
 
-// What a fresh division of a smooth scar must be corrected by falls with the square of the facets, and what the new nodes
-// miss of the true profile at third order at least.
+// The curve drawn through a smooth scar approaches it at third order.
 TEST(Remesh, RefitConverges) {
   const auto profile = [](double x) { return 0.05 * std::pow(std::cos(0.5 * std::numbers::pi * (x - 1.0) / 0.6), 2); };
   std::vector<double> error;
@@ -91,7 +90,7 @@ TEST(Remesh, RefitConverges) {
       }
     error.push_back(worst);
   }
-  for (int k : {0, 1}) EXPECT_GT(std::log2(error[k] / error[k + 1]), 2.7) << error[k];
+  for (int k : {0, 1}) EXPECT_GT(std::log2(error[k] / error[k + 1]), 2.9) << error[k];
 }
 
 // Two hundred times worn and meshed anew, a block has lost what its strips add up to.
@@ -170,6 +169,25 @@ TEST(Remesh, SlidingCorners) {
   }
   EXPECT_NEAR(lost(born->mesh, shape->mesh), removed, 1e-13);
   for (int node : mesh::nodes_of(shape->mesh.boundaries.at("right"))) EXPECT_NEAR(shape->mesh.X[node].x(), 2.0, 1e-12);
+}
+
+// A corner that slides along a round side, again and again, leaves that side a circle but for a short spline of two to
+// three facets at its end, and sound elements.
+TEST(Remesh, CornersSlideAlongACircle) {
+  auto shape = shape_of(half_disc());
+  for (int i = 0; i < 12; ++i) {
+    const auto fresh = remesh(wear(shape, "flat", [](Vec2) { return 0.01; }), plane);
+    ASSERT_TRUE(fresh.shape) << i << ": " << fresh.failure;
+    shape = fresh.shape;
+    const auto& loop = shape->drawing->part.loops[0];
+    EXPECT_EQ(types(loop), (std::vector{cad::EdgeType::spline, cad::EdgeType::spline, cad::EdgeType::circle,
+                                        cad::EdgeType::spline}));
+    for (std::size_t k : {1u, 3u}) {
+      EXPECT_GT(loop[k].length(), 0.15) << i;
+      EXPECT_LT(loop[k].length(), 0.35) << i;
+    }
+    EXPECT_GT(mesh::poorest_cell(shape->mesh).scaled_jacobian, 0.4);
+  }
 }
 
 // A block worn nearly through is still meshed, or refused in words.
