@@ -35,6 +35,9 @@ inline void add_geometry(const Place& place) {
   place.write("garbage.geo", "garbage(\n");
   place.write("garbage.step", "garbage(\n");
   place.write("part.stl", "solid");
+  place.write("long.csv", "arc_length_mm,height_mm\n0,0\n1,0.1\n3,0\n");
+  place.write("deep.csv", "arc_length_mm,height_mm\n0.5,0\n1,-1.5\n1.5,0\n");
+  place.write("ends.csv", "arc_length_mm,height_mm\n0.5,0.1\n1,0\n");
   fs::create_directories(place / "folder.step");
   for (const char* file : {"solid.step", "mixed.msh"})
     fs::copy_file(std::string(REYE_SOURCE_DIR) + "/tests/cad/data/" + file, place / file);

@@ -39,7 +39,19 @@ TEST(BadInput, Files) {
       {"a solid",
        {{R"("blocks.geo")", R"("solid.step")"}},
        "",
-       R"(scene.toml:1: geometry = "solid.step": holds a solid; bodies are planar faces: export the section instead)"},
+       R"(scene.toml:1: geometry = "solid.step": holds a solid; bodies are planar faces: cut it by section = { point_mm = [...], normal = [...] })"},
+      {"a section that misses the solid",
+       {{R"("blocks.geo"])", R"("solid.step"]
+section = { point_mm = [0.0, 0.0, 3.0], normal = [0.0, 0.0, -2.0] })"}},
+       "",
+       R"(scene.toml:2: section.point_mm = [0, 0, 3]: the plane, at -3 mm along its normal, misses every solid of solid.step: 'Open CASCADE STEP translator 7.6 1' from -1 to 0)"},
+      {"faces across the section",
+       {{R"("blocks.geo"])", R"("blocks.geo"]
+section = { point_mm = [0.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] })"}},
+       "",
+       R"(scene.toml:1: geometry = face 'slider': lies in a plane that is not parallel to the section)"
+       "\n"
+       R"(scene.toml:1: geometry = face 'base': lies in a plane that is not parallel to the section)"},
       {"mixed cells",
        {{R"("blocks.geo")", R"("mixed.msh")"}},
        "",
@@ -125,6 +137,27 @@ round = { body = "base", type = "circle" }
 near = { body = "slider", nearest_mm = [3.5, 1.5] }
 )",
        R"(scene.toml:41: boundary.near.nearest_mm = [3.5, 1.5]: is equally near to: line [3, 0] to [3, 1], line [3, 1] to [1, 1])"},
+      {"profile longer than its boundary",
+       {},
+       R"(
+[boundary]
+face = { body = "slider", nearest_mm = [2.0, 0.0], profile = "long.csv" }
+)",
+       R"(scene.toml:41: boundary.face.profile = "long.csv": reaches to arc length 3 mm; the boundary is 2 mm long)"},
+      {"profile through the body",
+       {},
+       R"(
+[boundary]
+face = { body = "slider", nearest_mm = [2.0, 0.0], profile = "deep.csv" }
+)",
+       R"(scene.toml:41: boundary.face.profile = "deep.csv": makes the outline cross itself near [1.80652, 1])"},
+      {"profile with a step",
+       {},
+       R"(
+[boundary]
+face = { body = "slider", nearest_mm = [2.0, 0.0], profile = "ends.csv" }
+)",
+       R"(scene.toml:41: boundary.face.profile = "ends.csv": the height at arc length 0.5 mm, where it ends within the boundary, is 0.1 mm; it must be 0 there)"},
       {"interval beyond the edge",
        {},
        R"(
