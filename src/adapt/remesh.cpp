@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -73,9 +74,23 @@ std::string unsound(const mesh::Mesh& mesh) {
   return text.str();
 }
 
+/// New cells inside the outline as it is; nothing where they do not come out well, as when its corners have become
+/// too sharp for the nodes there are.
+std::optional<mesh::Mesh> refilled(const cad::Drawing& drawing, const mesh::Mesh& worn, double most_nodes) {
+  constexpr double good_enough = 0.3;  // scaled Jacobian of the poorest cell
+  try {
+    mesh::Mesh mesh = cad::refill(drawing, worn, most_nodes);
+    if (mesh::poorest_cell(mesh).scaled_jacobian >= good_enough) return mesh;
+  } catch (const base::MeshError&) {  // the outline is divided anew
+  }
+  return std::nullopt;
+}
+
 /// A fresh mesh of the drawing with the content of the worn one.
 std::shared_ptr<const body::Shape> mesh_of(const cad::Drawing& drawing, const mesh::Mesh& worn, base::Analysis analysis,
-                                           double most_nodes, RemeshResult& result) {
+                                           double most_nodes, bool keep_nodes, RemeshResult& result) {
+  if (keep_nodes)
+    if (auto kept = refilled(drawing, worn, most_nodes)) return body::make_shape(std::move(*kept), std::make_shared<const cad::Drawing>(drawing));
   mesh::Mesh fresh = cad::remesh(drawing, most_nodes);
   const auto pairs = pairs_of(drawing, worn, fresh, result.failure);
   if (!result.failure.empty()) return {};
@@ -98,7 +113,7 @@ RemeshResult remesh(const body::ShapePtr& worn, base::Analysis analysis, const s
   if (!zones.empty()) drawing.zones = zones;
   drawing.axisymmetric = analysis == base::Analysis::axisymmetric;
   if (result.failure.empty()) try {
-      result.shape = mesh_of(drawing, worn->mesh, analysis, options.most_nodes, result);
+      result.shape = mesh_of(drawing, worn->mesh, analysis, options.most_nodes, options.keep_nodes, result);
     } catch (const base::MeshError& error) {
       result.failure = lead(drawing) + error.what();
     }

@@ -17,19 +17,29 @@ BodyPlan plan_of(const Drawing& drawing) {
   return plan;
 }
 
+/// A mesh made in a session of its own, if it is not too large, and looked over.
+template <class Make>
+mesh::Mesh checked(const Drawing& drawing, double most_nodes, Make make) {
+  const BodyPlan plan = plan_of(drawing);
+  if (const double nodes = estimated_nodes(plan); !(nodes <= most_nodes))
+    throw base::MeshError("a new mesh would need about " + text(nodes) + " nodes (at most " + text(most_nodes) + ")");
+  const Session session;
+  mesh::Mesh mesh = make(plan);
+  if (drawing.axisymmetric) clear_axis(mesh);
+  mesh::check(mesh);
+  return mesh;
+}
+
 }  // namespace
 
 double estimated_nodes(const Drawing& drawing) { return estimated_nodes(plan_of(drawing)); }
 
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes) {
-  const BodyPlan plan = plan_of(drawing);
-  if (const double nodes = estimated_nodes(plan); !(nodes <= most_nodes))
-    throw base::MeshError("a new mesh would need about " + text(nodes) + " nodes (at most " + text(most_nodes) + ")");
-  const Session session;
-  mesh::Mesh mesh = generate(plan);
-  if (drawing.axisymmetric) clear_axis(mesh);
-  mesh::check(mesh);
-  return mesh;
+  return checked(drawing, most_nodes, [](const BodyPlan& plan) { return generate(plan); });
+}
+
+mesh::Mesh refill(const Drawing& drawing, const mesh::Mesh& outline, double most_nodes) {
+  return checked(drawing, most_nodes, [&](const BodyPlan& plan) { return generate_within(plan, outline); });
 }
 
 }  // namespace reye::cad

@@ -26,4 +26,8 @@ double estimated_nodes(const Drawing& drawing);
 /// positive Jacobians.
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);
 
+/// The same inside an outline that is there already: its nodes and boundaries stay as they are, so that nothing which
+/// lives on them has to be carried over. The drawing's edges pass through its nodes, or near them.
+mesh::Mesh refill(const Drawing& drawing, const mesh::Mesh& outline, double most_nodes = 2e6);
+
 }  // namespace reye::cad

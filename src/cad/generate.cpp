@@ -33,10 +33,16 @@ SizeField size_field(const BodyPlan& plan, double far) {
   return size;
 }
 
+/// The node of the loop nearest to p; in all-quad meshes one that may end a run.
 int node_at(const Region& region, const RegionLoop& loop, const Vec2& p) {
-  return *std::min_element(loop.nodes.begin(), loop.nodes.end(), [&](int a, int b) {
-    return (region.X[a] - p).squaredNorm() < (region.X[b] - p).squaredNorm();
-  });
+  const auto start = std::find(loop.corner.begin(), loop.corner.end(), true) - loop.corner.begin();
+  const std::ptrdiff_t step = region.kind == mesh::CellKind::quad4 ? 2 : 1;
+  int best = loop.nodes[static_cast<std::size_t>(start)];
+  for (std::ptrdiff_t i = start % step; i < static_cast<std::ptrdiff_t>(loop.nodes.size()); i += step)
+    if (const int node = loop.nodes[static_cast<std::size_t>(i)];
+        (region.X[node] - p).squaredNorm() < (region.X[best] - p).squaredNorm())
+      best = node;
+  return best;
 }
 
 /// Rows of equal elements beneath a fine stretch that ends smoothly on both sides, where they fit.
@@ -122,10 +128,57 @@ Region outlined(const BodyPlan& plan, const SizeField& size, std::vector<Divided
   return region;
 }
 
-mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
-  const SizeField size = size_field(plan, far);
-  std::vector<DividedLoop> divided;
-  Region region = outlined(plan, size, divided);
+/// Turning of a closed run of nodes at its i-th one [rad].
+double turning_at(const Points& X, const std::vector<int>& nodes, std::size_t i) {
+  const std::size_t n = nodes.size();
+  const Vec2 in = X[nodes[i]] - X[nodes[(i + n - 1) % n]], out = X[nodes[(i + 1) % n]] - X[nodes[i]];
+  return std::abs(std::atan2(base::cross(in, out), in.dot(out)));
+}
+
+/// Which nodes of a loop that starts at its sharpest one end a run for gmsh: ends of edges, those at an even distance
+/// from the start where every other node is to be left out; at least two.
+std::vector<bool> corners_of(const Points& X, const std::vector<int>& nodes, const Loop& edges, bool even) {
+  std::vector<bool> corner(nodes.size(), false);
+  corner[0] = true;
+  int found = 1;
+  for (const Edge& edge : edges) {
+    const auto nearest = std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+      return (X[a] - edge.first()).squaredNorm() < (X[b] - edge.first()).squaredNorm();
+    });
+    const auto i = static_cast<std::size_t>(nearest - nodes.begin());
+    if (corner[i] || (even && i % 2 == 1)) continue;
+    corner[i] = true;
+    ++found;
+  }
+  if (found == 1) corner[nodes.size() / 4 * 2] = true;
+  return corner;
+}
+
+/// An outline that is there already as a region to fill; `number`: node of the region for each of the outline's.
+Region region_of(const BodyPlan& plan, const mesh::Mesh& outline, std::vector<int>& number) {
+  const bool even = plan.options->mesh.element == mesh::CellKind::quad4;
+  Region region;
+  region.kind = plan.options->mesh.element;
+  number.assign(outline.X.size(), -1);
+  for (std::size_t k = 0; k < outline.outline.size(); ++k) {
+    std::vector<int> nodes(outline.outline[k].begin(), outline.outline[k].end() - 1);
+    std::size_t sharpest = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      if (turning_at(outline.X, nodes, i) > turning_at(outline.X, nodes, sharpest) + 1e-6) sharpest = i;
+    std::rotate(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(sharpest), nodes.end());
+    const std::vector<bool> corner = corners_of(outline.X, nodes, plan.part->loops[k], even);
+    for (int& node : nodes) {
+      number[node] = static_cast<int>(region.X.size());
+      region.X.push_back(outline.X[node]);
+      node = number[node];
+    }
+    region.loops.push_back({std::move(nodes), corner});
+  }
+  return region;
+}
+
+/// Cells inside the outline that the region is.
+mesh::Mesh filled(Region region, const BodyPlan& plan, const SizeField& size) {
   mesh::Mesh mesh;
   for (const RegionLoop& loop : region.loops) {
     mesh.outline.push_back(loop.nodes);
@@ -140,21 +193,28 @@ mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
   mesh.X = std::move(region.X);
   mesh.kind = region.kind;
   mesh.cells = std::move(region.cells);
+  return mesh;
+}
+
+mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
+  const SizeField size = size_field(plan, far);
+  std::vector<DividedLoop> divided;
+  Region region = outlined(plan, size, divided);
+  mesh::Mesh mesh = filled(std::move(region), plan, size);
   name_boundaries(mesh, plan, divided);
   return mesh;
 }
 
-}  // namespace
-
-mesh::Mesh generate(const BodyPlan& plan) {
-  if (plan.part->mesh) return take_over(plan);
+/// The best of some attempts, each with half the far size: thin places may ask for less than it.
+template <class Make>
+mesh::Mesh best_of_attempts(const BodyPlan& plan, Make make) {
   constexpr int attempts = 5;
   constexpr double good_enough = 0.15;  // scaled Jacobian of the poorest cell
   mesh::Mesh best;
   double quality = 0.0, far = far_size(plan);
   for (int attempt = 1; quality < good_enough && attempt <= attempts; ++attempt, far *= 0.5) {
-    try {  // thin places may ask for less than the far size
-      mesh::Mesh mesh = make_mesh(plan, far);
+    try {
+      mesh::Mesh mesh = make(far);
       const double poorest = mesh::poorest_cell(mesh).scaled_jacobian;
       if (poorest <= quality) continue;
       quality = poorest;
@@ -164,6 +224,25 @@ mesh::Mesh generate(const BodyPlan& plan) {
     }
   }
   return best;
+}
+
+}  // namespace
+
+mesh::Mesh generate(const BodyPlan& plan) {
+  if (plan.part->mesh) return take_over(plan);
+  return best_of_attempts(plan, [&](double far) { return make_mesh(plan, far); });
+}
+
+mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& outline) {
+  std::vector<int> number;
+  const Region region = region_of(plan, outline, number);
+  mesh::Mesh mesh =
+      best_of_attempts(plan, [&](double far) { return filled(region, plan, size_field(plan, far)); });
+  mesh.boundaries = outline.boundaries;
+  for (auto& [name, chains] : mesh.boundaries)
+    for (mesh::Chain& chain : chains)
+      for (int& node : chain) node = number[node];
+  return mesh;
 }
 
 void clear_axis(mesh::Mesh& mesh) {

@@ -92,29 +92,32 @@ RemeshRecord record_of(const Problem& problem, const State& next, int body, cons
 
 }  // namespace
 
-std::vector<std::string> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
-                                        const std::vector<Moved>& moved) {
+std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
+                                         const std::vector<Moved>& moved) {
   const auto& options = problem.scene.remesh;
-  std::vector<std::string> reasons(moved.size());
+  std::vector<RemeshReason> reasons(moved.size());
   const bool due = options.every_blocks > 0 && (state.counts.blocks + 1) % options.every_blocks == 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (problem.rigid[b] || !in_contact(problem, b)) continue;
     const auto& [shape, poor] = moved[b];
     auto& reason = reasons[b];
+    if (options.automatic) {
+      reason = {leaves_zone(problem, state, b, *shape), true};
+      if (!reason.text.empty()) continue;
+      reason = {poor, false};
+    }
     if (options.automatic && shape != state.shapes[b]) {
-      reason = poor;
-      if (!reason.empty()) continue;
       base::Points x = recovered(problem, state, system, b);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape->mesh.X[i];
-      reason = adapt::why_remesh(*shape, &x, options.triggers);
+      reason.divide = adapt::measure(*shape, x).size_ratio.value > options.triggers.size_ratio;
+      if (reason.text.empty()) reason.text = adapt::why_remesh(*shape, &x, options.triggers);
     }
-    if (options.automatic && reason.empty()) reason = leaves_zone(problem, state, b, *shape);
-    if (due && reason.empty()) reason = "every " + std::to_string(options.every_blocks) + " blocks, as asked for";
+    if (due && reason.text.empty()) reason = {"every " + std::to_string(options.every_blocks) + " blocks, as asked for", false};
   }
   return reasons;
 }
 
-std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<std::string>& reasons, State& next,
+std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<RemeshReason>& reasons, State& next,
                           Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
   const auto& old = cache.system;
   auto shapes = next.shapes;
@@ -122,13 +125,15 @@ std::string remesh_bodies(const Problem& problem, const State& state, const std:
   std::vector<Vector> parts;
   for (int b = 0; b < problem.body_count(); ++b) {
     parts.emplace_back(old.part(state.solution.q, b));
-    if (reasons[b].empty()) continue;
+    if (reasons[b].text.empty()) continue;
     Timer timer(cache, "adapt");
-    const auto made = adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]),
-                                    problem.scene.remesh.options);
-    if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b] + "): " + made.failure;
+    auto options = problem.scene.remesh.options;
+    options.keep_nodes = !reasons[b].divide;
+    const auto made =
+        adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]), options);
+    if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
     displaced[b] = {recovered(problem, state, old, b), parts[b], linear(old, b).support_columns()};
-    records.push_back(record_of(problem, next, b, reasons[b], next.shapes[b]->mesh, made));
+    records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
     shapes[b] = made.shape;
     ++next.counts.remeshes;
   }

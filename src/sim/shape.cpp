@@ -197,7 +197,7 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   const auto reasons = remesh_reasons(problem, state, system, moved);
   std::vector<RemeshRecord> records;
   Balance before;
-  if (std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.empty(); })) {
+  if (std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); })) {
     before = balance_of(problem, state, system);
     const std::string failure = remesh_bodies(problem, state, reasons, next, cache, held, records);
     if (!failure.empty()) return {std::move(state), failure, false};

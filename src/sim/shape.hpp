@@ -18,14 +18,19 @@ struct Moved {
   std::string poor;  ///< why its mesh can not be used; empty when it can
 };
 
-/// Why each body is to be meshed anew; empty where it is not.
-std::vector<std::string> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
+/// Why a body is to be meshed anew, empty: it is not; and whether its outline wants other facets, too.
+struct RemeshReason {
+  std::string text;
+  bool divide = false;
+};
+
+std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
                                         const std::vector<Moved>& moved);
 
 /// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shape step;
 /// `next`: its shapes moved, its wear booked. `held` becomes that of the new nodes. Returns a failure in words;
 /// `records` tells what was done, jumps still open.
-std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<std::string>& reasons, State& next,
+std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<RemeshReason>& reasons, State& next,
                           Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records);
 
 /// Fills the jumps from the re-equilibrated state.
