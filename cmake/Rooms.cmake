@@ -8,6 +8,8 @@ target_compile_options(reye_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
 if(REYE_WERROR)
   target_compile_options(reye_options INTERFACE -Werror)
 endif()
+# libgmsh brings its own build of Eigen: ours must not take the place of its functions, nor share its memory with them.
+target_link_options(reye_options INTERFACE "LINKER:--exclude-libs,ALL")
 if(REYE_SANITIZE)
   target_compile_options(reye_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(reye_options INTERFACE -fsanitize=address,undefined)

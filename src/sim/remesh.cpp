@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "adapt/remesh.hpp"
 #include "adapt/transfer.hpp"
@@ -33,11 +32,12 @@ struct Displaced {
   std::vector<body::SupportColumn> supports;
 };
 
-double shortest_facet(const mesh::Mesh& mesh) {
-  double shortest = std::numeric_limits<double>::infinity();
+/// Farther outside than half of this no node of a sound remesh can lie: chords of coarse facets cut off less.
+double longest_facet(const mesh::Mesh& mesh) {
+  double longest = 0.0;
   for (const auto& loop : mesh.outline)
-    for (std::size_t k = 1; k < loop.size(); ++k) shortest = std::min(shortest, (mesh.X[loop[k]] - mesh.X[loop[k - 1]]).norm());
-  return shortest;
+    for (std::size_t k = 1; k < loop.size(); ++k) longest = std::max(longest, (mesh.X[loop[k]] - mesh.X[loop[k - 1]]).norm());
+  return longest;
 }
 
 /// Start values of q on a fresh mesh: supports as they were, contact nodes displaced as the old mesh is at their place.
@@ -51,7 +51,7 @@ std::string start_values(const mesh::Mesh& old, Displaced before, const mesh::Me
   for (const Vec2& v : before.u) u.values.insert(u.values.end(), {v.x(), v.y()});
   mesh::Mesh nodes;
   for (int node : body.contact_nodes()) nodes.X.push_back(fresh.X[node]);
-  const auto carried = adapt::transfer(old, {{std::move(u)}, {}}, nodes, 0.5 * shortest_facet(fresh));
+  const auto carried = adapt::transfer(old, {{std::move(u)}, {}}, nodes, 0.5 * longest_facet(old));
   if (!carried.failure.empty()) return carried.failure;
   projection = carried.largest_distance;
   const auto& values = carried.fields.nodal.front().values;

@@ -11,7 +11,7 @@ using namespace reye::output;
 namespace {
 
 Checkpoint checkpoint(const std::string& payload) {
-  return {{"0.1.0", "abc", {12, {{"surface_pad_primary.csv", 40}}, {0.0, 100.0}}}, payload};
+  return {{"0.1.0", "abc", {12, 3, {{"surface_pad_primary.csv", 40}}, {0.0, 100.0}}}, payload};
 }
 
 /// The reasons against all candidates, as one text.
