@@ -65,7 +65,7 @@ std::string page(const RunData& run, const std::vector<Figure>& all) {
                      "<meta charset=\"utf-8\"/>\n"
                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
                      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + result_tables(run) + figure_grid(all) + ledger_table(run) + run_tables(run);
+  html += heading(run) + result_tables(run) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "output/plot.hpp"
 #include "output/text.hpp"
@@ -25,15 +26,18 @@ const Json& part(const Json& object, const std::string& key) {
   return object.is_object() && object.contains(key) ? object[key] : none;
 }
 
-std::string table(const Row& head, const std::vector<Row>& rows) {
+/// All columns but the first and those in `texts` are set as numbers.
+std::string table(const Row& head, const std::vector<Row>& rows, const std::set<std::size_t>& texts = {}) {
   if (rows.empty()) return {};
+  const auto open = [&](const std::string& cell, std::size_t i) {
+    return '<' + cell + (i == 0 || texts.count(i) ? ">" : " class=\"number\">");
+  };
   std::string html = "<table>\n<thead><tr>";
-  for (std::size_t i = 0; i < head.size(); ++i)
-    html += (i == 0 ? "<th>" : "<th class=\"number\">") + escaped(head[i]) + "</th>";
+  for (std::size_t i = 0; i < head.size(); ++i) html += open("th", i) + escaped(head[i]) + "</th>";
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows) {
     html += "<tr><th>" + escaped(row[0]) + "</th>";
-    for (std::size_t i = 1; i < row.size(); ++i) html += "<td class=\"number\">" + escaped(row[i]) + "</td>";
+    for (std::size_t i = 1; i < row.size(); ++i) html += open("td", i) + escaped(row[i]) + "</td>";
     html += "</tr>\n";
   }
   return html + "</tbody>\n</table>\n";
@@ -142,6 +146,17 @@ std::string count_table(const RunData& run) {
   return table({"Counts", ""}, rows);
 }
 
+/// Cells of one row of remesh.csv; jumps in percent.
+Row remesh_cells(const Table& t, std::size_t i) {
+  const auto value = [&](const char* column) { return t.column(column).at(i); };
+  Row row{rounded(value("cycle"), 8), t.word(value("body")),
+          rounded(value("nodes_before"), 9) + " → " + rounded(value("nodes_after"), 9)};
+  for (const char* jump : {"pressure_jump", "force_jump", "energy_jump"}) row.push_back(rounded(100.0 * value(jump), 2));
+  row.push_back(rounded(1e3 * value("projection_mm"), 3));
+  row.push_back(t.word(value("reason")));
+  return row;
+}
+
 }  // namespace
 
 std::string result_tables(const RunData& run) {
@@ -165,6 +180,19 @@ std::string ledger_table(const RunData& run) {
   if (body.empty()) return {};
   return section("Ledger", body + "<p class=\"quiet\">Relative error: |removed − sum of coefficient × energy| / "
                                   "sum, over both sides; a dash where nothing wears.</p>\n");
+}
+
+std::string remesh_table(const RunData& run) {
+  constexpr std::size_t shown_open = 20;
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < run.remeshes.rows(); ++i) rows.push_back(remesh_cells(run.remeshes, i));
+  if (rows.empty()) return {};
+  const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
+  return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
+         "><summary>Bodies meshed anew: " + std::to_string(rows.size()) + "</summary>\n" + table(head, rows, {1, 7}) +
+         "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: largest "
+         "difference in pressure over the largest pressure, difference of contact force and of strain energy. Outside: "
+         "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";
 }
 
 std::string run_tables(const RunData& run) {

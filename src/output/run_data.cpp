@@ -51,7 +51,9 @@ class Words {
   std::vector<std::string> words_;
 };
 
-bool is_text(const std::string& column) { return column == "step" || column == "status"; }
+bool is_text(const std::string& column) {
+  return column == "step" || column == "status" || column == "body" || column == "reason";
+}
 
 /// A new frame begins where the cycle changes or the arc length starts again.
 std::vector<FrameRows> frames_of(const Table& table) {
@@ -115,6 +117,7 @@ RunData read_run(const std::string& dir) {
     if (!run.summary.is_object()) throw std::runtime_error(file("summary.json") + " is damaged");
   }
   if (fs::is_regular_file(file("history.csv"))) run.history = parse_csv(read_text(file("history.csv")));
+  if (fs::is_regular_file(file("remesh.csv"))) run.remeshes = parse_csv(read_text(file("remesh.csv")));
   for (const auto& [name, mu] : identity->friction) {
     ContactData contact{name, mu, {}};
     for (const auto side : {sim::Side::secondary, sim::Side::primary})

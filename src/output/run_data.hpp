@@ -12,7 +12,7 @@
 /// What the report reads back from an output folder.
 namespace reye::output {
 
-/// A CSV table by columns. The text columns (step, status) hold indices into `words`.
+/// A CSV table by columns. The text columns (step, status, body, reason) hold indices into `words`.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> values;  ///< one vector per column
@@ -51,6 +51,7 @@ struct RunData {
   Identity identity;
   nlohmann::ordered_json summary;  ///< null when the run has not ended
   Table history;
+  Table remeshes;  ///< empty when no body was meshed anew
   std::vector<ContactData> contacts;
 };
 

@@ -93,6 +93,35 @@ TEST(Surface, HasTheColumnsOfTheContractAndReadsBack) {
     EXPECT_EQ(table.word(table.column("status")[i]), words[record.status[i]]);
 }
 
+// remesh.csv has exactly these columns, the residue named as what it is in the analysis.
+TEST(Remesh, HasItsColumns) {
+  using reye::base::Analysis;
+  const std::string first = "step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,";
+  const std::string last = ",pressure_jump,force_jump,energy_jump,reason\n";
+  EXPECT_EQ(remesh_header(Analysis::plane_strain), first + "area_residue_mm2" + last);
+  EXPECT_EQ(remesh_header(Analysis::plane_stress), first + "area_residue_mm2" + last);
+  EXPECT_EQ(remesh_header(Analysis::axisymmetric), first + "volume_residue_mm3" + last);
+}
+
+// A row of remesh.csv reads back to the same doubles, whatever body and reason are called, and holds no times.
+TEST(Remesh, RowReadsBack) {
+  auto record = sample::remesh(1000.0 / 3.0);
+  const std::string row = remesh_row(record);
+  const Table table = parse_csv(remesh_header(reye::base::Analysis::plane_strain) + row);
+  ASSERT_EQ(table.rows(), 1u);
+  EXPECT_EQ(table.word(table.column("step")[0]), record.step);
+  EXPECT_EQ(table.word(table.column("body")[0]), record.body);
+  EXPECT_EQ(table.word(table.column("reason")[0]), record.reason);
+  const std::pair<const char*, double> numbers[] = {
+      {"cycle", record.cycle}, {"nodes_before", 120.0}, {"nodes_after", 135.0},
+      {"scaled_jacobian_before", record.scaled_jacobian_before}, {"scaled_jacobian_after", record.scaled_jacobian_after},
+      {"projection_mm", record.projection_mm}, {"area_residue_mm2", record.area_residue},
+      {"pressure_jump", record.pressure_jump}, {"force_jump", record.force_jump}, {"energy_jump", record.energy_jump}};
+  for (const auto& [column, value] : numbers) EXPECT_EQ(table.column(column).at(0), value) << column;
+  record.seconds = record.mesh_seconds = 99.0;
+  EXPECT_EQ(remesh_row(record), row);
+}
+
 // A file name never leaves the folder, whatever the contact is called.
 TEST(Surface, FileNameIsPlain) {
   EXPECT_EQ(surface_file("pad", reye::sim::Side::primary), "surface_pad_primary.csv");

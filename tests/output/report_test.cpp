@@ -81,6 +81,33 @@ TEST(Report, WorksWithoutFrames) {
   EXPECT_FALSE(holds(page, "<figure id"));
 }
 
+// Bodies meshed anew stand in a table with what it cost, folded away when they are many; half a row is left out.
+TEST(Report, TellsOfRemeshes) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  writer.remesh(sample::remesh(1500.0));
+  writer.remesh(sample::remesh(2500.0));
+  write_report(dir.str());
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(well_formed(page));
+  EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Bodies meshed anew: 2</summary>"));
+  EXPECT_TRUE(holds(page, "<tr><th>2500</th><td>pad, upper</td><td class=\"number\">120 → 135</td>"
+                          "<td class=\"number\">1.2</td><td class=\"number\">0.033</td><td class=\"number\">0.04</td>"
+                          "<td class=\"number\">0.01</td><td>worn at (0, 1) mm: 0.6 of the element below</td></tr>"));
+  for (int k = 0; k < 20; ++k) writer.remesh(sample::remesh(3000.0 + k));
+  append_text(dir / "remesh.csv", "wear,35");
+  write_report(dir.str());
+  EXPECT_FALSE(holds(page_of(dir.str()), "open=\"open\""));
+}
+
+// A run without remeshes says nothing of them.
+TEST(Report, IsSilentWithoutRemeshes) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  EXPECT_FALSE(holds(page_of(dir.str()), "meshed anew"));
+}
+
 // A folder without a run is an error.
 TEST(Report, RefusesAnEmptyFolder) {
   sample::TemporaryFolder dir;

@@ -4,6 +4,7 @@
 
 #include "output/files.hpp"
 #include "output/run_writer.hpp"
+#include "output/tables.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
@@ -22,6 +23,7 @@ std::map<std::string, std::string> contents(const std::string& dir) {
 void play(RunWriter& writer, int first, int last) {
   for (int block = first; block < last; ++block) {
     writer.increment(sample::increment(40, 100.0 * block));
+    if (block % 2 == 1) writer.remesh(sample::remesh(100.0 * block));
     writer.frame(sample::frame(100.0 * block, 4 + block));
   }
 }
@@ -56,6 +58,41 @@ TEST(RunWriter, ResumedRunEqualsUnbrokenRun) {
   play(resumed, 2, 5);
   resumed.finish(sample::summary());
   EXPECT_EQ(contents(whole.str()), contents(broken.str()));
+}
+
+// The table of remeshes begins with the first of them, has a row for each, and is cut back with the checkpoint.
+TEST(RunWriter, RemeshesAreCountedAndCutBack) {
+  sample::TemporaryFolder dir;
+  RunWriter killed(dir.str(), sample::scene());
+  killed.begin();
+  EXPECT_FALSE(sample::fs::exists(dir / "remesh.csv"));
+  killed.remesh(sample::remesh(100.0));
+  const Counters at_checkpoint = killed.counters();
+  EXPECT_EQ(at_checkpoint.remesh_rows, 1);
+  const std::string table = read_text(dir / "remesh.csv");
+  EXPECT_EQ(table, remesh_header(reye::base::Analysis::plane_strain) + remesh_row(sample::remesh(100.0)));
+  killed.remesh(sample::remesh(200.0));
+  append_text(dir / "remesh.csv", "wear, half a ro");
+  RunWriter resumed(dir.str(), sample::scene());
+  resumed.resume(at_checkpoint);
+  EXPECT_EQ(read_text(dir / "remesh.csv"), table);
+  resumed.remesh(sample::remesh(300.0));
+  EXPECT_EQ(read_text(dir / "remesh.csv"), table + remesh_row(sample::remesh(300.0)));
+}
+
+// A checkpoint from before the first remesh leaves no table of a later one; nor does a new run.
+TEST(RunWriter, NoRemeshLeavesNoTable) {
+  sample::TemporaryFolder dir;
+  RunWriter killed(dir.str(), sample::scene());
+  killed.begin();
+  const Counters start = killed.counters();
+  killed.remesh(sample::remesh(100.0));
+  RunWriter resumed(dir.str(), sample::scene());
+  resumed.resume(start);
+  EXPECT_FALSE(sample::fs::exists(dir / "remesh.csv"));
+  resumed.remesh(sample::remesh(100.0));
+  RunWriter(dir.str(), sample::scene()).begin();
+  EXPECT_FALSE(sample::fs::exists(dir / "remesh.csv"));
 }
 
 // A checkpoint from before the first frame leaves no rows of a later one behind.
