@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small scenes for the command: a wearing contact of a second, and two blocks that show what geometry can do wrong.
+/// Small scenes for the command: wearing contacts of a second, and two blocks that show what geometry can do wrong.
 namespace reye::test {
 
 /// Half disc R = 1 on a block 2 x 1; two load increments, four blocks of 16 increments.
@@ -82,6 +82,61 @@ depth_mm = 2e-5
 [output]
 frames = { every_cycles = 200 }
 probes = { edge = { body = "flat", at_mm = [0.5, 0.0] } }
+)";
+
+/// The same disc worn flat by imposed sliding: six blocks, both bodies meshed anew and drawn after each.
+inline const char* const worn_pin = R"(title    = "Small pin worn flat"
+geometry = ["wearing.geo"]
+
+[material.steel]
+E_MPa = 200e3
+nu    = 0.3
+
+[body.disc]
+material = "steel"
+mesh     = { far_size_mm = 0.35, growth = 1.8 }
+
+[body.flat]
+material = "steel"
+mesh     = { far_size_mm = 0.35, growth = 1.8 }
+
+[contact.pad]
+secondary = "round"
+primary   = ["face"]
+friction  = 0.3
+imposed_sliding_mm = 1000.0
+wear      = { law = "energy", secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 1.0e-5 }
+fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.15, depth_mm = 0.05, size_mm = 0.015 }
+
+[support.holder]
+edge     = "top"
+x        = "fixed"
+rotation = "fixed"
+y        = { force_N_per_mm = -20.0, history = "press" }
+
+[support.base]
+edge = "bottom"
+x    = "fixed"
+y    = "fixed"
+
+[history]
+press = [[0.0, 0.0], [1.0, 1.0]]
+
+[[step]]
+name = "press"
+play = ["press"]
+increments = 2
+wear = false
+
+[[step]]
+name = "wear"
+cycles = 6
+
+[remesh]
+every_blocks = 1
+
+[output]
+frames = { every_cycles = 1 }
 )";
 
 /// A block 2 x 1 on one of 4 x 1, with names.
