@@ -27,7 +27,7 @@ p { margin: 4px 0; }
 table { border-collapse: collapse; margin: 6px 0 10px; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 4px 18px 4px 0; border-bottom: 1px solid #eceff2; vertical-align: top; }
 th { font-weight: 600; } tbody th { font-weight: 400; } thead th { color: #6a717c; font-size: 13px; }
-td.number { text-align: right; } th.number { text-align: right; }
+td.number { text-align: right; white-space: nowrap; } th.number { text-align: right; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 18px; }
 figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
