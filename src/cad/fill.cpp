@@ -28,7 +28,7 @@ struct Algorithm {
   int planar, recombination;
 };
 constexpr Algorithm quad_algorithms[] = {{6, 3}, {5, 3}, {6, 2}, {5, 2}};
-constexpr Algorithm tri_algorithms[] = {{6, 0}, {5, 0}, {1, 0}};
+constexpr Algorithm tri_algorithms[] = {{6, 0}, {5, 0}};
 
 void set_options(const Algorithm& algorithm) {
   const std::pair<const char*, double> options[] = {

@@ -210,13 +210,14 @@ template <class Make>
 mesh::Mesh best_of_attempts(const BodyPlan& plan, Make make) {
   constexpr int attempts = 5;
   constexpr double good_enough = 0.15;  // scaled Jacobian of the poorest cell
+  constexpr double worth_it = 1.05;         // an attempt that brings less is the last: the poor place is not a coarse one
   mesh::Mesh best;
   double quality = 0.0, far = far_size(plan);
   for (int attempt = 1; quality < good_enough && attempt <= attempts; ++attempt, far *= 0.5) {
     try {
       mesh::Mesh mesh = make(far);
       const double poorest = mesh::poorest_cell(mesh).scaled_jacobian;
-      if (poorest <= quality) continue;
+      if (poorest <= worth_it * quality) break;
       quality = poorest;
       best = std::move(mesh);
     } catch (const base::MeshError&) {
@@ -236,8 +237,7 @@ mesh::Mesh generate(const BodyPlan& plan) {
 mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& outline) {
   std::vector<int> number;
   const Region region = region_of(plan, outline, number);
-  mesh::Mesh mesh =
-      best_of_attempts(plan, [&](double far) { return filled(region, plan, size_field(plan, far)); });
+  mesh::Mesh mesh = filled(region, plan, size_field(plan, far_size(plan)));
   mesh.boundaries = outline.boundaries;
   for (auto& [name, chains] : mesh.boundaries)
     for (mesh::Chain& chain : chains)

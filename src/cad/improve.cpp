@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "cad/region.hpp"
@@ -49,9 +50,40 @@ bool move(Region& region, int node, const std::vector<int>& cells) {
   return best > before + 1e-3;
 }
 
+/// A triangle alone at a node, between two outline facets: where these are nearly in line it is flat whatever its inner
+/// nodes do. Its inner edge is turned when that lifts the poorer of the two triangles at it.
+void turn_ears(Region& region) {
+  std::vector<int> count(region.X.size(), 0);
+  std::map<std::pair<int, int>, int> at;  // directed edge to the cell on its left
+  for (int c = 0; c < static_cast<int>(region.cells.size()); ++c)
+    for (int k = 0; k < 3; ++k) {
+      ++count[region.cells[c][k]];
+      at[{region.cells[c][k], region.cells[c][(k + 1) % 3]}] = c;
+    }
+  const auto quality = [&](const mesh::Cell& cell) { return mesh::scaled_jacobian(region.X, region.kind, cell); };
+  for (int c = 0; c < static_cast<int>(region.cells.size()); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const mesh::Cell ear = region.cells[c];
+      const int tip = ear[k], next = ear[(k + 1) % 3], last = ear[(k + 2) % 3];
+      const auto other = at.find({last, next});
+      if (count[tip] != 1 || other == at.end()) continue;
+      const mesh::Cell beyond = region.cells[other->second];
+      int far = beyond[0];
+      for (int node : {beyond[1], beyond[2]})
+        if (node != last && node != next) far = node;
+      if (far == last || far == next) continue;
+      const mesh::Cell one{tip, next, far, -1}, two{tip, far, last, -1};
+      if (std::min(quality(one), quality(two)) <= std::min(quality(ear), quality(beyond))) continue;
+      region.cells[c] = one;
+      region.cells[other->second] = two;
+      break;
+    }
+}
+
 }  // namespace
 
 void improve(Region& region, int first_free) {
+  if (region.kind == mesh::CellKind::tri3) turn_ears(region);
   constexpr double content = 0.5;
   constexpr int sweeps = 8;
   std::vector<std::vector<int>> round(region.X.size());

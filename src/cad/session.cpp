@@ -9,9 +9,25 @@
 
 namespace reye::cad {
 
+namespace {
+
+/// gmsh initialised from the first session to the end of the program: each new start costs time and leaves memory behind,
+/// and a run may make a thousand meshes.
+struct Library {
+  Library() { gmsh::initialize(0, nullptr, false); }
+  ~Library() {
+    try {
+      gmsh::finalize();
+    } catch (...) {  // nothing to save and nobody to tell
+    }
+  }
+};
+
+}  // namespace
+
 Session::Session() {
   guarded([] {
-    gmsh::initialize(0, nullptr, false);
+    static const Library library;
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);
   });
@@ -19,7 +35,7 @@ Session::Session() {
 
 Session::~Session() {
   try {
-    gmsh::finalize();
+    gmsh::clear();
   } catch (...) {  // nothing to save and nobody to tell
   }
 }

@@ -32,9 +32,16 @@ bool held_along(const Problem& problem, const solver::System& system, int body, 
 /// All increments of one block, with cut-backs.
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
-/// Shape evolution of all worn bodies, fresh meshes where a trigger asks for them, then re-equilibration with the
-/// shear as history.
-Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
+/// Why a body is to be meshed anew, empty: it is not; and whether its outline wants other facets, too.
+struct RemeshReason {
+  std::string text;
+  bool divide = false;
+};
+
+/// Shape evolution of all worn bodies, fresh meshes where a trigger, or `asked` (per body, or none), wants them, then
+/// re-equilibration with the shear as history.
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
+                     const std::vector<RemeshReason>& asked = {});
 
 /// Everything a picture needs of a state.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);

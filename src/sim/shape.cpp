@@ -182,7 +182,8 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
 
 }  // namespace
 
-Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
+                     const std::vector<RemeshReason>& asked) {
   const auto start = std::chrono::steady_clock::now();
   const auto& system = timed_system(problem, state, cache);
   auto held = held_tractions(system, state);
@@ -194,7 +195,9 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   for (std::size_t b = 0; b < moved.size(); ++b)
     next.shapes[b] = moved[b].shape;
   book_strips(problem, next, ratio);
-  const auto reasons = remesh_reasons(problem, state, system, moved);
+  auto reasons = remesh_reasons(problem, state, system, moved);
+  for (std::size_t b = 0; b < asked.size(); ++b)
+    if (!asked[b].text.empty()) reasons[b] = asked[b];
   std::vector<RemeshRecord> records;
   Balance before;
   if (std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); })) {

@@ -18,12 +18,7 @@ struct Moved {
   std::string poor;  ///< why its mesh can not be used; empty when it can
 };
 
-/// Why a body is to be meshed anew, empty: it is not; and whether its outline wants other facets, too.
-struct RemeshReason {
-  std::string text;
-  bool divide = false;
-};
-
+/// What the triggers say of every body.
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
                                         const std::vector<Moved>& moved);
 

@@ -106,6 +106,22 @@ TEST(Restart, Killed) {
   }
 }
 
+// Interrupted or killed between blocks in which both bodies are meshed anew, with wider zones and other facets, a run must
+// go on to the bytes of the unbroken one.
+TEST(Restart, AcrossARemesh) {
+  const WithWearing place;
+  place.write("wearing.toml", test::worn_pin);
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  EXPECT_GT(test::lines(place / "whole/remesh.csv"), 6);
+  for (const int signal : {SIGINT, SIGKILL})
+    for (const long rows : {4L, 6L}) {
+      test::fs::remove_all(place / "broken");
+      EXPECT_EQ(interrupted(place, "broken", rows, {}, signal).code, signal == SIGINT ? 130 : 128 + SIGKILL);
+      ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
+      expect_same(place, "whole", "broken");
+    }
+}
+
 // A restart without a checkpoint, or with one of another scene, must be refused and write nothing.
 TEST(Restart, NothingToGoOnFrom) {
   const WithWearing place;

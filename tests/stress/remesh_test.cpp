@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "apps/scenes.hpp"
+#include "mesh/quality.hpp"
+#include "scene/read.hpp"
+#include "sim/measure.hpp"
+#include "sim/run.hpp"
+
+using namespace reye;
+
+namespace {
+
+double resident_MB() {
+  std::ifstream file("/proc/self/statm");
+  double total = 0.0, resident = 0.0;
+  file >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  if (at == std::string::npos) throw std::runtime_error("not in the scene: " + from);
+  return text.replace(at, from.size(), to);
+}
+
+sim::Problem problem() {
+  const std::filesystem::path folder(testing::TempDir());
+  std::ofstream(folder / "wearing.geo") << test::wearing_geo;
+  std::string text = with(test::worn_pin, "cycles = 6", "cycles = 500");
+  text = with(text, "1.0e-4", "1.0e-6");
+  text = with(text, "1.0e-5", "0.5e-6");
+  std::ofstream(folder / "pin.toml") << text;
+  return sim::prepare(scene::read((folder / "pin.toml").string()));
+}
+
+}  // namespace
+
+// Two wearing bodies meshed anew 500 times each must lose exactly what their ledger says, keep sound meshes of bounded
+// size, and need no more memory at the end than after the first hundred.
+TEST(Remesh, AThousandTimes) {
+  const auto p = problem();
+  auto state = sim::initial_state(p);
+  double early = 0.0;
+  int most_nodes = 0;
+  double poorest = 1.0;
+  sim::Observer watch;
+  watch.remesh = [&](const sim::RemeshRecord& r) {
+    most_nodes = std::max(most_nodes, r.nodes_after);
+    poorest = std::min(poorest, r.scaled_jacobian_after);
+  };
+  watch.block = [&](const sim::State& s) {
+    if (s.counts.remeshes == 200) early = resident_MB();
+  };
+  const auto summary = sim::run(p, state, watch);
+  ASSERT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
+  EXPECT_GE(summary.counts.remeshes, 1000);
+  EXPECT_LT(summary.contacts[0].ledger_relative_error.value(), 1e-9);
+  EXPECT_GT(summary.contacts[0].secondary.worn_area, 0.0);
+  EXPECT_GT(poorest, 0.3);
+  EXPECT_LT(most_nodes, 2 * p.shapes[0]->mesh.node_count());
+  EXPECT_LT(resident_MB() - early, 8.0);
+}
