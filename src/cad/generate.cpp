@@ -45,7 +45,7 @@ int node_at(const Region& region, const RegionLoop& loop, const Vec2& p) {
   return best;
 }
 
-/// Rows of equal elements beneath a fine stretch that ends smoothly on both sides, where they fit.
+/// Rows of equal elements beneath a fine stretch that ends smoothly on both sides, as many as fit.
 void add_zone_layers(Region& region, const std::vector<RegionLoop>& outline, const BodyPlan& plan) {
   for (const ZoneOutline& zone : plan.zones) {
     if (!zone.smooth_begin || !zone.smooth_end || zone.depth < 1.5 * zone.size) continue;
@@ -54,7 +54,8 @@ void add_zone_layers(Region& region, const std::vector<RegionLoop>& outline, con
     const int first = node_at(region, outline[zone.loop], at(loop[begin.edge], begin.begin));
     const int last = node_at(region, outline[zone.loop], at(loop[end.edge], end.end));
     const int layers = 2 * std::max(1, static_cast<int>(std::lround(0.5 * zone.depth / zone.size)));
-    add_layers(region, first, last, layers, zone.depth);
+    for (int rows = layers; rows >= 2; rows = rows / 4 * 2)  // fewer where the outline bends too much for all
+      if (add_layers(region, first, last, rows, zone.depth * rows / layers)) break;
   }
 }
 

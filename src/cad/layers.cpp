@@ -128,9 +128,12 @@ bool add_layers(Region& region, int first, int last, int layers, double depth) {
     Points X = region.X;
     X.insert(X.end(), rows.added.begin(), rows.added.end());
     const std::vector<mesh::Cell> quads = cells_between(rows.nodes, mesh::CellKind::quad4);
-    constexpr double good = 0.7;
-    for (const mesh::Cell& cell : quads)
-      if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, cell) < good) return false;
+    constexpr double good = 0.7, good_half = 0.35;  // of quadrilaterals, and of the triangles that either diagonal makes:
+    for (const mesh::Cell& q : quads) {             // under a bend of the outline rows may keep their angles and lose their width
+      if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, q) < good) return false;
+      for (int k = 0; k < 4; ++k)
+        if (mesh::scaled_jacobian(X, mesh::CellKind::tri3, {q[k], q[(k + 1) % 4], q[(k + 2) % 4], -1}) < good_half) return false;
+    }
     region.X = std::move(X);
     const std::vector<mesh::Cell> cells = cells_between(rows.nodes, region.kind);
     region.cells.insert(region.cells.end(), cells.begin(), cells.end());
