@@ -12,6 +12,12 @@ struct HeldTraction {
   std::vector<double> normal, tangential;
 };
 
+std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state);
+
+/// Equilibrium on the state's shapes with the shear as given load, its nodal resultant kept; a failure in words.
+std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                           const std::vector<HeldTraction>& held);
+
 /// A body after the wear of a block has been taken off.
 struct Moved {
   body::ShapePtr shape;

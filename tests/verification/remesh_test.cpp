@@ -132,8 +132,9 @@ TEST(Remesh, ShearOnOtherFacets) {
   const auto after = bench.secondary();
   EXPECT_LT(profile_change(before, after, before.shear_MPa, after.shear_MPa), 0.02);
   for (std::size_t j = 0; j < before.x_mm.size(); ++j)
-    if (std::abs(std::abs(before.x_mm[j]) - stick) > 3.0 * h && std::abs(before.x_mm[j]) < 0.08)
+    if (std::abs(std::abs(before.x_mm[j]) - stick) > 3.0 * h && std::abs(before.x_mm[j]) < 0.08) {
       EXPECT_NEAR(before.shear_MPa[j], after.shear_MPa[j], 0.01 * mu * p0) << before.x_mm[j];
+    }
 }
 
 // A body meshed anew leaves the other one its mesh.

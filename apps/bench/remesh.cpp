@@ -1,0 +1,82 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "algebra/factor.hpp"
+#include "fem/stiffness.hpp"
+#include "scene/read.hpp"
+#include "sim/block.hpp"
+
+/// What a remesh costs beyond gmsh, in plain factorisations of the stiffness of the bodies that are meshed anew; both
+/// measured in turn in one run.
+namespace {
+
+using namespace reye;
+using clock_type = std::chrono::steady_clock;
+
+double since(clock_type::time_point start) { return std::chrono::duration<double>(clock_type::now() - start).count(); }
+
+double median(std::vector<double> v) {
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+/// Seconds of assembling nothing and factorising once, ordering included, both bodies.
+double factorisation(const sim::Problem& problem, const sim::State& state, long& dofs) {
+  double seconds = 0.0;
+  dofs = 0;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    const auto& input = problem.inputs[b];
+    auto K = fem::stiffness(state.shapes[b]->mesh, input.material, problem.scene.analysis, input.b_bar);
+    const double mean = K.diagonal().mean();
+    for (Eigen::Index i = 0; i < K.rows(); ++i) K.coeffRef(i, i) += 1e-6 * mean;  // rigid motions held
+    dofs += K.rows();
+    const auto start = clock_type::now();
+    const algebra::Cholesky factor(K);
+    benchmark::DoNotOptimize(factor);
+    seconds += since(start);
+  }
+  return seconds;
+}
+
+/// The Hertz contact of geo/hertz, its far size and fine zone scaled by 1 / range.
+void remesh(benchmark::State& run) {
+  auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/hertz/scene.toml");
+  const double scale = 1.0 / static_cast<double>(run.range(0));
+  for (auto& body : scene.geometry.bodies) body.mesh.far_size_mm *= scale;
+  for (auto& zone : scene.geometry.fine_zones) zone.size_mm *= scale;
+  const auto problem = sim::prepare(scene);
+  sim::Cache cache;
+  auto state = sim::initial_state(problem);
+  sim::begin_state(problem, state, cache);
+  const sim::BlockSpan span{&problem.scene.steps.front(), 1.0, false, true};
+  state = sim::play_increments(problem, std::move(state), cache, span, {}).state;
+  const std::vector<sim::RemeshReason> asked(static_cast<std::size_t>(problem.body_count()), {"asked for", false});
+  std::vector<double> own, gmsh, factor;
+  long dofs = 0;
+  for (auto _ : run) {
+    double meshing = 0.0;
+    sim::Observer watch;
+    watch.remesh = [&](const sim::RemeshRecord& r) { meshing += r.mesh_seconds; };
+    const auto start = clock_type::now();
+    auto outcome = sim::evolve_shape(problem, state, cache, span, watch, asked);
+    if (!outcome.failure.empty()) run.SkipWithError(outcome.failure.c_str());
+    own.push_back(since(start) - meshing);
+    gmsh.push_back(meshing);
+    state = std::move(outcome.state);
+    factor.push_back(factorisation(problem, state, dofs));
+  }
+  run.counters["dofs"] = static_cast<double>(dofs);
+  run.counters["gmsh_s"] = median(gmsh);
+  run.counters["own_s"] = median(own);
+  run.counters["factorisation_s"] = median(factor);
+  run.counters["own_in_factorisations"] = median(own) / median(factor);
+}
+
+BENCHMARK(remesh)->Arg(1)->Arg(2)->Arg(4)->Iterations(5)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,75 @@
+#include "sim/drive.hpp"
+#include "sim/shape.hpp"
+#include "sim/timer.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// The shear as given load; the node of largest pressure is offered as anchor.
+void hold_shear(const contact::Setup& setup, const contact::ContactState& contact, const HeldTraction& held,
+                contact::IncrementOptions& o) {
+  for (std::size_t j = 0; j < held.normal.size(); ++j) {
+    o.held_shear.push_back(held.tangential[j] / setup.secondary.area[j]);
+    o.held_pressure.push_back(held.normal[j] / setup.secondary.area[j]);
+    const bool active = contact.status[j] != contact::ContactStatus::inactive;
+    if (active && (o.anchor < 0 || o.held_pressure[j] > o.held_pressure[o.anchor])) o.anchor = static_cast<int>(j);
+  }
+}
+
+/// True when a body of the contact is free to move along it but for friction.
+bool driven_only_by_friction(const Problem& problem, const solver::System& system, int contact) {
+  const auto& s = system.contacts[contact].secondary;
+  const auto [a, b] = s.facets[s.facets.size() / 2];
+  const Vec2 along = (s.X[b] - s.X[a]).normalized();
+  const auto& placed = problem.contacts[contact];
+  if (placed.options.friction == 0.0 || placed.options.imposed) return false;
+  bool free = !held_along(problem, system, placed.secondary.body, along);
+  for (const auto& ref : placed.primary) free = free || !held_along(problem, system, ref.body, along);
+  return free;
+}
+
+}  // namespace
+
+std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
+  std::vector<HeldTraction> tractions;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& contact = state.solution.contacts[c];
+    auto& held = tractions.emplace_back();
+    for (int j = 0; j < setup.secondary_count(); ++j) {
+      const Vec2 n = contact.normal[j], force = contact.lambda[j] * setup.secondary.area[j];
+      held.normal.push_back(force.dot(n));
+      held.tangential.push_back(-n.y() * force.x() + n.x() * force.y());
+    }
+  }
+  return tractions;
+}
+
+std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                           const std::vector<HeldTraction>& held) {
+  const auto& system = timed_system(problem, state, cache);
+  auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
+  std::vector<std::vector<contact::ContactStatus>> status;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    auto& o = controls.contacts[c];
+    o.held = true;
+    o.wear = false;
+    hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
+    if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
+    status.push_back(state.solution.contacts[c].status);
+  }
+  Timer timer(cache, "solver");
+  auto result = cache.newton.solve(system, state.solution, controls);
+  state.counts.newton_iterations += result.report.solves;
+  if (!result.report.converged) return "re-equilibration after the shape moved: " + result.report.reason;
+  state.solution = std::move(result.state);
+  for (std::size_t c = 0; c < status.size(); ++c)
+    for (std::size_t j = 0; j < status[c].size(); ++j)
+      if (auto& s = state.solution.contacts[c].status[j];
+          s != contact::ContactStatus::inactive && status[c][j] != contact::ContactStatus::inactive)
+        s = status[c][j];
+  return {};
+}
+
+}  // namespace reye::sim
