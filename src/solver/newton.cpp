@@ -23,6 +23,15 @@ std::string no_convergence(const Iteration& last, int iterations) {
          " nodes still change status";
 }
 
+/// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
+double extent(const System& system) {
+  double largest = 0.0;
+  for (const auto& setup : system.contacts)
+    for (const auto* surface : {&setup.secondary, &setup.primary})
+      for (const Vec2& x : surface->X) largest = std::max(largest, (x - surface->X.front()).norm());
+  return largest;
+}
+
 }  // namespace
 
 void Newton::reset() {
@@ -226,6 +235,11 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       ++report.solves;
       for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
       q += dq;
+      // Far out the rounding of S q hides that nothing is in balance any more.
+      if (const double way = largest_of(dq), bound = 1e3 * extent(system); !system.contacts.empty() && !(way < bound)) {
+        report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
+        return result;
+      }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
       return result;
