@@ -96,12 +96,14 @@ std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& st
                                          const std::vector<Moved>& moved) {
   const auto& options = problem.scene.remesh;
   std::vector<RemeshReason> reasons(moved.size());
+  bool worn = false;  // without wear a fine zone is the user's, whatever the contact does in it
+  for (int b = 0; b < problem.body_count(); ++b) worn = worn || moved[b].shape != state.shapes[b];
   const bool due = options.every_blocks > 0 && (state.counts.blocks + 1) % options.every_blocks == 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (problem.rigid[b] || !in_contact(problem, b)) continue;
     const auto& [shape, poor] = moved[b];
     auto& reason = reasons[b];
-    if (options.automatic) {
+    if (options.automatic && worn) {
       reason = {leaves_zone(problem, state, b, *shape), true};
       if (!reason.text.empty()) continue;
       reason = {poor, false};

@@ -134,6 +134,22 @@ TEST(Codes, FailedSolve) {
   EXPECT_TRUE(test::fs::exists(place / "hard.out/report.html"));
 }
 
+// A fresh mesh larger than the scene allows must end the run with 1, say how many nodes it would need, and leave the last
+// good state on disk.
+TEST(Codes, FailedRemesh) {
+  const WithScenes place;
+  place.write("pin.toml", test::changed(test::worn_pin, {{"every_blocks = 1", "every_blocks = 3\nautomatic = false\nmax_dofs = 200"}}));
+  const auto told = place.reye({"run", "pin.toml", "--quiet"});
+  EXPECT_EQ(told.code, 1);
+  EXPECT_TRUE(told.err.starts_with("reye: remeshing body disc (every 3 blocks, as asked for): ")) << told.err;
+  EXPECT_TRUE(test::holds(told.err, "a new mesh would need about ")) << told.err;
+  EXPECT_TRUE(test::holds(told.err, " nodes (at most 100)")) << told.err;
+  const auto summary = test::read(place / "pin.out/summary.json");
+  EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
+  EXPECT_TRUE(test::fs::exists(place / "pin.out/checkpoint/current.bin"));
+  EXPECT_TRUE(test::fs::exists(place / "pin.out/series.pvd"));
+}
+
 // Wear that no mesh can follow must end the run with 1 and name body and place; what was reached stays on disk.
 TEST(Codes, FailedShape) {
   const WithScenes place;

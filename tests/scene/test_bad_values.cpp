@@ -29,6 +29,16 @@ TEST(BadScene, Values) {
        "scene.toml:29: contact.pad.friction = -0.1: must be >= 0\n"
        "scene.toml:31: contact.pad.fine_zone.size_mm = 0: must be > 0\n"
        "scene.toml:52: step[0].increments = 0: must be >= 1"},
+      {"remeshing",
+       {{"[material.steel]", "[remesh]\nevery_blocks = -1\nmin_scaled_jacobian = 0.9\nmin_angle_deg = 60\nsize_ratio = 1\n"
+                             "wear_fraction = 0\nmax_dofs = 10\nfit_tolerance_mm = 0\n[material.steel]"}},
+       "scene.toml:6: remesh.every_blocks = -1: must be >= 0\n"
+       "scene.toml:7: remesh.min_scaled_jacobian = 0.9: must lie in (0, 0.8]\n"
+       "scene.toml:8: remesh.min_angle_deg = 60: must lie in [0, 50]\n"
+       "scene.toml:9: remesh.size_ratio = 1: must be > 1\n"
+       "scene.toml:10: remesh.wear_fraction = 0: must lie in (0, 2]\n"
+       "scene.toml:11: remesh.max_dofs = 10: must be >= 100\n"
+       "scene.toml:12: remesh.fit_tolerance_mm = 0: must be > 0"},
       {"poisson low",
        {{"nu    = 0.3", "nu = -1"}},
        "scene.toml:8: material.steel.nu = -1: must lie in (-1, 0.5)"},

@@ -148,3 +148,9 @@ TEST(Remesh, OneBodyAlone) {
   ASSERT_EQ(bench.records.size(), 1U);
   EXPECT_LT(bench.records[0].force_jump, 1e-3);
 }
+
+// Without wear a fine zone is the user's: a contact that fills it is no reason for another mesh.
+TEST(Remesh, NoneWithoutWear) {
+  const auto p = played(scene_text("hertz", {{"half_width_mm = 0.13", "half_width_mm = 0.095"}, {"size_mm = 0.0045", "size_mm = 0.009"}}));
+  EXPECT_EQ(p.summary.counts.remeshes, 0);
+}
