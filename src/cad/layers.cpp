@@ -8,6 +8,8 @@ namespace reye::cad {
 
 namespace {
 
+constexpr double least_width = 0.5;
+
 /// Nodes of the stretch in order; empty if it is not on this loop or runs all round it.
 std::vector<int> stretch_of(const RegionLoop& loop, int first, int last) {
   const auto begin = std::find(loop.nodes.begin(), loop.nodes.end(), first);
@@ -80,6 +82,16 @@ bool is_clear(const Region& region, const Rows& rows, double depth) {
   return true;
 }
 
+/// Smallest width of a cell in the last row against that of its facet: under a bend of the outline rows may keep their
+/// angles and lose their width.
+double narrowest(const Points& X, const Rows& rows) {
+  double smallest = 1.0;
+  const auto &top = rows.nodes.front(), &last = rows.nodes.back();
+  for (std::size_t i = 0; i + 1 < top.size(); ++i)
+    smallest = std::min(smallest, (X[last[i + 1]] - X[last[i]]).norm() / (X[top[i + 1]] - X[top[i]]).norm());
+  return smallest;
+}
+
 /// Replaces the stretch in its loop by the way round the rows.
 void go_round(RegionLoop& loop, const Rows& rows) {
   const std::vector<int>& stretch = rows.nodes.front();
@@ -128,12 +140,10 @@ bool add_layers(Region& region, int first, int last, int layers, double depth) {
     Points X = region.X;
     X.insert(X.end(), rows.added.begin(), rows.added.end());
     const std::vector<mesh::Cell> quads = cells_between(rows.nodes, mesh::CellKind::quad4);
-    constexpr double good = 0.7, good_half = 0.35;  // of quadrilaterals, and of the triangles that either diagonal makes:
-    for (const mesh::Cell& q : quads) {             // under a bend of the outline rows may keep their angles and lose their width
-      if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, q) < good) return false;
-      for (int k = 0; k < 4; ++k)
-        if (mesh::scaled_jacobian(X, mesh::CellKind::tri3, {q[k], q[(k + 1) % 4], q[(k + 2) % 4], -1}) < good_half) return false;
-    }
+    constexpr double good = 0.7;
+    for (const mesh::Cell& cell : quads)
+      if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, cell) < good) return false;
+    if (narrowest(X, rows) < least_width) return false;
     region.X = std::move(X);
     const std::vector<mesh::Cell> cells = cells_between(rows.nodes, region.kind);
     region.cells.insert(region.cells.end(), cells.begin(), cells.end());
