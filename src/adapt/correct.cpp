@@ -1,8 +1,11 @@
 #include "adapt/correct.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "adapt/locate.hpp"
 
 namespace reye::adapt {
 
@@ -64,6 +67,80 @@ double gain(Analysis analysis, const Points& p, const Points& d, double volume) 
   return by;
 }
 
+/// Signed distance, outward positive, of a point from the nearest place of a polyline, and where that is.
+struct Beside {
+  std::size_t segment = 0;
+  double s = 0.0, distance = 0.0;
+};
+
+Beside beside(const SegmentTree& tree, const Points& line, const Vec2& x) {
+  const auto foot = tree.nearest(x);
+  const auto k = static_cast<std::size_t>(foot.segment);
+  const Vec2 e = line[k + 1] - line[k];
+  return {k, foot.s, base::right_of(e).dot(x - line[k] - foot.s * e) / e.norm()};
+}
+
+SegmentTree tree_of(const Points& line) {
+  std::vector<SegmentTree::Segment> segments;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) segments.push_back({line[i], line[i + 1]});
+  return SegmentTree(std::move(segments));
+}
+
+/// How far the old polyline stands out over the new one, at arc lengths of the new: linear between them.
+std::vector<std::array<double, 2>> heights(const Points& old, const Points& fresh, const std::vector<double>& arc) {
+  std::vector<std::array<double, 2>> h;
+  const SegmentTree on_fresh = tree_of(fresh), on_old = tree_of(old);
+  for (std::size_t j = 1; j + 1 < old.size(); ++j) {
+    const Beside b = beside(on_fresh, fresh, old[j]);
+    h.push_back({arc[b.segment] + b.s * (arc[b.segment + 1] - arc[b.segment]), b.distance});
+  }
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    const bool end = k == 0 || k + 1 == fresh.size();
+    h.push_back({arc[k], end ? 0.0 : -beside(on_old, old, fresh[k]).distance});
+  }
+  std::sort(h.begin(), h.end());
+  return h;
+}
+
+/// Shift of every inner node along its outward normal that gives each piece of the outline the content it had there:
+/// d_k = int N_k h ds / int N_k ds, the ends' shares with their neighbours'. What bears on a surface feels its mean
+/// height over an element; kept only as a whole, the content would still press.
+std::vector<double> local_shifts(const Points& old, const Points& fresh) {
+  const std::size_t n = fresh.size();
+  std::vector<double> arc{0.0}, content(n, 0.0), length(n, 0.0);
+  for (std::size_t k = 1; k < n; ++k) arc.push_back(arc.back() + (fresh[k] - fresh[k - 1]).norm());
+  const auto h = heights(old, fresh, arc);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i + 1 < h.size(); ++i) {
+    const auto& [s0, h0] = h[i];
+    const auto& [s1, h1] = h[i + 1];
+    const double middle = 0.5 * (s0 + s1), width = s1 - s0;
+    while (k + 2 < n && middle > arc[k + 1]) ++k;
+    const auto hat = [&](double s) { return (s - arc[k]) / (arc[k + 1] - arc[k]); };
+    const double right = width / 6.0 * (h0 * hat(s0) + 4.0 * 0.5 * (h0 + h1) * hat(middle) + h1 * hat(s1));  // Simpson: exact
+    content[k + 1] += right;
+    content[k] += 0.5 * width * (h0 + h1) - right;
+  }
+  content[1] += content[0];
+  content[n - 2] += content[n - 1];
+  for (std::size_t j = 1; j < n; ++j)
+    for (std::size_t end : {j - 1, j}) length[end] += 0.5 * (arc[j] - arc[j - 1]);
+  std::vector<double> shift(n, 0.0);
+  for (std::size_t j = 1; j + 1 < n; ++j) shift[j] = content[j] / length[j];
+  return shift;
+}
+
+/// The points of a worn edge moved by their local shifts.
+Points placed(const Points& old, const Points& fresh) {
+  const std::vector<double> shift = local_shifts(old, fresh);
+  Points p = fresh;
+  for (std::size_t i = 1; i + 1 < fresh.size(); ++i) {
+    const Vec2 in = fresh[i] - fresh[i - 1], out = fresh[i + 1] - fresh[i];
+    p[i] += shift[i] * base::right_of(in.normalized() + out.normalized()).normalized();
+  }
+  return p;
+}
+
 }  // namespace
 
 double fan_volume(Analysis analysis, const Points& p) {
@@ -78,25 +155,31 @@ double fan_volume(Analysis analysis, const Points& p) {
 
 Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges) {
   Correction c{Points(after.size(), Vec2::Zero())};
+  std::vector<Points> fresh;
   std::vector<double> missing;
   std::size_t longest = edges.size();
+  const auto correctable = [&](std::size_t k) { return edges[k].worn && edges[k].after.size() > 2; };
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    missing.push_back(fan_volume(analysis, at(before, edges[k].before)) - fan_volume(analysis, at(after, edges[k].after)));
-    c.residue -= missing[k];
-    if (!edges[k].worn || edges[k].after.size() < 3) continue;
-    if (longest == edges.size() || length(at(after, edges[k].after)) > length(at(after, edges[longest].after))) longest = k;
+    const Points old = at(before, edges[k].before), made = at(after, edges[k].after);
+    fresh.push_back(correctable(k) ? placed(old, made) : made);
+    const double content = fan_volume(analysis, old);
+    c.residue += fan_volume(analysis, made) - content;
+    missing.push_back(content - fan_volume(analysis, fresh[k]));
+    if (correctable(k) && (longest == edges.size() || length(fresh[k]) > length(fresh[longest]))) longest = k;
   }
   for (std::size_t k = 0; k < edges.size(); ++k)
-    if (!edges[k].worn || edges[k].after.size() < 3) {
+    if (!correctable(k)) {
       (longest < edges.size() ? missing[longest] : c.left) += missing[k];
       missing[k] = 0.0;
     }
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Points p = at(after, edges[k].after), d = directions(p);
-    const double by = gain(analysis, p, d, missing[k]);
-    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-      c.shift[edges[k].after[i]] = by * d[i];
-      c.largest_mm = std::max(c.largest_mm, (by * d[i]).norm());
+    if (!correctable(k)) continue;
+    const Points d = directions(fresh[k]);
+    const double by = gain(analysis, fresh[k], d, missing[k]);
+    for (std::size_t i = 1; i + 1 < fresh[k].size(); ++i) {
+      const int node = edges[k].after[i];
+      c.shift[node] = fresh[k][i] + by * d[i] - after[node];
+      c.largest_mm = std::max(c.largest_mm, c.shift[node].norm());
     }
   }
   return c;

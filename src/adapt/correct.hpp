@@ -27,10 +27,11 @@ struct Correction {
 /// in axisymmetry of the solid of revolution.
 double fan_volume(Analysis analysis, const Points& points);
 
-/// Shifts the inner nodes of every worn edge along their normals by one length, less within two facets of its ends,
-/// that gives the edge the content it had, found by the secant method down to round-off. Edges are measured one by one
-/// from their own first point, so that no digits go into the size of the body. What straight edges and worn
-/// edges without inner nodes have too much goes to the longest worn edge.
+/// Shifts the inner nodes of every worn edge along their normals: first each by the mean height of the old outline over
+/// the new one round it, int N_k h ds / int N_k ds, so that content is kept where it was; then all by one length, less
+/// within two facets of the ends, that gives the edge its whole content, found by the secant method down to round-off.
+/// Edges are measured one by one from their own first point, so that no digits go into the size of the body. What
+/// straight edges and worn edges without inner nodes have too much goes to the longest worn edge.
 Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges);
 
 }  // namespace reye::adapt
