@@ -34,7 +34,7 @@ std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& st
 std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<RemeshReason>& reasons, State& next,
                           Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records);
 
-/// Fills the jumps from the re-equilibrated state.
+/// What the equilibria before and after a remesh are compared by.
 struct Balance {
   std::vector<Vec2> force;        ///< on the secondary side of each contact
   std::vector<double> energy;     ///< strain energy of each body [mJ per mm; mJ]
