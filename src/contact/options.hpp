@@ -6,6 +6,9 @@
 
 namespace reye::contact {
 
+/// Order of the multipliers on facets of second order (on straight two-node facets they are always linear).
+enum class DualOrder { linear, quadratic };
+
 /// A contact of the scene: one secondary boundary (carries the multipliers) against a list of primary ones.
 struct ContactOptions {
   std::string name;
@@ -16,6 +19,7 @@ struct ContactOptions {
   double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step; 0: slip comes from the motion
   bool imposed = false;                 ///< true when imposed_sliding_mm is given
   bool implicit_wear = true;            ///< this increment's wear inside the equations
+  DualOrder dual = DualOrder::quadratic;
   double search_mm = 0.0;               ///< facing facets farther apart than this are not paired; 0: chosen from the bodies
   double c_normal = 1.0;                ///< dimensionless factors of the complementarity functions
   double c_tangential = 1.0;
