@@ -124,6 +124,63 @@ class RigidBody {
   std::shared_ptr<const Impl> impl_;
 };
 
+/// What a nonlinear body carries beside q.
+struct Interior {
+  Vector y;                                     ///< free dofs of the nodes not in contact
+  std::vector<material::PlasticState> history;  ///< per Gauss point, cell by cell; empty for an elastic material
+};
+
+/// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but anew
+/// at every state. With r = f_int - sum factor_i f_i, split into interior i and retained c,
+///   S = K_cc - K_ci K_ii^-1 K_ic,  r_hat = r_c - K_ci K_ii^-1 r_i,  dy = -K_ii^-1 (r_i + K_ic dq),
+/// which together are the full Newton step. S need not be symmetric. At finite strain a rigid edge turns by a true
+/// rotation and a pressure follows the surface; tractions, point and body forces keep their direction and size.
+/// All members throw base::SolveError, naming the body, where a Gauss point cannot take the deformation.
+class NonlinearBody {
+ public:
+  NonlinearBody(ShapePtr shape, const BodyInput& input);
+
+  int dofs() const;
+  const std::vector<int>& contact_nodes() const;               ///< mesh nodes
+  NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
+  NodeFreedom freedom(int contact_node) const;
+  const std::vector<SupportColumn>& support_columns() const;
+  const std::vector<LoadColumn>& loads() const;
+  int full_dofs() const;                                        ///< before condensation
+
+  /// No displacement, virgin material.
+  Interior start() const;
+
+  /// The equations at one state, with the factorisation that `interior_step` needs. Reused from call to call: the
+  /// memory and the symbolic analysis stay. A copy shares them, so that only the last one linearised is valid.
+  struct Linearised {
+    Matrix S;
+    Vector r;                        ///< r_hat, size dofs()
+    double interior_residual = 0.0;  ///< largest entry of r_i
+    double force_scale = 0.0;        ///< largest nodal force that the cells exert, before they add up to balance
+    struct Kept;
+    std::shared_ptr<Kept> kept;
+  };
+  void linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
+                 Linearised& out) const;
+  Vector interior_step(const Linearised& at, const Vector& dq) const;
+
+  /// r_c alone: what the retained dofs carry. No factorisation.
+  Vector retained_residual(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors) const;
+  /// y with the history that the deformation from `before` to (y, q) leaves.
+  Interior accepted(const Interior& before, const Vector& y, const Vector& q) const;
+  /// Displacement of all mesh nodes.
+  std::vector<Vec2> recover(const Vector& q, const Vector& y) const;
+
+  /// Per column, the sum over contact nodes of d^2 x / dq^2 . force: what turning rigid edges adds to the diagonal of
+  /// the tangent (zero at small strain, and where no contact node lies on a rigid edge).
+  Vector geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
 /// The seam a nonlinear body fills later: one more alternative with the same members.
 using Operator = std::variant<RigidBody, LinearBody>;
 
