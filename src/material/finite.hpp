@@ -1,0 +1,154 @@
+#pragma once
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "material/stress.hpp"
+
+/// Stress at finite strain, one formula for values and tangents.
+namespace reye::material {
+
+/// tau of an isotropic elastic law from b = F F^T and J = det F [MPa].
+/// St Venant-Kirchhoff, F S F^T: tau = lambda/2 (tr b - 3) b + mu (b^2 - b).      (2)
+template <class T>
+Symmetric<T> elastic(const StVenantKirchhoff& m, const Symmetric<T>& b, const T&) {
+  const double mu = shear_modulus(m), lambda = lame_lambda(m);
+  const T f = (b[0] + b[1] + b[3] - 3.0) * (0.5 * lambda) - mu, shear = b[2] * b[2] * mu;
+  return {(f + mu * b[0]) * b[0] + shear, (f + mu * b[1]) * b[1] + shear, (f + mu * (b[0] + b[1])) * b[2],
+          (f + mu * b[3]) * b[3]};
+}
+
+/// J U'(J) - mu, or all of the spherical part of the power form: the factor of I beside mu b.      (4)
+template <class T>
+T spherical(const NeoHookean& m, const T& J) {
+  using std::exp, std::log;
+  const double mu = shear_modulus(m), lambda = lame_lambda(m);
+  switch (m.volumetric) {
+    case Volumetric::quadratic:
+      return lambda * J * (J - 1.0) - mu;
+    case Volumetric::mixed:
+      return (0.5 * lambda) * (J * J - 1.0) - mu;
+    case Volumetric::power:
+      return exp(log(J) * (-2.0 * m.nu / (1.0 - 2.0 * m.nu))) * (-mu);
+    case Volumetric::log_squared:
+      break;
+  }
+  return lambda * log(J) - mu;
+}
+
+/// Neo-Hookean: tau = mu (b - I) + J U'(J) I.      (3)
+template <class T>
+Symmetric<T> elastic(const NeoHookean& m, const Symmetric<T>& b, const T& J) {
+  return combined(b, T(shear_modulus(m)), spherical(m, J));
+}
+
+/// Hencky: tau = lambda tr(eps) I + 2 mu eps, eps = 1/2 ln b.      (5)
+template <class T>
+Symmetric<T> elastic(const Hencky& m, const Symmetric<T>& b, const T&) {
+  const Symmetric<T> twice = logarithm(b);
+  const T pressure = (twice[0] + twice[1] + twice[3]) * (0.5 * lame_lambda(m));
+  return combined(twice, T(shear_modulus(m)), pressure);
+}
+
+/// tau of an elastic law at a whole F.
+template <class Law, class T>
+Symmetric<T> finite_stress(const Law& m, const Gradient<T>& F, const PlasticState&, PlasticState* = nullptr) {
+  return elastic(m, pushed(F, Symmetric<double>{1.0, 1.0, 0.0, 1.0}), T(plane_determinant(F) * F[4]));
+}
+
+/// Plastic strain after a step: C_p^-1 = F^-1 exp(2 eps_e) F^-T, E_p = -1/2 ln C_p^-1. Its determinant is 1 because
+/// radial return keeps the trace of eps_e.      (6)
+inline PlasticState updated(const Gradient<double>& F, const Symmetric<double>& eps_e, double accumulated) {
+  const auto metric = pushed(inverse(F), exponential(scaled(eps_e, 2.0)));
+  return {.strain = scaled(logarithm(metric), -0.5), .accumulated = accumulated};
+}
+
+/// tau of J2 plasticity: radial return from eps_e = 1/2 ln(F exp(-2 E_p) F^T).      (6)
+template <class T>
+Symmetric<T> finite_stress(const HenckyJ2& m, const Gradient<T>& F, const PlasticState& before,
+                           PlasticState* after = nullptr) {
+  Symmetric<T> trial = logarithm(pushed(F, exponential(scaled(before.strain, -2.0))));
+  for (T& e : trial) e = e * 0.5;
+  const auto result = radial_return(m, trial, before.accumulated);
+  if (after && result.increment == 0.0) *after = before;
+  if (after && result.increment > 0.0) {
+    auto eps_e = lifted<double>(trial);
+    for (int i = 0; i < 4; ++i) eps_e[i] -= result.plastic[i];
+    *after = updated(lifted<double>(F), eps_e, before.accumulated + result.increment);
+  }
+  return result.stress;
+}
+
+template <class T>
+Symmetric<T> finite_stress(const LinearElastic&, const Gradient<T>&, const PlasticState&, PlasticState* = nullptr) {
+  throw std::logic_error("linear elasticity is a law of small strain");
+}
+
+/// Throws base::SolveError unless the in-plane determinant and F33 (not read in plane stress) are positive and finite.
+template <class T>
+void check_regular(base::Analysis analysis, const Gradient<T>& F) {
+  const double plane = base::value(plane_determinant(F));
+  const double thickness = analysis == base::Analysis::plane_stress ? 1.0 : base::value(F[4]);
+  if (plane > 0.0 && thickness > 0.0 && std::isfinite(plane * thickness)) return;
+  throw base::SolveError("the deformation gradient has determinant " + std::to_string(plane) + " in the plane and " +
+                         std::to_string(thickness) + " across it");
+}
+
+/// F33 of plane stress, from tau_33 = 0, of a law at an in-plane F; F33 as given is not read.
+/// Throws base::SolveError when there is none (St Venant-Kirchhoff stretched far).
+template <class Law, class T>
+T condensed_stretch(const Law& m, const Gradient<T>& F, const PlasticState& before) {
+  using std::exp;
+  const auto normal = [&](auto G, const auto& log_stretch) {
+    G[4] = exp(log_stretch);
+    return finite_stress(m, G, before)[3] * (1.0 / m.E_MPa);
+  };
+  const double trace = std::log(base::value(plane_determinant(F)));
+  const Search search = thickness_search(m, trace, before);
+  return exp(solved(normal, F, search, "thickness stretch for the deformation gradient"));
+}
+
+/// Kirchhoff stress tau = J sigma (11, 22, 12, 33) [MPa] at F, from the plastic state before the increment; `after`, if
+/// given, gets the state at its end (untouched by laws without history).
+/// Plane strain and axisymmetric use F33 as given; in plane stress it is not read but condensed from tau_33 = 0.
+/// Throws base::SolveError when F is not a regular deformation, a local iteration fails or the stress is not finite;
+/// std::logic_error for a law that is not made for finite strain (`supports`).
+template <class T>
+Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Gradient<T>& F,
+                   const PlasticState& before = {}, PlasticState* after = nullptr) {
+  check_regular(analysis, F);
+  const auto at = [&](const auto& m) {
+    auto G = F;
+    if (analysis == base::Analysis::plane_stress) G[4] = condensed_stretch(m, F, before);
+    return finite_stress(m, G, before, after);
+  };
+  const Voigt<T> tau = std::visit(at, material);
+  for (const T& t : tau)
+    if (!std::isfinite(base::value(t))) throw base::SolveError("the stress is not finite");
+  return tau;
+}
+
+/// First Piola-Kirchhoff stress P = tau F^-T (11, 12, 21, 22, 33) [MPa], work conjugate to F component by component.
+/// Arguments and errors as `kirchhoff`; in plane stress P33 = 0.
+template <class T>
+Gradient<T> first_piola(const Material& material, base::Analysis analysis, const Gradient<T>& F,
+                        const PlasticState& before = {}, PlasticState* after = nullptr) {
+  const Voigt<T> tau = kirchhoff(material, analysis, F, before, after);
+  const T f = 1.0 / plane_determinant(F);
+  const bool thin = analysis == base::Analysis::plane_stress;
+  return {(tau[0] * F[3] - tau[2] * F[1]) * f, (tau[2] * F[0] - tau[0] * F[2]) * f, (tau[2] * F[3] - tau[1] * F[1]) * f,
+          (tau[1] * F[0] - tau[2] * F[2]) * f, thin ? T(0.0) : T(tau[3] / F[4])};
+}
+
+/// F33 at F: as given, or in plane stress the one that makes tau_33 = 0; with it sigma = tau / J.
+template <class T>
+T thickness_stretch(const Material& material, base::Analysis analysis, const Gradient<T>& F,
+                    const PlasticState& before = {}) {
+  if (analysis != base::Analysis::plane_stress) return F[4];
+  check_regular(analysis, F);
+  return std::visit([&](const auto& m) { return condensed_stretch(m, F, before); }, material);
+}
+
+}  // namespace reye::material

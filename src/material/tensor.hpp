@@ -1,0 +1,81 @@
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "base/dual.hpp"
+
+/// Symmetric tensors with one eigenvector out of the plane, and their logarithm and exponential.
+namespace reye::material {
+
+/// Tensor components (11, 22, 12, 33), the shear not doubled.
+template <class T>
+using Symmetric = std::array<T, 4>;
+
+/// Deformation gradient F11, F12, F21, F22, F33.
+template <class T>
+using Gradient = std::array<T, 5>;
+
+/// factor A + pressure I.
+template <class T>
+Symmetric<T> combined(const Symmetric<T>& A, const T& factor, const T& pressure) {
+  return {factor * A[0] + pressure, factor * A[1] + pressure, factor * A[2], factor * A[3] + pressure};
+}
+
+/// F11 F22 - F12 F21.
+template <class T>
+T plane_determinant(const Gradient<T>& F) {
+  return F[0] * F[3] - F[1] * F[2];
+}
+
+/// F A F^T, for a symmetric A.
+template <class T, class S>
+Symmetric<T> pushed(const Gradient<T>& F, const Symmetric<S>& A) {
+  const T a = F[0] * A[0] + F[1] * A[2], b = F[0] * A[2] + F[1] * A[1];
+  const T c = F[2] * A[0] + F[3] * A[2], d = F[2] * A[2] + F[3] * A[1];
+  return {a * F[0] + b * F[1], c * F[2] + d * F[3], a * F[2] + b * F[3], F[4] * F[4] * A[3]};
+}
+
+inline Gradient<double> inverse(const Gradient<double>& F) {
+  const double f = 1.0 / plane_determinant(F);
+  return {F[3] * f, -F[1] * f, -F[2] * f, F[0] * f, 1.0 / F[4]};
+}
+
+/// atanh(sqrt t) / sqrt t = sum t^k / (2 k + 1) for 0 <= t < 1, analytic at 0 and so differentiable at equal
+/// eigenvalues.
+template <class T>
+T atanh_ratio(const T& t) {
+  const double x = base::value(t);
+  double ratio = 0.0, slope = 0.0;
+  if (x < 0.03) {
+    for (int k = 11; k >= 0; --k) slope = slope * x + ratio, ratio = ratio * x + 1.0 / (2 * k + 1);
+  } else {
+    ratio = std::atanh(std::sqrt(x)) / std::sqrt(x);
+    slope = (1.0 / (1.0 - x) - ratio) / (2.0 * x);
+  }
+  return (t - x) * slope + ratio;
+}
+
+/// ln A of a positive definite A. In the plane, with A = m I + D, tr D = 0, r^2 = -det D, no eigenvectors are needed:
+/// ln A = 1/2 ln(m^2 - r^2) I + atanh(r / m) / r D.      (7)
+template <class T>
+Symmetric<T> logarithm(const Symmetric<T>& A) {
+  using std::log;
+  const T m = (A[0] + A[1]) * 0.5, d = (A[0] - A[1]) * 0.5;
+  const T ratio = atanh_ratio(T((d * d + A[2] * A[2]) / (m * m))) / m;
+  const T mean = log(A[0] * A[1] - A[2] * A[2]) * 0.5;
+  return {mean + ratio * d, mean - ratio * d, ratio * A[2], log(A[3])};
+}
+
+/// exp A = e^m (cosh r I + sinh r / r D) in the plane, as above.
+inline Symmetric<double> exponential(const Symmetric<double>& A) {
+  const double m = std::exp(0.5 * (A[0] + A[1])), d = 0.5 * (A[0] - A[1]), r = std::hypot(d, A[2]);
+  const double ratio = m * (r > 0.0 ? std::sinh(r) / r : 1.0), mean = m * std::cosh(r);
+  return {mean + ratio * d, mean - ratio * d, ratio * A[2], std::exp(A[3])};
+}
+
+inline Symmetric<double> scaled(Symmetric<double> A, double factor) {
+  for (double& a : A) a *= factor;
+  return A;
+}
+
+}  // namespace reye::material
