@@ -79,14 +79,14 @@ std::optional<Vec2> inverse(const Corners& X, const Vec2& p, Vec2 xi) {
   const Vec2 q = p - origin.transpose();
   double last = 0.0;
   for (int k = 0; k < most_steps; ++k) {
-    const Eigen::Matrix2d Jt = (fem::shape_gradients(kind, xi).transpose() * Y).transpose();  // dx_i / dxi_j
-    const Vec2 step = Jt.inverse() * (q - Y.transpose() * fem::shape_functions(kind, xi));
+    const Eigen::Matrix2d Jt = (fem::shape_gradients(kind, xi).topRows<4>().transpose() * Y).transpose();  // dx_i / dxi_j
+    const Vec2 step = Jt.inverse() * (q - Y.transpose() * fem::shape_functions(kind, xi).head<4>());
     last = step.norm();
     if (!std::isfinite(last)) return std::nullopt;
     xi += last > 1.0 ? Vec2(step / last) : step;
     if (last <= end) break;
   }
-  const double det = (fem::shape_gradients(kind, xi).transpose() * Y).determinant();
+  const double det = (fem::shape_gradients(kind, xi).topRows<4>().transpose() * Y).determinant();
   if (last > rim || xi.cwiseAbs().maxCoeff() > 1.0 + rim || !(det > 0.0)) return std::nullopt;
   return Vec2(xi.cwiseMax(-1.0).cwiseMin(1.0));
 }
@@ -147,7 +147,7 @@ struct Locator::Impl {
   Place on_node(int node) const {
     const int cell = neighbours[node].front();
     const int a = static_cast<int>(std::find(cells[cell].begin(), cells[cell].end(), node) - cells[cell].begin());
-    return {cell, reference_corner(kind, a), Eigen::Vector4d::Unit(a), 0.0};
+    return {cell, reference_corner(kind, a), mesh::NodeValues::Unit(a), 0.0};
   }
 
   Place in_part(const Part& part, const Vec2& q) const {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "mesh/mesh.hpp"
+#include "mesh/shape.hpp"
 
 /// Where a point lies in a mesh or beside a polyline. n log n; answers do not hang on the order of the queries.
 namespace reye::adapt {
@@ -26,7 +26,7 @@ class Locator {
   struct Place {
     int cell = -1;
     Vec2 xi{0.0, 0.0};                            ///< reference coordinates, within the reference cell
-    Eigen::Vector4d weights{0.0, 0.0, 0.0, 0.0};  ///< of the nodes of the cell: sum 1, sum w_a X_a = the place
+    mesh::NodeValues weights = mesh::NodeValues::Zero();  ///< of the nodes of the cell: sum 1, sum w_a X_a = the place
     double distance = 0.0;                        ///< from the point to its place [mm], 0 inside
   };
 

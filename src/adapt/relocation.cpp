@@ -15,17 +15,19 @@ namespace {
 using base::Matrix;
 using base::SparseMatrix;
 using base::Triplet;
+using CellMatrix = Eigen::Matrix<double, mesh::most_cell_nodes, mesh::most_cell_nodes>;
+
 /// int N_a,x N_b,x + N_a,y N_b,y over the cell, without the stiffness.
-Eigen::Matrix4d laplacian(const mesh::Mesh& mesh, const mesh::Cell& cell) {
-  Eigen::Matrix4d k = Eigen::Matrix4d::Zero();
+CellMatrix laplacian(const mesh::Mesh& mesh, const mesh::Cell& cell) {
+  CellMatrix k = CellMatrix::Zero();
   for (const auto& [xi, weight] : fem::stiffness_rule(mesh.kind)) {
-    const Eigen::Matrix<double, 4, 2> local = fem::shape_gradients(mesh.kind, xi);
+    const fem::NodeGradients local = fem::shape_gradients(mesh.kind, xi);
     Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();  // dX_i / dxi_j
     for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) jacobian += mesh.X[cell[a]] * local.row(a);
     const double det = base::cross(jacobian.col(0), jacobian.col(1));
     Eigen::Matrix2d adjugate;
     adjugate << jacobian(1, 1), -jacobian(0, 1), -jacobian(1, 0), jacobian(0, 0);
-    const Eigen::Matrix<double, 4, 2> gradients = local * adjugate;  // times det
+    const fem::NodeGradients gradients = local * adjugate;  // times det
     k += weight / det * gradients * gradients.transpose();
   }
   return k;
@@ -63,7 +65,7 @@ InteriorMotion::InteriorMotion(const mesh::Mesh& born) {
   std::vector<Triplet> inner, coupling;
   for (const auto& cell : born.cells) {
     const double stiffness = 1.0 / mesh::cell_area(born.X, born.kind, cell);
-    const Eigen::Matrix4d k = stiffness * laplacian(born, cell);
+    const CellMatrix k = stiffness * laplacian(born, cell);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
         if (!s.held[cell[i]])

@@ -59,7 +59,7 @@ Points gauss_points(const mesh::Mesh& mesh) {
   Points points;
   for (const auto& cell : mesh.cells)
     for (const auto& at : fem::stiffness_rule(mesh.kind)) {
-      const Eigen::Vector4d N = fem::shape_functions(mesh.kind, at.xi);
+      const fem::NodeValues N = fem::shape_functions(mesh.kind, at.xi);
       Vec2 x = Vec2::Zero();
       for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) x += N[a] * mesh.X[cell[a]];
       points.push_back(x);

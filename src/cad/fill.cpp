@@ -107,7 +107,7 @@ std::optional<Filling> read_surface(mesh::CellKind kind) {
   Filling filling;
   std::map<Tag, int> number;
   for (std::size_t i = 0; i < connectivity[0].size(); i += corners) {
-    mesh::Cell cell{-1, -1, -1, -1};
+    mesh::Cell cell = mesh::cell_of({});
     for (int k = 0; k < corners; ++k) {
       const Tag tag = connectivity[0][i + k];
       const auto [entry, is_new] = number.try_emplace(tag, static_cast<int>(filling.X.size()));

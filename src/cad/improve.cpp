@@ -72,7 +72,7 @@ void turn_ears(Region& region) {
       for (int node : {beyond[1], beyond[2]})
         if (node != last && node != next) far = node;
       if (far == last || far == next) continue;
-      const mesh::Cell one{tip, next, far, -1}, two{tip, far, last, -1};
+      const mesh::Cell one = mesh::cell_of({tip, next, far}), two = mesh::cell_of({tip, far, last});
       if (std::min(quality(one), quality(two)) <= std::min(quality(ear), quality(beyond))) continue;
       region.cells[c] = one;
       region.cells[other->second] = two;

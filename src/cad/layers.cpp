@@ -119,13 +119,13 @@ std::vector<mesh::Cell> cells_between(const std::vector<std::vector<int>>& rows,
     for (std::size_t i = 0; i + 1 < rows[j].size(); ++i) {
       const int a = rows[j][i], b = rows[j][i + 1], c = rows[j + 1][i + 1], d = rows[j + 1][i];
       if (kind == mesh::CellKind::quad4) {
-        cells.push_back({a, b, c, d});
+        cells.push_back(mesh::cell_of({a, b, c, d}));
       } else if ((i + j) % 2 == 0) {
-        cells.push_back({a, b, c, -1});
-        cells.push_back({a, c, d, -1});
+        cells.push_back(mesh::cell_of({a, b, c}));
+        cells.push_back(mesh::cell_of({a, c, d}));
       } else {
-        cells.push_back({a, b, d, -1});
-        cells.push_back({b, c, d, -1});
+        cells.push_back(mesh::cell_of({a, b, d}));
+        cells.push_back(mesh::cell_of({b, c, d}));
       }
     }
   return cells;

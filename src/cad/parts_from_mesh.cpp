@@ -59,7 +59,7 @@ RawMesh make_mesh(const Elements& elements) {
     mesh.nodes.emplace_back(x[0], x[1], x[2]);
   }
   for (std::size_t i = 0; i < elements.nodes.size(); i += elements.nodes_each) {
-    mesh::Cell cell{-1, -1, -1, -1};
+    mesh::Cell cell = mesh::cell_of({});
     for (int k = 0; k < elements.nodes_each; ++k) cell[k] = place(tags, elements.nodes[i + k]);
     mesh.cells.push_back(cell);
   }

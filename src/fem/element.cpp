@@ -21,10 +21,32 @@ const std::array<CellPoint, 3> triangle{{{{1.0 / 6.0, 1.0 / 6.0}, 1.0 / 6.0},
 const std::array<CellPoint, 4> square{
     {{{-gauss, -gauss}, 1.0}, {{gauss, -gauss}, 1.0}, {{gauss, gauss}, 1.0}, {{-gauss, gauss}, 1.0}}};
 
-using Corners = Eigen::Matrix<double, 4, 2>;
+const std::array<CellPoint, 9> square9 = [] {
+  const double at[] = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, weight[] = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  std::array<CellPoint, 9> points;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) points[3 * j + i] = {{at[i], at[j]}, weight[i] * weight[j]};
+  return points;
+}();
 
-Corners corners_of(const Mesh& mesh, int cell) {
-  Corners X = Corners::Zero();
+/// Radon's rule: the centroid, and two triples on the medians.
+const std::array<CellPoint, 7> triangle7 = [] {
+  std::array<CellPoint, 7> points{{{{1.0 / 3.0, 1.0 / 3.0}, 9.0 / 80.0}}};
+  int k = 1;
+  for (double root : {std::sqrt(15.0), -std::sqrt(15.0)}) {
+    const double near = (6.0 + root) / 21.0, far = 1.0 - 2.0 * near, weight = (155.0 + root) / 2400.0;
+    for (const Vec2& xi : {Vec2{near, near}, Vec2{far, near}, Vec2{near, far}}) points[k++] = {xi, weight};
+  }
+  return points;
+}();
+
+/// Positions of the nodes of a cell: n = 4 in first order (a triangle leaves the last row zero), 8 in second.
+template <int n>
+using Nodes = Eigen::Matrix<double, n, 2>;
+
+template <int n>
+Nodes<n> nodes_of(const Mesh& mesh, int cell) {
+  Nodes<n> X = Nodes<n>::Zero();
   for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) X.row(a) = mesh.X[mesh.cells[cell][a]];
   return X;
 }
@@ -34,12 +56,13 @@ double positive(double det, int cell) {
   return det;
 }
 
-StrainPoint strain_point(const Corners& X, CellKind kind, const CellPoint& at, Analysis analysis, int cell) {
-  const Corners dN_dxi = shape_gradients(kind, at.xi);
+template <int n>
+StrainPoint strain_point(const Nodes<n>& X, CellKind kind, const CellPoint& at, Analysis analysis, int cell) {
+  const Nodes<n> dN_dxi = shape_gradients(kind, at.xi).topRows<n>();
   const Eigen::Matrix2d J = dN_dxi.transpose() * X;  // row i: dX/dxi_i
   const double det = positive(J.determinant(), cell);
-  const Eigen::Matrix<double, 4, 2> dN = dN_dxi * J.inverse().transpose();
-  const Eigen::Vector4d N = shape_functions(kind, at.xi);
+  const Nodes<n> dN = dN_dxi * J.inverse().transpose();
+  const Eigen::Matrix<double, n, 1> N = shape_functions(kind, at.xi).head<n>();
   const double r = N.dot(X.col(0));
   StrainPoint p;
   p.B.setZero();
@@ -52,9 +75,31 @@ StrainPoint strain_point(const Corners& X, CellKind kind, const CellPoint& at, A
   return p;
 }
 
+template <int n>
+CellStrains strain_points_of(const Mesh& mesh, int cell, Analysis analysis) {
+  const Nodes<n> X = nodes_of<n>(mesh, cell);
+  CellStrains s;
+  for (const CellPoint& at : stiffness_rule(mesh.kind))
+    s.points[s.count++] = strain_point<n>(X, mesh.kind, at, analysis, cell);
+  return s;
+}
+
+template <int n>
+std::vector<VolumePoint> volume_points_of(const Mesh& mesh, int cell, Analysis analysis) {
+  const Nodes<n> X = nodes_of<n>(mesh, cell);
+  std::vector<VolumePoint> points;
+  for (const CellPoint& at : volume_rule(mesh.kind)) {
+    const NodeValues N = shape_functions(mesh.kind, at.xi);
+    const Eigen::Matrix2d J = shape_gradients(mesh.kind, at.xi).topRows<n>().transpose() * X;
+    const double det = positive(J.determinant(), cell);
+    points.push_back({N, at.weight * det * base::out_of_plane(analysis, N.head<n>().dot(X.col(0)))});
+  }
+  return points;
+}
+
 /// Equation (1) of the README.
 void average_volumetric_part(CellStrains& s) {
-  using Row = Eigen::Matrix<double, 1, 8>;
+  using Row = Eigen::Matrix<double, 1, 2 * mesh::most_cell_nodes>;
   std::array<Row, 4> b;
   Row mean = Row::Zero();
   double volume = 0.0;
@@ -72,49 +117,27 @@ void average_volumetric_part(CellStrains& s) {
 
 std::span<const CellPoint> stiffness_rule(CellKind kind) {
   if (kind == CellKind::tri3) return centroid;
+  if (kind == CellKind::tri6) return triangle;
   return square;
 }
 
 std::span<const CellPoint> volume_rule(CellKind kind) {
   if (kind == CellKind::tri3) return triangle;
+  if (kind == CellKind::tri6) return triangle7;
+  if (kind == CellKind::quad8) return square9;
   return square;
 }
 
-Eigen::Vector4d shape_functions(CellKind kind, const Vec2& xi) {
-  const double r = xi.x(), s = xi.y();
-  if (kind == CellKind::tri3) return {1.0 - r - s, r, s, 0.0};
-  return Eigen::Vector4d{(1 - r) * (1 - s), (1 + r) * (1 - s), (1 + r) * (1 + s), (1 - r) * (1 + s)} / 4.0;
-}
-
-Eigen::Matrix<double, 4, 2> shape_gradients(CellKind kind, const Vec2& xi) {
-  const double r = xi.x(), s = xi.y();
-  Eigen::Matrix<double, 4, 2> d;
-  if (kind == CellKind::tri3)
-    d << -1, -1, 1, 0, 0, 1, 0, 0;
-  else
-    d << -(1 - s), -(1 - r), 1 - s, -(1 + r), 1 + s, 1 + r, -(1 + s), 1 - r;
-  return kind == CellKind::tri3 ? d : Eigen::Matrix<double, 4, 2>(d / 4.0);
-}
-
 CellStrains strain_points(const Mesh& mesh, int cell, Analysis analysis, bool b_bar) {
-  const Corners X = corners_of(mesh, cell);
-  CellStrains s;
-  for (const CellPoint& at : stiffness_rule(mesh.kind))
-    s.points[s.count++] = strain_point(X, mesh.kind, at, analysis, cell);
+  if (mesh::order(mesh.kind) == 2) return strain_points_of<8>(mesh, cell, analysis);
+  CellStrains s = strain_points_of<4>(mesh, cell, analysis);
   if (b_bar && mesh.kind == CellKind::quad4 && analysis != Analysis::plane_stress) average_volumetric_part(s);
   return s;
 }
 
 std::vector<VolumePoint> volume_points(const Mesh& mesh, int cell, Analysis analysis) {
-  const Corners X = corners_of(mesh, cell);
-  std::vector<VolumePoint> points;
-  for (const CellPoint& at : volume_rule(mesh.kind)) {
-    const Eigen::Vector4d N = shape_functions(mesh.kind, at.xi);
-    const Eigen::Matrix2d J = shape_gradients(mesh.kind, at.xi).transpose() * X;
-    const double det = positive(J.determinant(), cell);
-    points.push_back({N, at.weight * det * base::out_of_plane(analysis, N.dot(X.col(0)))});
-  }
-  return points;
+  return mesh::order(mesh.kind) == 2 ? volume_points_of<8>(mesh, cell, analysis)
+                                     : volume_points_of<4>(mesh, cell, analysis);
 }
 
 }  // namespace reye::fem

@@ -24,10 +24,10 @@ struct Adjacency {
 };
 
 Adjacency adjacency(const Mesh& mesh) {
-  const int corners = mesh::nodes_per_cell(mesh.kind);
+  const int count = mesh::nodes_per_cell(mesh.kind);
   std::vector<std::vector<int>> lists(mesh.X.size());
   for (const auto& cell : mesh.cells)
-    for (int a = 0; a < corners; ++a) lists[cell[a]].insert(lists[cell[a]].end(), cell.begin(), cell.begin() + corners);
+    for (int a = 0; a < count; ++a) lists[cell[a]].insert(lists[cell[a]].end(), cell.begin(), cell.begin() + count);
   Adjacency graph{{0}, {}};
   for (auto& list : lists) {
     std::sort(list.begin(), list.end());
@@ -56,20 +56,21 @@ SparseMatrix pattern(const Adjacency& graph) {
   return K;
 }
 
-using CellMatrix = Eigen::Matrix<double, 8, 8>;
-
-CellMatrix cell_stiffness(const CellStrains& s, const Eigen::Matrix4d& C) {
-  CellMatrix Ke = CellMatrix::Zero();
+/// Ke of a cell with n nodes, n = 4 or 8: fixed sizes are several times faster.
+template <int n>
+Eigen::Matrix<double, 2 * n, 2 * n> cell_stiffness(const CellStrains& s, const Eigen::Matrix4d& C) {
+  Eigen::Matrix<double, 2 * n, 2 * n> Ke = Eigen::Matrix<double, 2 * n, 2 * n>::Zero();
   for (int g = 0; g < s.count; ++g) {
-    const Eigen::Matrix<double, 4, 8> CB = C * s.points[g].B;
-    Ke.noalias() += s.points[g].volume * (s.points[g].B.transpose() * CB);
+    const Eigen::Matrix<double, 4, 2 * n> B = s.points[g].B.leftCols<2 * n>(), CB = C * B;
+    Ke.noalias() += s.points[g].volume * (B.transpose() * CB);
   }
   return Ke;
 }
 
-void add_cell(const CellMatrix& Ke, const mesh::Cell& cell, int corners, const Adjacency& graph, SparseMatrix& K) {
-  for (int b = 0; b < corners; ++b)
-    for (int a = 0; a < corners; ++a) {
+template <class CellMatrix>
+void add_cell(const CellMatrix& Ke, const mesh::Cell& cell, int count, const Adjacency& graph, SparseMatrix& K) {
+  for (int b = 0; b < count; ++b)
+    for (int a = 0; a < count; ++a) {
       const int slot = 2 * graph.position(cell[b], cell[a]);
       for (int c = 0; c < 2; ++c) {
         double* entry = K.valuePtr() + K.outerIndexPtr()[2 * cell[b] + c] + slot;
@@ -79,26 +80,38 @@ void add_cell(const CellMatrix& Ke, const mesh::Cell& cell, int corners, const A
     }
 }
 
-using CellStress = Eigen::Matrix<double, 4, 4>;  // column: corner
+using PointStress = Eigen::Matrix<double, 4, 4>;                     // column: Gauss point
+using CellStress = Eigen::Matrix<double, 4, mesh::most_cell_nodes>;  // column: node
 
-/// Values at the corners of the square of the bilinear field through its 2 x 2 Gauss points: the corner lies at
-/// sqrt(3) times the Gauss point's coordinates.
-CellStress to_corners(const CellStress& at_points) {
-  constexpr double root = 1.7320508075688772;
-  static const std::array<Vec2, 4> corner{Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}};
+/// Values at the nodes of the polynomial through the Gauss points: constant, linear through three points, or bilinear
+/// through 2 x 2. It is a shape function of first order in the coordinates in which the points are the corners:
+///   tri6: (xi - 1/6) / (1/2),   quad4 and quad8: sqrt(3) xi.
+CellStress to_nodes(mesh::CellKind kind, const PointStress& at_points) {
+  if (kind == mesh::CellKind::tri3) return at_points.col(0).replicate<1, mesh::most_cell_nodes>();
+  const bool triangle = mesh::corners(kind) == 3;
   CellStress values = CellStress::Zero();
-  for (int a = 0; a < 4; ++a) values.col(a) = at_points * shape_functions(mesh::CellKind::quad4, root * corner[a]);
+  for (int a = 0; a < mesh::nodes_per_cell(kind); ++a) {
+    const Vec2 xi = mesh::reference_node(kind, a);
+    constexpr double root = 1.7320508075688772;
+    const NodeValues N = triangle ? shape_functions(mesh::CellKind::tri3, 2.0 * xi - Vec2(1.0 / 3.0, 1.0 / 3.0))
+                                  : shape_functions(mesh::CellKind::quad4, root * xi);
+    values.col(a) = at_points * N.head<4>();
+  }
   return values;
 }
 
-CellStress corner_stress(const Mesh& mesh, int cell, const CellStrains& s, const Eigen::Matrix4d& C,
-                         const base::Points& u) {
-  Eigen::Matrix<double, 8, 1> ue = Eigen::Matrix<double, 8, 1>::Zero();
+CellStress cell_stress(const Mesh& mesh, int cell, const CellStrains& s, const Eigen::Matrix4d& C,
+                       const base::Points& u) {
+  Eigen::Matrix<double, 2 * mesh::most_cell_nodes, 1> ue = Eigen::Matrix<double, 2 * mesh::most_cell_nodes, 1>::Zero();
   for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) ue.segment<2>(2 * a) = u[mesh.cells[cell][a]];
-  CellStress values = CellStress::Zero();
-  for (int g = 0; g < s.count; ++g) values.col(g) = C * (s.points[g].B * ue);
-  if (mesh.kind == mesh::CellKind::quad4) return to_corners(values);
-  return values.col(0).replicate<1, 4>();
+  const bool first_order = mesh::order(mesh.kind) == 1;
+  PointStress values = PointStress::Zero();
+  for (int g = 0; g < s.count; ++g) {
+    const auto& B = s.points[g].B;
+    const Eigen::Vector4d strain = first_order ? Eigen::Vector4d(B.leftCols<8>() * ue.head<8>()) : B * ue;
+    values.col(g) = C * strain;
+  }
+  return to_nodes(mesh.kind, values);
 }
 
 }  // namespace
@@ -108,8 +121,12 @@ SparseMatrix stiffness(const Mesh& mesh, const material::Material& material, Ana
   SparseMatrix K = pattern(graph);
   const Eigen::Matrix4d C = material::tangent(material, analysis);
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-    const CellMatrix Ke = cell_stiffness(strain_points(mesh, cell, analysis, b_bar), C);
-    add_cell(Ke, mesh.cells[cell], mesh::nodes_per_cell(mesh.kind), graph, K);
+    const CellStrains s = strain_points(mesh, cell, analysis, b_bar);
+    const int count = mesh::nodes_per_cell(mesh.kind);
+    if (mesh::order(mesh.kind) == 1)
+      add_cell(cell_stiffness<4>(s, C), mesh.cells[cell], count, graph, K);
+    else
+      add_cell(cell_stiffness<8>(s, C), mesh.cells[cell], count, graph, K);
   }
   return K;
 }
@@ -121,7 +138,7 @@ std::vector<Stress> nodal_stress(const Mesh& mesh, const material::Material& mat
   std::vector<double> weight(mesh.X.size(), 0.0);
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
     const CellStrains s = strain_points(mesh, cell, analysis, b_bar);
-    const CellStress values = corner_stress(mesh, cell, s, C, u);
+    const CellStress values = cell_stress(mesh, cell, s, C, u);
     double volume = 0.0;
     for (int g = 0; g < s.count; ++g) volume += s.points[g].volume;
     for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) {

@@ -18,8 +18,8 @@ base::SparseMatrix stiffness(const mesh::Mesh& mesh, const material::Material& m
 /// Stress in the order (11, 22, 12, 33) [MPa].
 using Stress = std::array<double, 4>;
 
-/// Stress at the nodes for nodal displacements u: extrapolated from the Gauss points of each quadrilateral
-/// (constant on a triangle), then averaged over the cells of a node with their volumes as weights.
+/// Stress at the nodes for nodal displacements u: extrapolated from the Gauss points of each cell
+/// (constant on tri3, linear on tri6, bilinear on quadrilaterals), then averaged over the cells of a node with their volumes as weights.
 std::vector<Stress> nodal_stress(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis,
                                  bool b_bar, const base::Points& u);
 

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,22 +13,36 @@ namespace reye::mesh {
 using base::Points;
 using base::Vec2;
 
-enum class CellKind { tri3, quad4 };
+/// Straight-sided cells of first order, and cells of second order with a node on every edge (serendipity).
+enum class CellKind { tri3, quad4, tri6, quad8 };
 
-/// Nodes of one cell; a triangle leaves the fourth entry at -1. Counter-clockwise.
-using Cell = std::array<int, 4>;
+inline constexpr int most_cell_nodes = 8;
 
-inline int nodes_per_cell(CellKind kind) { return kind == CellKind::tri3 ? 3 : 4; }
+/// Nodes of one cell: the corners counter-clockwise, then in second order the mid nodes of the edges 01, 12, 20
+/// (triangle) or 01, 12, 23, 30. Entries beyond the nodes of the kind are -1.
+using Cell = std::array<int, most_cell_nodes>;
 
-/// A connected run of boundary edges as its nodes in order, body on the left.
-/// Closed when first and last node are the same.
+inline int order(CellKind kind) { return kind == CellKind::tri3 || kind == CellKind::quad4 ? 1 : 2; }
+inline int corners(CellKind kind) { return kind == CellKind::tri3 || kind == CellKind::tri6 ? 3 : 4; }
+inline int nodes_per_cell(CellKind kind) { return order(kind) * corners(kind); }
+
+/// The cell of these nodes, unused entries -1.
+inline Cell cell_of(std::initializer_list<int> nodes) {
+  Cell cell;
+  cell.fill(-1);
+  std::copy(nodes.begin(), nodes.end(), cell.begin());
+  return cell;
+}
+
+/// A connected run of boundary edges as ALL its nodes in order, body on the left: vertex, vertex, ... in first order,
+/// vertex, mid, vertex, ..., vertex in second. Closed when first and last node are the same.
 using Chain = std::vector<int>;
 
 /// A named part of the outline: one or several disjoint chains.
 using Boundary = std::vector<Chain>;
 
 /// The mesh of one body on its worn material configuration X [mm]. A value; nothing moves in place.
-/// All cells are of one kind. Every node belongs to a cell; every cell has a positive Jacobian.
+/// All cells are of one kind; the kind's order says how chains are to be read, without cells too. Every node belongs to a cell; every cell has a positive Jacobian.
 struct Mesh {
   Points X;
   CellKind kind = CellKind::quad4;

@@ -27,7 +27,7 @@ Mesh shaken(double share, CellKind kind = CellKind::quad4, int n = 30) {
 
 Vec2 anywhere(std::mt19937& random) { return {0.5 + 0.5 * noise(random), 0.5 + 0.5 * noise(random)}; }
 
-Vec2 weighted(const Mesh& m, int cell, const Eigen::Vector4d& weights) {
+Vec2 weighted(const Mesh& m, int cell, const mesh::NodeValues& weights) {
   Vec2 x = Vec2::Zero();
   for (int a = 0; a < mesh::nodes_per_cell(m.kind); ++a) x += weights[a] * m.X[m.cells[cell][a]];
   return x;

@@ -24,7 +24,7 @@ TEST(element, partition_of_unity) {
   }
   const Vec2 corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (int a = 0; a < 4; ++a)
-    EXPECT_LT((fem::shape_functions(CellKind::quad4, corner[a]) - Eigen::Vector4d::Unit(a)).norm(), 1e-15);
+    EXPECT_LT((fem::shape_functions(CellKind::quad4, corner[a]) - fem::NodeValues::Unit(a)).norm(), 1e-15);
 }
 
 // Gradients must be the derivatives of the shape functions.
@@ -32,7 +32,7 @@ TEST(element, gradients_match_differences) {
   for (auto kind : {CellKind::tri3, CellKind::quad4})
     for (int i = 0; i < 2; ++i) {
       const Vec2 xi{0.21, 0.37}, step = 1e-5 * Vec2::Unit(i);
-      const Eigen::Vector4d d =
+      const fem::NodeValues d =
           (fem::shape_functions(kind, xi + step) - fem::shape_functions(kind, xi - step)) / 2e-5;
       EXPECT_LT((d - fem::shape_gradients(kind, xi).col(i)).norm(), 1e-10);
     }

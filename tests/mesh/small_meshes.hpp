@@ -21,7 +21,7 @@ inline Mesh squares(int n, const std::vector<int>& holes = {}) {
     for (int i = 0; i < n; ++i) {
       bool left_out = false;
       for (int hole : holes) left_out = left_out || hole == j * n + i;
-      if (!left_out) mesh.cells.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+      if (!left_out) mesh.cells.push_back(cell_of({node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}));
     }
   mesh.outline = outline_of(mesh.X, mesh.kind, mesh.cells);
   return mesh;

@@ -29,13 +29,13 @@ namespace detail {
 inline void add_cells(Mesh& m, int i, int j, int nx) {
   const int a = j * (nx + 1) + i, b = a + 1, d = a + nx + 1, c = d + 1;
   if (m.kind == CellKind::quad4) {
-    m.cells.push_back(Cell{a, b, c, d});
+    m.cells.push_back(mesh::cell_of({a, b, c, d}));
   } else if ((i + j) % 2 == 0) {
-    m.cells.push_back(Cell{a, b, c, -1});
-    m.cells.push_back(Cell{a, c, d, -1});
+    m.cells.push_back(mesh::cell_of({a, b, c}));
+    m.cells.push_back(mesh::cell_of({a, c, d}));
   } else {
-    m.cells.push_back(Cell{a, b, d, -1});
-    m.cells.push_back(Cell{b, c, d, -1});
+    m.cells.push_back(mesh::cell_of({a, b, d}));
+    m.cells.push_back(mesh::cell_of({b, c, d}));
   }
 }
 
