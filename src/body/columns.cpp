@@ -207,6 +207,19 @@ base::SparseMatrix Columns::expansion() const {
   return B;
 }
 
+bool Columns::turns(int column) const {
+  const auto turning = [&](const SupportColumn& s) { return s.motion == 2 && s.column == column - interior; };
+  return column >= interior && std::any_of(supports.begin(), supports.end(), turning);
+}
+
+Path Columns::path(const Term& term, double value, bool true_rotation) const {
+  const Vec2& d = term.direction;
+  if (!true_rotation || !turns(term.column)) return {value * d, d, Vec2{0.0, 0.0}};
+  const Vec2 across{-d.y(), d.x()};
+  const double c = std::cos(value), s = std::sin(value);
+  return {s * d + (1.0 - c) * across, c * d + s * across, c * across - s * d};
+}
+
 Columns number_columns(const Mesh& mesh, const BodyInput& input) { return Numbering(mesh, input).result(); }
 
 }  // namespace reye::body

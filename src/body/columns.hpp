@@ -8,6 +8,11 @@
 /// The unknowns of a linear body: which columns move which node.
 namespace reye::body {
 
+/// What one term moves its node by, with its first and second derivative.
+struct Path {
+  base::Vec2 displacement{0.0, 0.0}, slope{0.0, 0.0}, curvature{0.0, 0.0};
+};
+
 /// u_full = B y,  y = [free dofs of nodes not in contact; q],  q = [free dofs of contact nodes; support columns].
 struct Columns {
   int interior = 0;
@@ -18,6 +23,12 @@ struct Columns {
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)
+
+  /// Whether a column of y is the rotation of a rigid edge.
+  bool turns(int column) const;
+  /// A term at a value of its column: u = value d; with `true_rotation`, in a column that turns,
+  ///   u = (R(theta) - I)(X - Xc) = sin theta d + (1 - cos theta) e3 x d,  d = e3 x (X - Xc).   (5)
+  Path path(const Term& term, double value, bool true_rotation) const;
 };
 
 /// Who wins where several supports meet in a node: the axis of symmetry (r = 0 held in x, no column), then the

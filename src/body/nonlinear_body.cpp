@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "body/columns.hpp"
+#include "body/condensation.hpp"
+#include "body/operator.hpp"
+#include "fem/assemble_loads.hpp"
+#include "fem/finite.hpp"
+
+namespace reye::body {
+
+using base::SparseMatrix;
+
+namespace {
+
+/// Throws base::InputError when a contact boundary is unknown, before anything indexes by it.
+const BodyInput& checked(const mesh::Mesh& mesh, const BodyInput& input) {
+  for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
+  return input;
+}
+
+std::vector<Vec2> by_node(const Vector& u) {
+  std::vector<Vec2> nodal(static_cast<size_t>(u.size() / 2));
+  for (size_t node = 0; node < nodal.size(); ++node) nodal[node] = u.segment<2>(2 * node);
+  return nodal;
+}
+
+}  // namespace
+
+struct NonlinearBody::Linearised::Kept {
+  fem::InternalForce f;
+  SparseMatrix K, B, KB, reduced;
+  Vector r;  ///< [r_i; r_c]
+  Condensation condensation;
+};
+
+struct NonlinearBody::Impl {
+  ShapePtr shape;
+  std::string name;
+  fem::Solid solid;
+  Columns columns;
+  fem::Pattern pattern;
+  std::vector<LoadColumn> names;
+  std::vector<Vector> loads;  ///< per load, for history factor 1
+
+  Impl(ShapePtr s, const BodyInput& input)
+      : shape(std::move(s)),
+        name(input.name),
+        solid{input.material, input.analysis, input.kinematics, input.b_bar},
+        columns(number_columns(shape->mesh, checked(shape->mesh, input))),
+        pattern(shape->mesh) {
+    add_loads(input, input.boundary_loads);
+    add_loads(input, input.point_loads);
+    add_loads(input, input.body_forces);
+  }
+
+  template <class Load>
+  void add_loads(const BodyInput& input, const std::vector<Load>& list) {
+    for (const Load& load : list) {
+      names.push_back({load.name, load.history});
+      loads.push_back(fem::load_vector(shape->mesh, input.analysis, load));
+    }
+  }
+
+  const mesh::Mesh& mesh() const { return shape->mesh; }
+  int interior() const { return columns.interior; }
+  bool turning() const { return solid.kinematics == base::Kinematics::finite; }
+
+  Vector all(const Vector& y, const Vector& q) const {
+    Vector both(y.size() + q.size());
+    both << y, q;
+    return both;
+  }
+
+  /// Runs `task`; a failure of the material names the body.
+  template <class Task>
+  auto named(Task task) const {
+    try {
+      return task();
+    } catch (const base::SolveError& error) {
+      throw base::SolveError("body " + name + ", " + error.what());
+    }
+  }
+
+  Vector displacement(const Vector& unknowns) const {
+    Vector u = Vector::Zero(2 * mesh().node_count());
+    for (int node = 0; node < mesh().node_count(); ++node)
+      for (const Term& term : columns.terms[node])
+        u.segment<2>(2 * node) += columns.path(term, unknowns[term.column], turning()).displacement;
+    return u;
+  }
+
+  /// B = du/d(y, q).
+  SparseMatrix expansion(const Vector& unknowns) const {
+    std::vector<base::Triplet> entries;
+    for (int node = 0; node < mesh().node_count(); ++node)
+      for (const Term& term : columns.terms[node]) {
+        const Vec2 slope = columns.path(term, unknowns[term.column], turning()).slope;
+        for (int i : {0, 1}) entries.emplace_back(2 * node + i, term.column, slope[i]);
+      }
+    SparseMatrix B(2 * mesh().node_count(), columns.interior + columns.retained);
+    B.setFromTriplets(entries.begin(), entries.end());
+    return B;
+  }
+
+  /// f_int - sum factor_i f_i on the nodes.
+  Vector unbalanced(const fem::InternalForce& f, const Vector& factors) const {
+    Vector r = f.total;
+    for (size_t i = 0; i < loads.size(); ++i) r -= factors[i] * loads[i];
+    return r;
+  }
+
+  /// What d^2 u / dtheta^2 adds to the tangent: the nodes of an edge accelerate towards its centre.
+  void add_turning(const Vector& unbalanced, const Vector& unknowns, SparseMatrix& K) const {
+    if (!turning()) return;
+    for (int node = 0; node < mesh().node_count(); ++node)
+      for (const Term& term : columns.terms[node])
+        if (columns.turns(term.column))
+          K.coeffRef(term.column, term.column) +=
+              unbalanced.segment<2>(2 * node).dot(columns.path(term, unknowns[term.column], true).curvature);
+  }
+};
+
+NonlinearBody::NonlinearBody(ShapePtr shape, const BodyInput& input)
+    : impl_(std::make_shared<const Impl>(std::move(shape), input)) {}
+
+int NonlinearBody::dofs() const { return impl_->columns.retained; }
+int NonlinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
+const std::vector<int>& NonlinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
+const std::vector<SupportColumn>& NonlinearBody::support_columns() const { return impl_->columns.supports; }
+const std::vector<LoadColumn>& NonlinearBody::loads() const { return impl_->names; }
+
+NodeFreedom NonlinearBody::freedom(int contact_node) const {
+  return impl_->columns.freedom[impl_->columns.contact_nodes[contact_node]];
+}
+
+NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
+  const int node = impl_->columns.contact_nodes[contact_node];
+  NodePosition p;
+  p.x = impl_->mesh().X[node];
+  for (Term term : impl_->columns.terms[node]) {
+    const int column = term.column - impl_->interior();  // all columns of a contact node are retained
+    const Path path = impl_->columns.path(term, q[column], impl_->turning());
+    p.x += path.displacement;
+    p.terms[p.count++] = {column, path.slope};
+  }
+  return p;
+}
+
+Interior NonlinearBody::start() const {
+  return {Vector::Zero(impl_->interior()), fem::virgin(impl_->mesh(), impl_->solid)};
+}
+
+void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
+                              Linearised& out) const {
+  if (!out.kept) out.kept = std::make_shared<Linearised::Kept>();
+  Linearised::Kept& kept = *out.kept;
+  if (kept.K.rows() != 2 * impl_->mesh().node_count()) kept.K = impl_->pattern.zero();
+  const Vector unknowns = impl_->all(y, q);
+  impl_->named([&] {
+    fem::tangent(impl_->mesh(), impl_->solid, impl_->displacement(unknowns), before.history, impl_->pattern, kept.f,
+                 kept.K);
+  });
+  kept.B = impl_->expansion(unknowns);
+  const Vector r = impl_->unbalanced(kept.f, load_factors);
+  kept.KB = kept.K * kept.B;
+  kept.reduced = kept.B.transpose() * kept.KB;
+  impl_->add_turning(r, unknowns, kept.reduced);
+  kept.r = kept.B.transpose() * r;
+  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->solid.symmetric(impl_->mesh().kind)); });
+  out.S = kept.condensation.schur();
+  out.r = kept.condensation.condense(kept.r);
+  out.interior_residual = impl_->interior() > 0 ? kept.r.head(impl_->interior()).cwiseAbs().maxCoeff() : 0.0;
+  out.force_scale = kept.f.largest;
+}
+
+Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) const {
+  return at.kept->condensation.recover(-at.kept->r, dq).head(impl_->interior());
+}
+
+Vector NonlinearBody::retained_residual(const Interior& before, const Vector& y, const Vector& q,
+                                        const Vector& load_factors) const {
+  const Vector unknowns = impl_->all(y, q);
+  fem::InternalForce f;
+  impl_->named([&] {
+    fem::internal_force(impl_->mesh(), impl_->solid, impl_->displacement(unknowns), before.history, f);
+  });
+  const Vector r = impl_->expansion(unknowns).transpose() * impl_->unbalanced(f, load_factors);
+  return r.tail(dofs());
+}
+
+Interior NonlinearBody::accepted(const Interior& before, const Vector& y, const Vector& q) const {
+  const Vector u = impl_->displacement(impl_->all(y, q));
+  return {y, impl_->named([&] { return fem::updated(impl_->mesh(), impl_->solid, u, before.history); })};
+}
+
+std::vector<Vec2> NonlinearBody::recover(const Vector& q, const Vector& y) const {
+  return by_node(impl_->displacement(impl_->all(y, q)));
+}
+
+Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const {
+  Vector diagonal = Vector::Zero(dofs());
+  if (!impl_->turning()) return diagonal;
+  for (size_t k = 0; k < contact_nodes().size(); ++k)
+    for (const Term& term : impl_->columns.terms[contact_nodes()[k]]) {
+      const int column = term.column - impl_->interior();
+      diagonal[column] += contact_forces[k].dot(impl_->columns.path(term, q[column], true).curvature);
+    }
+  return diagonal;
+}
+
+}  // namespace reye::body

@@ -1,0 +1,186 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "base/errors.hpp"
+#include "fem/element.hpp"
+#include "fem/finite.hpp"
+#include "material/finite.hpp"
+#include "material/stress.hpp"
+
+/// The two strain measures of a cell, each one list of inputs x(u) per Gauss point and one stress function of x whose
+/// result is work conjugate to the leading entries of x.
+namespace reye::fem {
+
+/// A cell with n nodes (4 in first order, 8 in second; unused ones zero): positions on X and displacements.
+template <int n>
+struct CellState {
+  Eigen::Matrix<double, n, 2> X = Eigen::Matrix<double, n, 2>::Zero();
+  Eigen::Matrix<double, 2 * n, 1> u = Eigen::Matrix<double, 2 * n, 1>::Zero();
+};
+
+/// Inputs at a Gauss point, their derivative by the displacements of the cell, and weight * det J * (1 or 2 pi r).
+template <int inputs, int n>
+struct Sample {
+  Eigen::Matrix<double, inputs, 1> x;
+  Eigen::Matrix<double, inputs, 2 * n> dx;
+  double volume = 0.0;
+};
+
+/// At most four Gauss points.
+template <int inputs, int n>
+struct Samples {
+  std::array<Sample<inputs, n>, 4> points;
+  int count = 0;
+};
+
+inline bool barred(const Solid& solid, mesh::CellKind kind) {
+  return solid.cure && kind == mesh::CellKind::quad4 && solid.analysis != Analysis::plane_stress;
+}
+
+/// x = (eps_11, eps_22, gamma_12, eps_33) = B u with the B of `strain_points`; stress sigma.
+struct SmallStrain {
+  static constexpr int inputs = 4, stresses = 4;
+
+  template <int n>
+  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state) {
+    const CellStrains strains = strain_points(mesh, cell, solid.analysis, solid.cure);
+    Samples<inputs, n> s;
+    for (s.count = 0; s.count < strains.count; ++s.count) {
+      auto& p = s.points[s.count];
+      p.dx = strains.points[s.count].B.template leftCols<2 * n>();
+      p.x = p.dx * state.u;
+      p.volume = strains.points[s.count].volume;
+    }
+    return s;
+  }
+
+  template <class T>
+  static std::array<T, 4> stress(const Solid& solid, bool, const std::array<T, 4>& x,
+                                 const material::PlasticState& before, material::PlasticState* after) {
+    return material::stress(solid.material, solid.analysis, x, before, after);
+  }
+
+  static Stress cauchy(const Solid& solid, bool, const std::array<double, 4>& x, const material::PlasticState& state) {
+    return material::stress(solid.material, solid.analysis, x, state);
+  }
+};
+
+/// x = (F11, F12, F21, F22, F33, J0), F33 = 1 or r/R, J0 = det F at the centre of the cell; stress P.
+/// F-bar evaluates the law at F-bar = s F and does work on the true F over the true volume:
+///   plane strain    s = (J0 / J)^(1/2), in the plane,   P = (J / J0) tau F^-T = P(F-bar) / s
+///   axisymmetry     s = (J0 / J)^(1/3), F33 included,   P = P(F-bar) / s^2                    (5)
+struct FiniteStrain {
+  static constexpr int inputs = 6, stresses = 5;
+
+  template <int n>
+  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state) {
+    Samples<inputs, n> s;
+    for (const CellPoint& at : stiffness_rule(mesh.kind)) add_sample(mesh, cell, solid, state, at, s);
+    if (barred(solid, mesh.kind)) add_centre(mesh, cell, solid, state, s);
+    return s;
+  }
+
+  template <class T>
+  static std::array<T, 5> stress(const Solid& solid, bool bar, const std::array<T, 6>& x,
+                                 const material::PlasticState& before, material::PlasticState* after) {
+    material::Gradient<T> F{x[0], x[1], x[2], x[3], x[4]};
+    if (!bar) return material::first_piola(solid.material, solid.analysis, F, before, after);
+    const T s = stretch(solid.analysis, x);
+    stretch_by(s, solid.analysis, F);
+    auto P = material::first_piola(solid.material, solid.analysis, F, before, after);
+    const T back = 1.0 / (ring(solid.analysis) ? s * s : s);
+    for (T& p : P) p *= back;
+    return P;
+  }
+
+  /// tau / J, at F-bar.
+  static Stress cauchy(const Solid& solid, bool bar, const std::array<double, 6>& x,
+                       const material::PlasticState& state) {
+    material::Gradient<double> F{x[0], x[1], x[2], x[3], x[4]};
+    if (bar) stretch_by(stretch(solid.analysis, x), solid.analysis, F);
+    Stress sigma = material::kirchhoff(solid.material, solid.analysis, F, state);
+    const double J = material::plane_determinant(F) *
+                     material::thickness_stretch(solid.material, solid.analysis, F, state);
+    for (double& component : sigma) component /= J;
+    return sigma;
+  }
+
+ private:
+  static bool ring(Analysis analysis) { return analysis == Analysis::axisymmetric; }
+
+  /// Gradient operator (H11, H12, H21, H22, H33) = G u and the volume weight.
+  template <int n>
+  static double gradient(const Mesh& mesh, int cell, Analysis analysis, const CellState<n>& state, const CellPoint& at,
+                         Eigen::Matrix<double, 5, 2 * n>& G) {
+    const Eigen::Matrix<double, n, 2> dN_dxi = shape_gradients(mesh.kind, at.xi).template topRows<n>();
+    const Eigen::Matrix2d J = dN_dxi.transpose() * state.X;  // row i: dX/dxi_i
+    const double det = J.determinant();
+    if (!(det > 0.0)) throw base::MeshError("cell " + std::to_string(cell) + " has a Jacobian that is not positive");
+    const Eigen::Matrix<double, n, 2> dN = dN_dxi * J.inverse().transpose();
+    const Eigen::Matrix<double, n, 1> N = shape_functions(mesh.kind, at.xi).template head<n>();
+    const double R = N.dot(state.X.col(0));
+    G.setZero();
+    for (int a = 0; a < n; ++a) {
+      G(0, 2 * a) = G(2, 2 * a + 1) = dN(a, 0);
+      G(1, 2 * a) = G(3, 2 * a + 1) = dN(a, 1);
+      if (ring(analysis)) G(4, 2 * a) = N[a] / R;
+    }
+    return at.weight * det * base::out_of_plane(analysis, R);
+  }
+
+  template <int n>
+  static Eigen::Matrix<double, 5, 1> deformation(const Eigen::Matrix<double, 5, 2 * n>& G, const CellState<n>& state) {
+    Eigen::Matrix<double, 5, 1> F = G * state.u;
+    F[0] += 1.0, F[3] += 1.0, F[4] += 1.0;
+    return F;
+  }
+
+  template <int n>
+  static void add_sample(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, const CellPoint& at,
+                         Samples<inputs, n>& s) {
+    auto& p = s.points[s.count++];
+    Eigen::Matrix<double, 5, 2 * n> G;
+    p.volume = gradient(mesh, cell, solid.analysis, state, at, G);
+    p.x << deformation<n>(G, state), 1.0;
+    p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
+  }
+
+  /// J0 and its derivative, the same at all points.
+  template <int n>
+  static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+                         Samples<inputs, n>& s) {
+    Eigen::Matrix<double, 5, 2 * n> G;
+    gradient(mesh, cell, solid.analysis, state, {{0.0, 0.0}, 1.0}, G);
+    const Eigen::Matrix<double, 5, 1> F = deformation<n>(G, state);
+    const double plane = F[0] * F[3] - F[1] * F[2];
+    Eigen::Matrix<double, 1, 5> cofactor;
+    cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], plane;
+    const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor * G;
+    for (int g = 0; g < s.count; ++g) {
+      s.points[g].x[5] = plane * F[4];
+      s.points[g].dx.row(5) = dJ;
+    }
+  }
+
+  template <class T>
+  static T stretch(Analysis analysis, const std::array<T, 6>& x) {
+    using std::exp, std::log, std::sqrt;
+    const T J = (x[0] * x[3] - x[1] * x[2]) * x[4];
+    if (!(base::value(J) > 0.0) || !(base::value(x[5]) > 0.0))
+      throw base::SolveError("det F is " + std::to_string(base::value(J)) + ", at the centre of the cell " +
+                             std::to_string(base::value(x[5])));
+    const T ratio = x[5] / J;
+    return ring(analysis) ? T(exp(log(ratio) * (1.0 / 3.0))) : T(sqrt(ratio));
+  }
+
+  template <class T>
+  static void stretch_by(const T& s, Analysis analysis, material::Gradient<T>& F) {
+    for (int i = 0; i < (ring(analysis) ? 5 : 4); ++i) F[i] *= s;
+  }
+};
+
+}  // namespace reye::fem
