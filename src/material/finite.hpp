@@ -20,7 +20,7 @@ Symmetric<T> elastic(const StVenantKirchhoff& m, const Symmetric<T>& b, const T&
           (f + mu * b[3]) * b[3]};
 }
 
-/// J U'(J) - mu, or all of the spherical part of the power form: the factor of I beside mu b.      (4)
+/// J U'(J) - mu, the factor of I beside mu b; -mu J^(-2 beta) in the power form.      (4)
 template <class T>
 T spherical(const NeoHookean& m, const T& J) {
   using std::exp, std::log;

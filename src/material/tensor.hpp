@@ -40,19 +40,22 @@ inline Gradient<double> inverse(const Gradient<double>& F) {
   return {F[3] * f, -F[1] * f, -F[2] * f, F[0] * f, 1.0 / F[4]};
 }
 
-/// atanh(sqrt t) / sqrt t = sum t^k / (2 k + 1) for 0 <= t < 1, analytic at 0 and so differentiable at equal
-/// eigenvalues.
+/// atanh(r) / r = sum r^2k / (2 k + 1) as a function of u = 1 - r^2, 0 < u <= 1: analytic where the eigenvalues are
+/// equal (u = 1), and not cancelling where they are far apart (u near 0).
 template <class T>
-T atanh_ratio(const T& t) {
-  const double x = base::value(t);
-  double ratio = 0.0, slope = 0.0;
-  if (x < 0.03) {
-    for (int k = 11; k >= 0; --k) slope = slope * x + ratio, ratio = ratio * x + 1.0 / (2 * k + 1);
+T atanh_ratio(const T& u) {
+  const double v = base::value(u), t = 1.0 - v;
+  double ratio = 0.0, slope = 0.0;  // slope in t
+  if (t < 0.03) {
+    for (int k = 11; k >= 0; --k) {
+      slope = slope * t + ratio;
+      ratio = ratio * t + 1.0 / (2 * k + 1);
+    }
   } else {
-    ratio = std::atanh(std::sqrt(x)) / std::sqrt(x);
-    slope = (1.0 / (1.0 - x) - ratio) / (2.0 * x);
+    ratio = (std::log1p(std::sqrt(t)) - 0.5 * std::log(v)) / std::sqrt(t);
+    slope = (1.0 / v - ratio) / (2.0 * t);
   }
-  return (t - x) * slope + ratio;
+  return (v - u) * slope + ratio;
 }
 
 /// ln A of a positive definite A. In the plane, with A = m I + D, tr D = 0, r^2 = -det D, no eigenvectors are needed:
@@ -60,9 +63,8 @@ T atanh_ratio(const T& t) {
 template <class T>
 Symmetric<T> logarithm(const Symmetric<T>& A) {
   using std::log;
-  const T m = (A[0] + A[1]) * 0.5, d = (A[0] - A[1]) * 0.5;
-  const T ratio = atanh_ratio(T((d * d + A[2] * A[2]) / (m * m))) / m;
-  const T mean = log(A[0] * A[1] - A[2] * A[2]) * 0.5;
+  const T m = (A[0] + A[1]) * 0.5, d = (A[0] - A[1]) * 0.5, det = A[0] * A[1] - A[2] * A[2];
+  const T ratio = atanh_ratio(T(det / (m * m))) / m, mean = log(det) * 0.5;
   return {mean + ratio * d, mean - ratio * d, ratio * A[2], log(A[3])};
 }
 
