@@ -71,4 +71,48 @@ inline LinearSolution solve_linear(const body::LinearBody& b, const body::BodyIn
   return s;
 }
 
+struct NonlinearSolution {
+  base::Vector q;
+  body::Interior state;
+  base::Vector factors;
+  std::vector<double> table;  ///< of the last increment: unbalanced force over `force_scale`, per iteration
+};
+
+/// Solves one nonlinear body without contact by Newton, all histories rising to one in equal increments. Round-off
+/// sets a limit to `tolerance`: bulk modulus over stress times that of a strain.
+inline NonlinearSolution solve_nonlinear(const body::NonlinearBody& b, const body::BodyInput& input, int increments = 1,
+                                         double tolerance = 1e-11) {
+  NonlinearSolution s{base::Vector::Zero(b.dofs()), b.start(), {}, {}};
+  body::NonlinearBody::Linearised lin;
+  for (int k = 1; k <= increments; ++k) {
+    const double factor = static_cast<double>(k) / increments;
+    s.factors = base::Vector::Constant(static_cast<int>(b.loads().size()), factor);
+    const body::Interior before = s.state;
+    s.table.clear();
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      b.linearise(before, s.state.y, s.q, s.factors, lin);
+      base::Vector rhs = -lin.r;
+      double off = 0.0;  // prescribed motion still to be made
+      for (const auto& c : b.support_columns()) {
+        const body::Motion& m = motion_of(input, c);
+        if (m.drive == body::Drive::loaded) rhs[c.column] += factor * m.amplitude;
+        if (m.drive != body::Drive::fixed && m.drive != body::Drive::moved) continue;
+        lin.S.row(c.column).setZero();
+        lin.S(c.column, c.column) = lin.force_scale + 1.0;
+        const double jump = (m.drive == body::Drive::moved ? factor * m.amplitude : 0.0) - s.q[c.column];
+        rhs[c.column] = jump * lin.S(c.column, c.column);
+        off = std::max(off, std::abs(jump));
+      }
+      const double unbalanced = std::max(lin.interior_residual, b.dofs() > 0 ? rhs.cwiseAbs().maxCoeff() : 0.0);
+      s.table.push_back(unbalanced / (lin.force_scale + 1e-300));
+      if (off == 0.0 && s.table.back() < tolerance) break;
+      const base::Vector dq = b.dofs() > 0 ? algebra::solve_dense(lin.S, rhs) : rhs;
+      s.state.y += b.interior_step(lin, dq);
+      s.q += dq;
+    }
+    s.state = b.accepted(before, s.state.y, s.q);
+  }
+  return s;
+}
+
 }  // namespace reye::support
