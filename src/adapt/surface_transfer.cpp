@@ -33,7 +33,7 @@ bool runs_along(const Surface& s, int node, const Vec2& way) {
 
 SegmentTree facets_of(const Surface& surface) {
   std::vector<SegmentTree::Segment> segments;
-  for (const auto& [a, b] : surface.facets) segments.push_back({surface.X[a], surface.X[b]});
+  for (const auto& [a, b, mid] : surface.facets) segments.push_back({surface.X[a], surface.X[b]});
   return SegmentTree(std::move(segments));
 }
 
@@ -53,7 +53,7 @@ std::vector<Foot> feet(const Surface& on, const SegmentTree& tree, const Surface
 Values interpolated(const Surface& from, const Values& values, const std::vector<Foot>& feet) {
   Values result;
   for (const auto& [facet, s, distance] : feet) {
-    const auto [a, b] = from.facets[facet];
+    const auto [a, b, mid] = from.facets[facet];
     result.push_back(s == 0.0 ? values[a] : s == 1.0 ? values[b] : (1.0 - s) * values[a] + s * values[b]);
   }
   return result;
@@ -83,7 +83,7 @@ Values landed(const Surface& from, const Values& values, const Surface& to) {
   const auto places = feet(to, tree, from);
   Values result(to.X.size(), 0.0);
   for (std::size_t j = 0; j < values.size(); ++j) {
-    const auto [a, b] = to.facets[places[j].segment];
+    const auto [a, b, mid] = to.facets[places[j].segment];
     const double share = to.area[a] / (to.area[a] + to.area[b]);
     result[a] += share * values[j];
     result[b] += (1.0 - share) * values[j];

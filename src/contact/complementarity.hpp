@@ -16,7 +16,8 @@ struct NodeScalars {
   T gap{};         ///< weighted gap
   Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
   T D{};
-  T worn_primary{};  ///< sum_l M_jl w_l of the primary's own depth, this increment's included
+  T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and what stands at control points without
+                    ///< multiplier, this increment's included
   T share{};         ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
 };
 
@@ -54,7 +55,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? s.D * c.imposed_slip : mortar::dot(tangent, s.motion);
   if (status == ContactStatus::slip && !c.held) r.work = wear::work(c.law, r.lambda_n, r.lambda_t, r.slip);
-  r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_primary;
+  r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
   if (c.held && !c.anchor) {
     const T given = c.held_shear + s.share;
     const bool cut = std::abs(base::value(given)) > c.friction * base::value(r.lambda_n);

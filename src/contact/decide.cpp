@@ -4,15 +4,24 @@
 
 namespace reye::contact {
 
-/// Gap at a node opened by the wear that its neighbours cause on the primary side in this increment.
+/// Gap at a node opened by the wear that its neighbours cause in this increment: on the primary side, and at control
+/// points between them.
 double Interface::others_wear(int node) const {
   const double coefficient = setup_->options.wear.primary * options_.jump;
+  const double own_volume = setup_->options.wear.secondary * options_.jump * condition_[node].work;
   double others = 0.0;
   for (const auto& [l, M] : rows_[node].M) {
     others += M * (primary_depth_[l] - primary_start_[l]);
     for (const auto& [k, T] : cover_[node])
       if (k == l && rows_[node].D > 0.0)
-        others -= M * coefficient * T * condition_[node].work / (rows_[node].D * setup_->primary.area[l]);
+        others -= M * coefficient * T * condition_[node].work / (spread_[node] * setup_->primary.area[l]) *
+                  (options_.thickness_primary.empty() ? 1.0 : options_.thickness_primary[l]);
+  }
+  for (const auto& [k, share] : rows_[node].off) {
+    if (!setup_->between(k)) continue;
+    others += share * (secondary_depth_[k] - secondary_start_[k]);
+    for (const auto& [own, per_volume] : between_[node])
+      if (own == k) others -= share * per_volume * own_volume;
   }
   return others;
 }
@@ -21,7 +30,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
   status_last_ = status_;
   const auto& o = setup_->options;
   const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && iteration >= 5;
-  const bool spread = late && o.wear.primary > 0.0;
+  const bool spread = late && wear_spreads();
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
     const double D = rows_[j].D, stiffness = setup_->stiffness[j];

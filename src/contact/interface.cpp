@@ -18,6 +18,8 @@ void gather(std::vector<std::pair<int, double>>& list, int node, double value) {
   list.emplace_back(node, value);
 }
 
+double thickness(const std::vector<double>& factors, std::size_t node) { return factors.empty() ? 1.0 : factors[node]; }
+
 }  // namespace
 
 void Interface::begin(const Setup& setup, const ContactState& before, Points xs, Points xm,
@@ -31,14 +33,36 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   placement_.xm = placement_.xm_before = std::move(xm);
   placement_.cut = setup.cut;
   placement_.analysis = setup.analysis;
+  placement_.measure = setup.measure;
   placement_.search = setup.search;
   status_ = before.status;
-  const auto nm = static_cast<std::size_t>(setup.primary_count());
-  primary_start_.resize(nm);
-  for (std::size_t l = 0; l < nm; ++l) primary_start_[l] = before.pending_primary[l] / setup.primary.area[l];
-  primary_depth_ = primary_start_;
   sign_.assign(setup.secondary.X.size(), 0.0);
   condition_.assign(setup.secondary.X.size(), {});
+  begin_wear();
+}
+
+/// Depths at the start, in the gap's own measure, and which control points wear with a node.
+void Interface::begin_wear() {
+  const auto& s = setup_->secondary;
+  const auto depths = [](const std::vector<double>& volume, const mortar::Surface& surface, const std::vector<double>& factors) {
+    std::vector<double> depth(volume.size());
+    for (std::size_t k = 0; k < depth.size(); ++k) depth[k] = volume[k] / surface.area[k] * thickness(factors, k);
+    return depth;
+  };
+  primary_depth_ = primary_start_ = depths(before_->pending_primary, setup_->primary, options_.thickness_primary);
+  secondary_depth_ = secondary_start_ = depths(before_->pending_secondary, s, options_.thickness_secondary);
+  worn_length_ = s.area;
+  between_.assign(s.X.size(), {});
+  for (const auto& [a, b, c] : s.facets) {
+    if (c < 0 || !setup_->between(c)) continue;
+    for (int node : {a, b}) {
+      worn_length_[node] += 0.5 * s.area[c];
+      between_[node].emplace_back(c, 0.0);
+    }
+  }
+  for (std::size_t j = 0; j < between_.size(); ++j)
+    for (auto& [c, per_volume] : between_[j])
+      per_volume = 0.5 / worn_length_[j] * thickness(options_.thickness_secondary, static_cast<std::size_t>(c));
 }
 
 void Interface::integrate(const Points& xs, const Points& xm) {
@@ -75,22 +99,26 @@ void Interface::sum_rows() {
   offset_.assign(ns, Vec2::Zero());
   drift_.assign(ns, Vec2::Zero());
   for (std::size_t j = 0; j < ns; ++j) {
-    rows_[j].D = rows_[j].off = 0.0;
-    rows_[j].off_node = -1;
+    rows_[j].D = rows_[j].cover = rows_[j].covered = 0.0;
+    rows_[j].off.clear();
     rows_[j].M.clear();
     cover_[j].clear();
   }
   const bool spread = setup_->options.wear.primary > 0.0;
   for (std::size_t r = 0; r < records_->size(); ++r) {
     const auto& record = (*records_)[r];
-    for (int e = 0; e < 2; ++e) {
-      const int node = setup_->secondary.facets[record.facet][e];
-      record_of_[node][1 - e] = static_cast<int>(r);
+    const auto& facet = setup_->secondary.facets[record.facet];
+    for (int e = 0; e < record.count; ++e) {
+      const int node = facet[e];
+      record_of_[node][e == 1 ? 0 : 1 - e / 2] = static_cast<int>(r);
       auto& row = rows_[node];
       row.D += record.value.D[e];
-      if (record.value.off[e] != 0.0) {
-        row.off += record.value.off[e];
-        row.off_node = setup_->secondary.facets[record.facet][1 - e];
+      row.cover += record.value.on_X[e];
+      row.covered += record.value.on_X[e];
+      for (int k = 0; k < record.count; ++k) {
+        if (k == e || record.value.off[e][k] == 0.0) continue;
+        gather(row.off, facet[k], record.value.off[e][k]);
+        row.covered += record.value.on_X[k];
       }
       gap_[node] += record.value.gap[e];
       offset_[node] += plain(record.value.offset[e]);
@@ -101,6 +129,12 @@ void Interface::sum_rows() {
       }
     }
   }
+  spread_.assign(ns, 0.0);
+  for (std::size_t j = 0; j < ns; ++j)
+    if (setup_->secondary.order == 1)
+      spread_[j] = rows_[j].D;
+    else
+      for (const auto& [l, T] : cover_[j]) spread_[j] += T;
 }
 
 /// Normals, and the gap that earlier wear has opened.
@@ -115,7 +149,10 @@ void Interface::sum_start_of_increment() {
       if (st.nodes[i] >= 0) x[i] = {placement_.xs[st.nodes[i]].x(), placement_.xs[st.nodes[i]].y()};
     normal_[j] = plain(mortar::nodal_normal(st, x));
     worn_before_[j] = rows_[j].D * before_->pending_secondary[j] / setup_->secondary.area[j];
+    worn_before_[j] *= thickness(options_.thickness_secondary, static_cast<std::size_t>(j));
     for (const auto& [l, M] : rows_[j].M) worn_before_[j] += M * primary_start_[l];
+    for (const auto& [k, share] : rows_[j].off)
+      if (setup_->between(k)) worn_before_[j] += share * secondary_start_[k];
   }
 }
 
@@ -128,12 +165,11 @@ mortar::NormalStencil Interface::stencil(int node) const {
   return mortar::normal_stencil(setup_->secondary, node, cover(1) > cover(0) ? 1 : 0);
 }
 
-/// Where the covered length changed, the difference of D and M is no measure of slip; the motion itself is.
+/// Where the covered length on X changed (on x stretch changes it too), the difference of D and M is no measure of slip; the motion itself is.
 bool Interface::uses_drift(int node) const {
   if (options_.held) return true;  // the reference belongs to the shape before
-  const double D = before_->reference[node].D;
-  const double change = std::abs(rows_[node].D - D) + std::abs(rows_[node].off - before_->reference[node].off);
-  return D <= 0.0 || change > 1e-6 * setup_->secondary.area[node];
+  const auto& reference = before_->reference[node];
+  return reference.D <= 0.0 || std::abs(rows_[node].covered - reference.covered) > 1e-6 * setup_->secondary.area[node];
 }
 
 /// Weighted motion of the secondary against the primary in this increment: the objective form
@@ -143,7 +179,7 @@ Vec2 Interface::motion(int node) const {
   const auto& reference = before_->reference[node];
   const Vec2& x = placement_.xs[node];
   Vec2 earlier = Vec2::Zero();
-  if (reference.off_node >= 0) earlier += reference.off * (placement_.xs[reference.off_node] - x);
+  for (const auto& [k, share] : reference.off) earlier += share * (placement_.xs[k] - x);
   for (const auto& [l, M] : reference.M) earlier += M * (x - placement_.xm[l]);
   return earlier - offset_[node];
 }
@@ -161,10 +197,12 @@ NodeConstants Interface::constants(int node) const {
   const auto& o = setup_->options;
   c.friction = o.friction;
   c.sign = sign_[node];
-  c.depth = before_->pending_secondary[node] / setup_->secondary.area[node];
+  c.depth = secondary_start_[node];
   c.law = o.wear;
   if (!options_.wear) c.law.kind = wear::LawKind::none;
-  if (o.implicit_wear) c.depth_per_work = o.wear.secondary * options_.jump / setup_->secondary.area[node];
+  if (o.implicit_wear)
+    c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
+                       thickness(options_.thickness_secondary, static_cast<std::size_t>(node));
   c.imposed = o.imposed;
   c.imposed_slip = options_.imposed_slip;
   c.held = options_.held;
@@ -173,16 +211,37 @@ NodeConstants Interface::constants(int node) const {
   return c;
 }
 
-/// Primary depth per node from the works of all slip nodes: dw_l = coefficient / A_l sum_j T_jl E_j / D_j.
+/// True when work of this increment opens the gap of other nodes, too.
+bool Interface::wear_spreads() const {
+  const auto& o = setup_->options;
+  const bool linear = setup_->secondary.order == 2 && o.dual == DualOrder::linear;
+  return options_.wear && !options_.held && o.implicit_wear && (o.wear.primary > 0.0 || (linear && o.wear.secondary > 0.0));
+}
+
+/// Depth per node from the works of all slip nodes: on the primary side dw_l = coefficient / A_l sum_j T_jl E_j / D_j,
+/// at control points that wear with their neighbours the mean of theirs.
 void Interface::spread_wear() {
   primary_depth_ = primary_start_;
-  const double coefficient = setup_->options.wear.primary * options_.jump;
-  if (coefficient == 0.0 || !options_.wear || options_.held || !setup_->options.implicit_wear) return;
+  secondary_depth_ = secondary_start_;
+  if (!wear_spreads()) return;
+  const double primary = setup_->options.wear.primary * options_.jump, secondary = setup_->options.wear.secondary * options_.jump;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
-    if (condition_[j].work == 0.0) continue;
+    const double work = condition_[j].work;
+    if (work == 0.0) continue;
     for (const auto& [l, T] : cover_[j])
-      primary_depth_[l] += coefficient * T * condition_[j].work / (rows_[j].D * setup_->primary.area[l]);
+      primary_depth_[l] += primary * T * work / (spread_[j] * setup_->primary.area[l]) *
+                           thickness(options_.thickness_primary, static_cast<std::size_t>(l));
+    for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
   }
+}
+
+/// What the depths of other nodes open in the gap of this one.
+double Interface::worn_others(int node) const {
+  double worn = 0.0;
+  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
+  for (const auto& [k, share] : rows_[node].off)
+    if (setup_->between(k)) worn += share * secondary_depth_[k];
+  return worn;
 }
 
 void Interface::evaluate(const std::vector<Vec2>& lambda) {
@@ -195,14 +254,14 @@ void Interface::evaluate(const std::vector<Vec2>& lambda) {
     s.gap = gap_[j];
     s.motion = {v.x(), v.y()};
     s.D = rows_[j].D;
-    for (const auto& [l, M] : rows_[j].M) s.worn_primary += M * primary_depth_[l];
+    s.worn_others = worn_others(node);
     s.share = share(node, lambda);
     return conditions(s, constants(node), status_[j]);
   };
   for (std::size_t j = 0; j < rows_.size(); ++j)
     condition_[j] = active(static_cast<int>(j)) ? at(j) : NodeConditions<double>{};
-  if (setup_->options.wear.primary == 0.0) return;
   spread_wear();
+  if (!wear_spreads()) return;
   for (std::size_t j = 0; j < rows_.size(); ++j)
     if (active(static_cast<int>(j))) condition_[j] = at(j);
 }
@@ -213,7 +272,7 @@ Vector Interface::forces(const std::vector<Vec2>& lambda) const {
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     if (lambda[j].isZero(0.0)) continue;
     f.segment<2>(2 * static_cast<int>(j)) += rows_[j].D * lambda[j];
-    if (rows_[j].off_node >= 0) f.segment<2>(2 * rows_[j].off_node) += rows_[j].off * lambda[j];
+    for (const auto& [k, share] : rows_[j].off) f.segment<2>(2 * k) += share * lambda[j];
     for (const auto& [l, M] : rows_[j].M) f.segment<2>(shift + 2 * l) -= M * lambda[j];
   }
   return f;
@@ -237,12 +296,18 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
     const double work = options_.jump * c.work;
     next.worn_work += friction_work;
     next.law_work += work;
-    next.pending_secondary[j] += law.secondary * work;
-    next.removed_secondary[j] += law.secondary * work;
+    const auto& area = setup_->secondary.area;
+    const auto remove = [&](std::size_t k, double share) {
+      next.pending_secondary[k] += share * law.secondary * work;
+      next.removed_secondary[k] += share * law.secondary * work;
+    };
+    remove(j, area[j] / worn_length_[j]);
+    for (const auto& between : between_[j])
+      remove(static_cast<std::size_t>(between.first), 0.5 * area[between.first] / worn_length_[j]);
     if (law.primary == 0.0) continue;
     for (const auto& [l, T] : cover_[j]) {
-      next.pending_primary[l] += law.primary * work * T / rows_[j].D;
-      next.removed_primary[l] += law.primary * work * T / rows_[j].D;
+      next.pending_primary[l] += law.primary * work * T / spread_[j];
+      next.removed_primary[l] += law.primary * work * T / spread_[j];
     }
   }
   return next;

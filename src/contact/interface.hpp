@@ -19,6 +19,9 @@ struct IncrementOptions {
   std::vector<double> held_pressure;
   int anchor = -1;            ///< where nothing but friction holds a body along the contact: the node that sticks;
                               ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
+  /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);
+  /// empty: one everywhere. It scales depth in the gap, never volume.
+  std::vector<double> thickness_secondary, thickness_primary;
 };
 
 /// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
@@ -79,7 +82,7 @@ class Interface {
   const Setup& setup() const { return *setup_; }
   int dofs() const { return placement_.dofs(); }
   bool held() const { return options_.held; }
-  bool touching(int node) const { return rows_[node].D > minimum_cover * setup_->secondary.area[node]; }
+  bool touching(int node) const { return rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
 
   static constexpr double minimum_cover = 1e-3;
 
@@ -99,7 +102,10 @@ class Interface {
   void sum_start_of_increment();
   mortar::NormalStencil stencil(int node) const;
   NodeConditions<Ten> node_duals(int node, const std::vector<Vec2>& lambda) const;
+  bool wear_spreads() const;
+  double worn_others(int node) const;
   void spread_wear();
+  void begin_wear();
   template <class Add>
   void chain(int node, const Ten& quantity, Add add) const;
   template <class Add>
@@ -110,7 +116,8 @@ class Interface {
   void for_records(int node, Visit visit) const;
   void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
   void collect_primary_wear(int node, const Ten& work);
-  void primary_wear_entries(int node, double slope, std::vector<Entry>& out) const;
+  void collect_wear_between(int node, const Ten& work);
+  void wear_entries(int node, double slope, std::vector<Entry>& out) const;
 
   const Setup* setup_ = nullptr;
   const ContactState* before_ = nullptr;
@@ -118,15 +125,19 @@ class Interface {
   mortar::Placement placement_;
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;
-  std::vector<std::array<int, 2>> record_of_;       ///< per node: record of the facet before (its end 1), after (its end 0)
+  std::vector<std::array<int, 2>> record_of_;       ///< per node: record of the facet before (its end 1), after (its end 0);
+                                                    ///< a control point: of its facet, -1
   std::vector<char> differentiated_;
   std::vector<MortarRow> rows_;
   std::vector<std::vector<std::pair<int, double>>> cover_;
-  std::vector<double> gap_, worn_before_, sign_, primary_start_, primary_depth_;
+  std::vector<double> gap_, worn_before_, sign_, primary_start_, primary_depth_, secondary_start_, secondary_depth_;
+  std::vector<double> spread_;                      ///< sum_l T_jl
+  std::vector<double> worn_length_;                 ///< A_j, and half of it from each control point that wears with j
+  std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
   std::vector<Vec2> offset_, drift_, normal_;
   std::vector<ContactStatus> status_, status_last_;
   std::vector<NodeConditions<double>> condition_;
-  std::vector<std::vector<WearEntry>> primary_slope_;  ///< d(primary depth of node l)
+  std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
 };
 
 }  // namespace reye::contact

@@ -7,14 +7,15 @@ using mortar::FacetRecord;
 namespace {
 
 /// Order of the scalars of a node in its dual numbers.
-enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_primary, share_ };
+enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_, share_ };
 
 }  // namespace
 
 template <class Visit>
 void Interface::for_records(int node, Visit visit) const {
   for (int side = 0; side < 2; ++side)
-    if (const int r = record_of_[node][side]; r >= 0) visit((*records_)[r], 1 - side);
+    if (const int r = record_of_[node][side]; r >= 0)
+      visit((*records_)[r], setup_->secondary.is_control_point(node) ? 2 : 1 - side);
 }
 
 NodeConditions<Interface::Ten> Interface::node_duals(int node, const std::vector<Vec2>& lambda) const {
@@ -25,9 +26,7 @@ NodeConditions<Interface::Ten> Interface::node_duals(int node, const std::vector
   s.gap = Ten::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
   s.motion = {Ten::variable(v.x(), motion_x), Ten::variable(v.y(), motion_y)};
   s.D = Ten::variable(rows_[node].D, cover_D);
-  double worn = 0.0;
-  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
-  s.worn_primary = Ten::variable(worn, Direction::worn_primary);
+  s.worn_others = Ten::variable(worn_others(node), worn_);
   s.share = Ten::variable(share(node, lambda), share_);
   return conditions(s, constants(node), status_[node]);
 }
@@ -53,7 +52,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
   if (slope_x == 0.0 && slope_y == 0.0) return;
   const bool drift = uses_drift(node);
   for_records(node, [&](const FacetRecord& record, int e) {
-    const int output = drift ? FacetRecord::drift(e) : FacetRecord::offset(e);
+    const int output = drift ? record.drift(e) : record.offset(e);
     const double *dx = record.row(output), *dy = record.row(output + 1), sign = drift ? 1.0 : -1.0;
     for (std::size_t i = 0; i < record.dofs.size(); ++i)
       add(record.dofs[i], sign * (slope_x * dx[i] + slope_y * dy[i]));
@@ -64,8 +63,11 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
     add(first, factor * slope_x);
     add(first + 1, factor * slope_y);
   };
-  double own = -reference.off;
-  if (reference.off_node >= 0) both(2 * reference.off_node, reference.off);
+  double own = 0.0;
+  for (const auto& [k, share] : reference.off) {
+    own -= share;
+    both(2 * k, share);
+  }
   for (const auto& [l, M] : reference.M) {
     own += M;
     both(placement_.secondary_dofs() + 2 * l, -M);
@@ -73,7 +75,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
   both(2 * node, own);
 }
 
-/// add(column, value) for everything a node's scalar depends on but the primary's wear.
+/// add(column, value) for everything a node's scalar depends on but the wear of others.
 template <class Add>
 void Interface::chain(int node, const Ten& quantity, Add add) const {
   const auto& d = quantity.d;
@@ -84,7 +86,7 @@ void Interface::chain(int node, const Ten& quantity, Add add) const {
   chain_motion(node, d[motion_x], d[motion_y], add);
   if (d[Direction::gap_] == 0.0 && d[cover_D] == 0.0) return;
   for_records(node, [&](const FacetRecord& record, int e) {
-    const double *g = record.row(FacetRecord::gap(e)), *D = record.row(FacetRecord::D(e));
+    const double *g = record.row(record.gap(e)), *D = record.row(record.D(e));
     for (std::size_t i = 0; i < record.dofs.size(); ++i)
       add(record.dofs[i], d[Direction::gap_] * g[i] + d[cover_D] * D[i]);
   });
@@ -99,22 +101,24 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
     out.push_back({row + 1, col, slope * lambda.y()});
   };
   for_records(node, [&](const FacetRecord& record, int e) {
-    const bool off = record.value.off[e] != 0.0;
-    const int other = setup_->secondary.facets[record.facet][1 - e];
+    const auto& facet = setup_->secondary.facets[record.facet];
     for (std::size_t i = 0; i < record.dofs.size(); ++i) {
-      push(2 * node, record.row(FacetRecord::D(e))[i], record.dofs[i]);
-      if (off) push(2 * other, record.row(FacetRecord::off(e))[i], record.dofs[i]);
+      push(2 * node, record.row(record.D(e))[i], record.dofs[i]);
+      for (int k = 0; k < record.count; ++k)
+        if (k != e && record.value.off[e][k] != 0.0) push(2 * facet[k], record.row(record.off(e, k))[i], record.dofs[i]);
       for (std::size_t l = 0; l < record.primaries.size(); ++l)
         push(shift + 2 * record.primaries[l], -record.row(record.M(e, static_cast<int>(l)))[i], record.dofs[i]);
     }
   });
 }
 
-/// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j).
+/// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
 void Interface::collect_primary_wear(int node, const Ten& work) {
-  const double coefficient = setup_->options.wear.primary * options_.jump, D = rows_[node].D;
+  const double coefficient = setup_->options.wear.primary * options_.jump, D = spread_[node];
+  const bool linear = setup_->secondary.order == 1;
   for (const auto& [l, T] : cover_[node]) {
-    const double factor = coefficient / setup_->primary.area[l];
+    const double thickness = options_.thickness_primary.empty() ? 1.0 : options_.thickness_primary[l];
+    const double factor = coefficient / setup_->primary.area[l] * thickness;
     auto& slopes = primary_slope_[l];
     chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * T / D * value}); });
     for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {
@@ -124,17 +128,36 @@ void Interface::collect_primary_wear(int node, const Ten& work) {
         for (std::size_t i = 0; i < record.dofs.size(); ++i)
           slopes.push_back({record.dofs[i], factor * work.v / D * dT[i]});
       }
-      const double* dD = record.row(FacetRecord::D(e));
-      for (std::size_t i = 0; i < record.dofs.size(); ++i)
-        slopes.push_back({record.dofs[i], -factor * T * work.v / (D * D) * dD[i]});
+      const int parts = linear ? 1 : static_cast<int>(record.primaries.size());
+      for (int part = 0; part < parts; ++part) {
+        const double* dD = record.row(linear ? record.D(e) : record.cover(e, part));
+        for (std::size_t i = 0; i < record.dofs.size(); ++i)
+          slopes.push_back({record.dofs[i], -factor * T * work.v / (D * D) * dD[i]});
+      }
     });
   }
 }
 
-/// slope . d(sum_l M_jl w_l).
-void Interface::primary_wear_entries(int node, double slope, std::vector<Entry>& out) const {
+/// Adds this node's share to d(depth) of the control points that wear with it.
+void Interface::collect_wear_between(int node, const Ten& work) {
+  for (const auto& [k, per_volume] : between_[node]) {
+    const double factor = setup_->options.wear.secondary * options_.jump * per_volume;
+    auto& slopes = secondary_slope_[k];
+    chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * value}); });
+  }
+}
+
+/// slope . d(worn_others).
+void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) const {
   if (slope == 0.0) return;
   for_records(node, [&](const FacetRecord& record, int e) {
+    for (int k = 0; k < record.count; ++k) {
+      const int other = setup_->secondary.facets[record.facet][k];
+      if (k == e || !setup_->between(other) || secondary_depth_[other] == 0.0) continue;
+      const double* doff = record.row(record.off(e, k));
+      for (std::size_t i = 0; i < record.dofs.size(); ++i)
+        out.push_back({2 * node, record.dofs[i], slope * secondary_depth_[other] * doff[i]});
+    }
     for (std::size_t l = 0; l < record.primaries.size(); ++l) {
       const double depth = primary_depth_[record.primaries[l]];
       if (depth == 0.0) continue;
@@ -145,13 +168,18 @@ void Interface::primary_wear_entries(int node, double slope, std::vector<Entry>&
   });
   for (const auto& [l, M] : rows_[node].M)
     for (const auto& entry : primary_slope_[l]) out.push_back({2 * node, entry.col, slope * M * entry.value});
+  for (const auto& [k, share] : rows_[node].off)
+    if (setup_->between(k))
+      for (const auto& entry : secondary_slope_[k]) out.push_back({2 * node, entry.col, slope * share * entry.value});
 }
 
 void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   out.force.clear();
   out.rows.clear();
   primary_slope_.resize(setup_->primary.X.size());
-  for (auto& slopes : primary_slope_) slopes.clear();
+  secondary_slope_.resize(setup_->secondary.X.size());
+  for (auto* side : {&primary_slope_, &secondary_slope_})
+    for (auto& slopes : *side) slopes.clear();
   std::vector<std::pair<int, NodeConditions<Ten>>> duals;
   for (int node = 0; node < static_cast<int>(rows_.size()); ++node) {
     if (!active(node)) continue;
@@ -163,16 +191,18 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
     duals.emplace_back(node, node_duals(node, lambda));
     force_entries(node, lambda[node], out.force);
   }
-  const bool spread = setup_->options.wear.primary > 0.0 && setup_->options.implicit_wear && options_.wear && !options_.held;
-  if (spread)
+  if (wear_spreads())
     for (const auto& [node, c] : duals)
-      if (c.work.v != 0.0 || status_[node] == ContactStatus::slip) collect_primary_wear(node, c.work);
+      if (c.work.v != 0.0 || status_[node] == ContactStatus::slip) {
+        collect_primary_wear(node, c.work);
+        collect_wear_between(node, c.work);
+      }
   const Ten anchor_shear = options_.anchor < 0 ? Ten() : node_duals(options_.anchor, lambda).lambda_t;
   for (const auto& [node, c] : duals) {
     const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };
     chain(node, c.normal, into(2 * node));
     chain(node, c.tangential, into(2 * node + 1));
-    primary_wear_entries(node, c.normal.d[Direction::worn_primary], out.rows);
+    wear_entries(node, c.normal.d[worn_], out.rows);
     if (options_.anchor < 0 || c.tangential.d[share_] == 0.0) continue;
     const double factor = c.tangential.d[share_] * options_.held_pressure[node] / options_.held_pressure[options_.anchor];
     chain(options_.anchor, anchor_shear, [&](int col, double value) { into(2 * node + 1)(col, factor * value); });

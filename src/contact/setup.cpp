@@ -23,7 +23,8 @@ double default_search(const mortar::Surface& s) {
   return 0.2 * box.diagonal().norm();
 }
 
-/// A node that a support holds in the direction contact pushes carries no multiplier.
+/// A node that a support holds in the direction contact pushes carries no multiplier; nor does a control point where
+/// multipliers are linear.
 void cut_down(Setup& setup, const std::vector<body::Operator>& operators) {
   const auto& s = setup.secondary;
   for (int j = 0; j < s.node_count(); ++j) {
@@ -33,7 +34,8 @@ void cut_down(Setup& setup, const std::vector<body::Operator>& operators) {
     const int facet = s.before[j] >= 0 ? s.before[j] : s.after[j];
     const Vec2 normal = base::right_of(s.X[s.facets[facet][1]] - s.X[s.facets[facet][0]]).normalized();
     const bool held = freedom.free == 0 || (freedom.free == 1 && std::abs(freedom.direction.dot(normal)) < 0.7);
-    setup.cut.push_back(held);
+    const bool skipped = setup.options.dual == DualOrder::linear && s.is_control_point(j);
+    setup.cut.push_back(held || skipped);
   }
 }
 
@@ -41,10 +43,11 @@ void cut_down(Setup& setup, const std::vector<body::Operator>& operators) {
 
 Setup make_setup(const ContactOptions& options, base::Analysis analysis, const BoundaryRef& secondary,
                  const std::vector<BoundaryRef>& primary, const std::vector<body::ShapePtr>& shapes,
-                 const std::vector<body::Operator>& operators, double modulus_MPa) {
+                 const std::vector<body::Operator>& operators, double modulus_MPa, base::Kinematics measure) {
   Setup setup;
   setup.options = options;
   setup.analysis = analysis;
+  setup.measure = measure;
   std::vector<int> nodes;
   const auto surface_of = [&](const BoundaryRef& ref) {
     const auto& mesh = shapes[ref.body]->mesh;
@@ -65,7 +68,7 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
   for (int j = 0; j < s.node_count(); ++j) {
     double h = 0.0;
     for (int facet : {s.before[j], s.after[j]})
-      if (facet >= 0) h += 0.5 * (s.X[s.facets[facet][1]] - s.X[s.facets[facet][0]]).norm();
+      if (facet >= 0) h += 0.5 / s.order * (s.X[s.facets[facet][1]] - s.X[s.facets[facet][0]]).norm();
     setup.stiffness.push_back(modulus_MPa / h);
   }
   return setup;

@@ -19,6 +19,7 @@ struct SurfaceNode {
 struct Setup {
   ContactOptions options;
   base::Analysis analysis = base::Analysis::plane_strain;
+  base::Kinematics measure = base::Kinematics::small;  ///< strain measure of the secondary body
   mortar::Surface secondary, primary;
   std::vector<SurfaceNode> secondary_nodes, primary_nodes;
   std::vector<char> cut;                  ///< secondary nodes that carry no multiplier
@@ -28,6 +29,8 @@ struct Setup {
 
   int secondary_count() const { return secondary.node_count(); }
   int primary_count() const { return primary.node_count(); }
+  /// A control point without multiplier: it wears as the mean of the two nodes beside it.
+  bool between(int node) const { return cut[node] && secondary.is_control_point(node); }
 };
 
 /// Where a boundary of the scene lies.
@@ -36,10 +39,11 @@ struct BoundaryRef {
   std::string boundary;
 };
 
-/// Builds the two surfaces. `modulus_MPa` scales the complementarity factors.
+/// Builds the two surfaces. `modulus_MPa` scales the complementarity factors; `measure` is that of the secondary body.
 Setup make_setup(const ContactOptions& options, base::Analysis analysis, const BoundaryRef& secondary,
                  const std::vector<BoundaryRef>& primary, const std::vector<body::ShapePtr>& shapes,
-                 const std::vector<body::Operator>& operators, double modulus_MPa);
+                 const std::vector<body::Operator>& operators, double modulus_MPa,
+                 base::Kinematics measure = base::Kinematics::small);
 
 /// A contact before anything has happened.
 ContactState fresh_state(const Setup& setup);

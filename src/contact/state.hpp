@@ -16,9 +16,17 @@ enum class ContactStatus : unsigned char { inactive, stick, slip };
 /// One row of the mortar matrices: what secondary node j meets.
 struct MortarRow {
   double D = 0.0;
-  double off = 0.0;      ///< share of the neighbour `off_node` that carries no multiplier of its own
-  int off_node = -1;
-  std::vector<std::pair<int, double>> M;  ///< (primary node, M_jl)
+  double cover = 0.0;                       ///< int N_j over the covered part, on X whatever the measure
+  double covered = 0.0;                     ///< the same with that of the nodes in `off`
+  std::vector<std::pair<int, double>> off;  ///< (secondary node that carries no multiplier, its share int psi_j N_k)
+  std::vector<std::pair<int, double>> M;    ///< (primary node, M_jl)
+
+  /// Length that the node's multiplier acts on: D and the shares of others.
+  double carried() const {
+    double sum = D;
+    for (const auto& [k, share] : off) sum += share;
+    return sum;
+  }
 };
 
 /// All of a contact that evolves. Volumes are stored, depth is derived: volume / full nodal length on X.

@@ -6,12 +6,15 @@ namespace reye::mortar {
 
 namespace {
 
-/// The nodes whose motion turns the normals of a facet: neighbour before, its two nodes, neighbour after.
-std::array<int, 4> stencil_of(const Surface& s, int facet) {
-  const auto [a, b] = s.facets[facet];
-  std::array<int, 4> nodes{-1, a, b, -1};
-  if (s.before[a] >= 0 && !s.corner[a]) nodes[0] = s.facets[s.before[a]][0];
-  if (s.after[b] >= 0 && !s.corner[b]) nodes[3] = s.facets[s.after[b]][1];
+/// The nodes whose motion moves a facet or turns its normals.
+enum Place { before, first, last, after, control, places };
+using Stencil = std::array<int, places>;
+
+Stencil stencil_of(const Surface& s, int facet) {
+  const auto [a, b, c] = s.facets[facet];
+  Stencil nodes{-1, a, b, -1, c};
+  if (s.before[a] >= 0 && !s.corner[a]) nodes[before] = s.beside(s.before[a], 1);
+  if (s.after[b] >= 0 && !s.corner[b]) nodes[after] = s.beside(s.after[b], 0);
   return nodes;
 }
 
@@ -22,6 +25,22 @@ std::vector<int> dofs_of(const Placement& p, const FacetRecord& record) {
   for (int l : record.primaries) dofs.insert(dofs.end(), {p.secondary_dofs() + 2 * l, p.secondary_dofs() + 2 * l + 1});
   return dofs;
 }
+
+/// Coefficients of the normal field: straight facets hold the nodal normals at their ends; curved ones also their own
+/// normal n_0 at xi = 0, where n(0) = (n_1 + n_2) / 4 + n_c / 2.
+template <class T>
+std::array<Pair<T>, 3> normals_of(const Stencil& nodes, const std::array<Pair<T>, places>& x) {
+  const bool curved = nodes[control] >= 0;
+  const Pair<T> own = facet_normal(x[first], x[last]);
+  const Pair<T> start = curved ? facet_normal(x[first], x[control]) : own;
+  const Pair<T> end = curved ? facet_normal(x[control], x[last]) : own;
+  std::array<Pair<T>, 3> n{nodes[before] < 0 ? start : averaged(facet_normal(x[before], x[first]), start),
+                           nodes[after] < 0 ? end : averaged(end, facet_normal(x[last], x[after]))};
+  if (curved) n[2] = own * 2.0 - (n[0] + n[1]) * 0.5;
+  return n;
+}
+
+Pair<double> pair_of(const Vec2& x) { return {x.x(), x.y()}; }
 
 /// Hands out the positions of a facet as scalars T; `make(value, local dof)` decides on the seed.
 template <class T, class Make>
@@ -34,46 +53,56 @@ void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make
     return result;
   };
   const auto nodes = stencil_of(s, record.facet);
-  std::array<Pair<T>, 4> x;
-  for (int i = 0; i < 4; ++i)
+  std::array<Pair<T>, places> x;
+  for (std::size_t i = 0; i < places; ++i)
     if (nodes[i] >= 0) x[i] = next(p.xs[nodes[i]]);
-  const Pair<T> own = facet_normal(x[1], x[2]);
-  in.x = {x[1], x[2]};
-  in.n = {nodes[0] < 0 ? own : averaged(facet_normal(x[0], x[1]), own),
-          nodes[3] < 0 ? own : averaged(own, facet_normal(x[2], x[3]))};
-  for (int j = 0; j < 2; ++j) {
-    in.X[j] = s.X[nodes[1 + j]];
-    in.x_before[j] = p.xs_before[nodes[1 + j]];
-    in.cut[j] = p.cut[nodes[1 + j]] != 0;
+  in.count = record.count;
+  in.x = {x[first], x[last], x[control]};
+  in.n = normals_of(nodes, x);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(in.count); ++j) {
+    const int node = s.facets[record.facet][j];
+    in.X[j] = pair_of(s.X[node]);
+    in.x_before[j] = pair_of(p.xs_before[node]);
+    in.cut[j] = p.cut[node] != 0;
   }
   in.xm.clear();
   in.xm_before.clear();
   for (int l : record.primaries) {
     in.xm.push_back(next(p.xm[l]));
-    in.xm_before.push_back(p.xm_before[l]);
+    in.xm_before.push_back(pair_of(p.xm_before[l]));
   }
   in.pairs = record.pairs;
   in.analysis = p.analysis;
+  in.measure = p.measure;
   in.search = p.search;
 }
 
 double plain_value(double x, int) { return x; }
 
+/// How far a curve leaves its chord.
+double sag(const Points& x, const Facet& f) { return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm(); }
+
 }  // namespace
 
 NormalStencil normal_stencil(const Surface& s, int node, int at_corner) {
   NormalStencil stencil;
+  if (s.is_control_point(node)) {
+    const auto& facet = s.facets[s.before[node]];
+    stencil.nodes = {facet[0], -1, facet[1]};
+    return stencil;
+  }
   stencil.nodes[1] = node;
-  const bool before = s.before[node] >= 0 && !(s.corner[node] && at_corner == 1);
-  const bool after = s.after[node] >= 0 && !(s.corner[node] && at_corner == 0);
-  if (before) stencil.nodes[0] = s.facets[s.before[node]][0];
-  if (after) stencil.nodes[2] = s.facets[s.after[node]][1];
+  const bool has_before = s.before[node] >= 0 && !(s.corner[node] && at_corner == 1);
+  const bool has_after = s.after[node] >= 0 && !(s.corner[node] && at_corner == 0);
+  if (has_before) stencil.nodes[0] = s.beside(s.before[node], 1);
+  if (has_after) stencil.nodes[2] = s.beside(s.after[node], 0);
   return stencil;
 }
 
 /// Finds the primary facets that may lie opposite: near, and not wholly on one side of the facet's two rays.
 bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   record.facet = facet;
+  record.count = p.secondary->facets[facet][2] < 0 ? 2 : 3;
   record.primaries.clear();
   record.pairs.clear();
   record.slope.clear();
@@ -82,18 +111,19 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   const Surface& m = *p.primary;
   const Vec2 x0 = plain(in.x[0]), x1 = plain(in.x[1]), n0 = plain(in.n[0]), n1 = plain(in.n[1]);
   const Vec2 middle = 0.5 * (x0 + x1);
-  const double reach = p.search + 0.5 * (x1 - x0).norm();
+  const double reach = p.search + 0.5 * (x1 - x0).norm() + sag(p.xs, p.secondary->facets[facet]);
   local_.resize(m.X.size(), -1);
-  for (const auto& pair_nodes : m.facets) {
-    if (!p.near(p.primary_near, pair_nodes)) continue;
-    const auto [a, b] = pair_nodes;
+  for (const auto& opposite : m.facets) {
+    if (!p.near(p.primary_near, opposite)) continue;
+    const auto [a, b, c] = opposite;
     const Vec2 edge = p.xm[b] - p.xm[a];
-    if ((p.xm[a] + 0.5 * edge - middle).norm() > reach + 0.5 * edge.norm()) continue;
+    if ((p.xm[a] + 0.5 * edge - middle).norm() > reach + 0.5 * edge.norm() + sag(p.xm, opposite)) continue;
     if ((x1 - x0).dot(edge) >= 0.0) continue;
     if (base::cross(n0, p.xm[a] - x0) <= 0.0 || base::cross(n1, p.xm[b] - x1) >= 0.0) continue;
-    std::array<int, 2> pair{};
-    for (int e = 0; e < 2; ++e) {
-      const int node = e == 0 ? a : b;
+    Facet pair{-1, -1, -1};
+    for (std::size_t e = 0; e < 3; ++e) {
+      const int node = opposite[e];
+      if (node < 0) continue;
       if (local_[node] < 0) {
         local_[node] = static_cast<int>(record.primaries.size());
         record.primaries.push_back(node);
@@ -129,34 +159,41 @@ void Integrator::renew(const Placement& p, FacetRecord& record) {
   std::swap(record.value, plain_.out);
 }
 
+/// Derivatives along the dofs from `from` on, which the last pass took.
+void Integrator::store(FacetRecord& record, int from) const {
+  const int dofs = static_cast<int>(record.dofs.size()), primaries = static_cast<int>(record.primaries.size());
+  const int count = std::min(width, dofs - from);
+  const auto put = [&](int output, const base::Dual<width>& q) {
+    std::copy_n(q.d.begin(), count, record.slope.begin() + output * dofs + from);
+  };
+  const auto& out = dual_.out;
+  for (int j = 0; j < record.count; ++j) {
+    put(record.D(j), out.D[j]);
+    for (int k = 0; k < record.count; ++k)
+      if (k != j) put(record.off(j, k), out.off[j][k]);
+    put(record.gap(j), out.gap[j]);
+    put(record.offset(j), out.offset[j].x);
+    put(record.offset(j) + 1, out.offset[j].y);
+    put(record.drift(j), out.drift[j].x);
+    put(record.drift(j) + 1, out.drift[j].y);
+    for (int l = 0; l < primaries; ++l) {
+      put(record.M(j, l), out.M[j][l]);
+      put(record.cover(j, l), out.cover[j][l]);
+    }
+  }
+}
+
 void Integrator::differentiate(const Placement& p, FacetRecord& record) {
   using Scalar = base::Dual<width>;
   record.dofs = dofs_of(p, record);
-  const int dofs = static_cast<int>(record.dofs.size()), primaries = static_cast<int>(record.primaries.size());
+  const int dofs = static_cast<int>(record.dofs.size());
   record.slope.resize(static_cast<std::size_t>(record.outputs()) * dofs);
-  for (int first = 0; first < dofs; first += width) {
-    load<Scalar>(p, record, dual_.in, [first](double x, int dof) {
-      return dof >= first && dof < first + width ? Scalar::variable(x, dof - first) : Scalar(x);
+  for (int first_dof = 0; first_dof < dofs; first_dof += width) {
+    load<Scalar>(p, record, dual_.in, [first_dof](double x, int dof) {
+      return dof >= first_dof && dof < first_dof + width ? Scalar::variable(x, dof - first_dof) : Scalar(x);
     });
     integrate(dual_);
-    const int count = std::min(width, dofs - first);
-    const auto store = [&](int output, const Scalar& q) {
-      std::copy_n(q.d.begin(), count, record.slope.begin() + output * dofs + first);
-    };
-    const auto& out = dual_.out;
-    for (int j = 0; j < 2; ++j) {
-      store(FacetRecord::D(j), out.D[j]);
-      store(FacetRecord::off(j), out.off[j]);
-      store(FacetRecord::gap(j), out.gap[j]);
-      store(FacetRecord::offset(j), out.offset[j].x);
-      store(FacetRecord::offset(j) + 1, out.offset[j].y);
-      store(FacetRecord::drift(j), out.drift[j].x);
-      store(FacetRecord::drift(j) + 1, out.drift[j].y);
-      for (int l = 0; l < primaries; ++l) {
-        store(record.M(j, l), out.M[j][l]);
-        store(record.cover(j, l), out.cover[j][l]);
-      }
-    }
+    store(record, first_dof);
   }
 }
 

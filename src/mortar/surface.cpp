@@ -1,8 +1,11 @@
 #include "mortar/surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
+
+#include "mortar/shape_functions.hpp"
 
 namespace reye::mortar {
 
@@ -10,31 +13,56 @@ namespace {
 
 constexpr double corner_angle = 50.0 * std::numbers::pi / 180.0;
 
-/// int N_j over one facet for both its nodes; in axisymmetry int N_j 2 pi r.
-std::array<double, 2> shares(const Vec2& a, const Vec2& b, Analysis analysis) {
+/// int N_j over a straight facet for both its nodes; in axisymmetry int N_j 2 pi r.
+std::array<double, 3> straight_shares(const Vec2& a, const Vec2& b, Analysis analysis) {
   const double length = (b - a).norm();
-  if (analysis != Analysis::axisymmetric) return {0.5 * length, 0.5 * length};
+  if (analysis != Analysis::axisymmetric) return {0.5 * length, 0.5 * length, 0.0};
   const double c = 2.0 * std::numbers::pi * length / 6.0;
-  return {c * (2.0 * a.x() + b.x()), c * (a.x() + 2.0 * b.x())};
+  return {c * (2.0 * a.x() + b.x()), c * (a.x() + 2.0 * b.x()), 0.0};
+}
+
+/// The same over a curve, by the rule that the integrals of the contact use.
+std::array<double, 3> curved_shares(const Vec2& a, const Vec2& b, const Vec2& c, Analysis analysis) {
+  std::array<double, 3> shares{};
+  for (std::size_t g = 0; g < gauss5.xi.size(); ++g) {
+    const auto N = shape_functions(3, gauss5.xi[g]), d = bernstein_slopes(gauss5.xi[g]);
+    const double length = (d[0] * a + d[1] * b + d[2] * c).norm();
+    const double weight = gauss5.weight[g] * length * base::out_of_plane(analysis, (N[0] * a + N[1] * b + N[2] * c).x());
+    for (std::size_t j = 0; j < 3; ++j) shares[j] += weight * N[j];
+  }
+  return shares;
 }
 
 void find_corners(Surface& s) {
   s.corner.assign(s.X.size(), 0);
   for (int j = 0; j < s.node_count(); ++j) {
-    if (s.before[j] < 0 || s.after[j] < 0) continue;
-    const auto [a, b] = s.facets[s.before[j]];
-    const auto [c, d] = s.facets[s.after[j]];
-    const Vec2 t1 = (s.X[b] - s.X[a]).normalized(), t2 = (s.X[d] - s.X[c]).normalized();
+    if (s.before[j] < 0 || s.after[j] < 0 || s.is_control_point(j)) continue;
+    const Vec2 t1 = (s.X[j] - s.X[s.beside(s.before[j], 1)]).normalized();
+    const Vec2 t2 = (s.X[s.beside(s.after[j], 0)] - s.X[j]).normalized();
     s.corner[j] = std::acos(std::clamp(t1.dot(t2), -1.0, 1.0)) > corner_angle;
   }
 }
 
+void add_facet(Surface& s, const Facet& facet, Analysis analysis) {
+  const auto [a, b, c] = facet;
+  s.after[a] = s.before[b] = s.facet_count();
+  if (c >= 0) {
+    s.before[c] = s.after[c] = s.facet_count();
+    s.X[c] = 2.0 * s.X[c] - 0.5 * (s.X[a] + s.X[b]);
+  }
+  s.facets.push_back(facet);
+  const auto share = c < 0 ? straight_shares(s.X[a], s.X[b], analysis) : curved_shares(s.X[a], s.X[b], s.X[c], analysis);
+  for (std::size_t j = 0; j < 3; ++j)
+    if (facet[j] >= 0) s.area[facet[j]] += share[j];
+}
+
 }  // namespace
 
-Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis analysis, std::vector<int>& nodes) {
+Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis analysis, std::vector<int>& nodes, int order) {
   nodes = mesh::nodes_of(boundary);
   std::unordered_map<int, int> local;
   Surface s;
+  s.order = order;
   for (int node : nodes) {
     local[node] = s.node_count();
     s.X.push_back(X[node]);
@@ -42,15 +70,10 @@ Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis a
   s.before.assign(nodes.size(), -1);
   s.after.assign(nodes.size(), -1);
   s.area.assign(nodes.size(), 0.0);
+  const auto step = static_cast<std::size_t>(order);
   for (const auto& chain : boundary)
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      const int a = local[chain[i]], b = local[chain[i + 1]];
-      s.after[a] = s.before[b] = s.facet_count();
-      s.facets.push_back({a, b});
-      const auto share = shares(s.X[a], s.X[b], analysis);
-      s.area[a] += share[0];
-      s.area[b] += share[1];
-    }
+    for (std::size_t i = 0; i + step < chain.size(); i += step)
+      add_facet(s, {local[chain[i]], local[chain[i + step]], order == 2 ? local[chain[i + 1]] : -1}, analysis);
   find_corners(s);
   return s;
 }
@@ -59,12 +82,13 @@ Surface joined(const std::vector<Surface>& surfaces) {
   Surface all;
   for (const auto& s : surfaces) {
     const int nodes = all.node_count(), facets = all.facet_count();
-    const auto shifted = [facets](int f) { return f < 0 ? -1 : f + facets; };
-    for (const auto& [a, b] : s.facets) all.facets.push_back({a + nodes, b + nodes});
+    const auto shifted = [](int i, int by) { return i < 0 ? -1 : i + by; };
+    all.order = std::max(all.order, s.order);
+    for (const auto& [a, b, c] : s.facets) all.facets.push_back({a + nodes, b + nodes, shifted(c, nodes)});
     for (int j = 0; j < s.node_count(); ++j) {
       all.X.push_back(s.X[j]);
-      all.before.push_back(shifted(s.before[j]));
-      all.after.push_back(shifted(s.after[j]));
+      all.before.push_back(shifted(s.before[j], facets));
+      all.after.push_back(shifted(s.after[j], facets));
       all.corner.push_back(s.corner[j]);
       all.area.push_back(s.area[j]);
     }

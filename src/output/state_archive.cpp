@@ -6,7 +6,7 @@ namespace reye::contact {
 
 template <class Archive>
 void serialize(Archive& archive, MortarRow& row) {
-  archive(row.D, row.off, row.off_node, row.M);
+  archive(row.D, row.cover, row.covered, row.off, row.M);
 }
 
 template <class Archive>

@@ -20,7 +20,7 @@ void hold_shear(const contact::Setup& setup, const contact::ContactState& contac
 /// True when a body of the contact is free to move along it but for friction.
 bool driven_only_by_friction(const Problem& problem, const solver::System& system, int contact) {
   const auto& s = system.contacts[contact].secondary;
-  const auto [a, b] = s.facets[s.facets.size() / 2];
+  const auto [a, b, mid] = s.facets[s.facets.size() / 2];
   const Vec2 along = (s.X[b] - s.X[a]).normalized();
   const auto& placed = problem.contacts[contact];
   if (placed.options.friction == 0.0 || placed.options.imposed) return false;

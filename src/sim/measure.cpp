@@ -113,7 +113,7 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   Vec2 force = Vec2::Zero(), direction = Vec2::Zero();
   for (int j = 0; j < setup.secondary_count(); ++j) {
     const int facet = setup.secondary.before[j] >= 0 ? setup.secondary.before[j] : setup.secondary.after[j];
-    const auto [a, b] = setup.secondary.facets[facet];
+    const auto [a, b, mid] = setup.secondary.facets[facet];
     const Vec2 normal = mesh::outward_normal(setup.secondary.X[a], setup.secondary.X[b]);
     const Vec2 f = state.reference[j].D * state.lambda[j];
     force += f;

@@ -167,7 +167,7 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
   for (const auto& contact : state.solution.contacts) {
     balance.force.emplace_back(Vec2::Zero());
     for (std::size_t j = 0; j < contact.lambda.size(); ++j)
-      balance.force.back() += (contact.reference[j].D + contact.reference[j].off) * contact.lambda[j];
+      balance.force.back() += contact.reference[j].carried() * contact.lambda[j];
   }
   for (int b = 0; b < problem.body_count(); ++b) {
     const Vector q = system.part(state.solution.q, b);

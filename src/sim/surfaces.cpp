@@ -20,7 +20,7 @@ struct NodalValues {
 /// Averaged outward normals on X.
 std::vector<Vec2> normals(const mortar::Surface& s) {
   std::vector<Vec2> n(s.X.size(), Vec2::Zero());
-  for (const auto& [a, b] : s.facets) {
+  for (const auto& [a, b, mid] : s.facets) {
     const Vec2 own = mesh::outward_normal(s.X[a], s.X[b]);
     n[a] += own;
     n[b] += own;

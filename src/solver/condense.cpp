@@ -99,7 +99,7 @@ void Condenser::eliminate(int contact, const contact::Interface& face, const std
   for (int j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
     const auto& row = face.rows()[j];
-    if (row.off_node >= 0) load(nodes[row.off_node], elim, elim.place[j], row.off);
+    for (const auto& [k, share] : row.off) load(nodes[k], elim, elim.place[j], share);
     for (const auto& [l, M] : row.M) load(nodes[ns + l], elim, elim.place[j], -M);
   }
   conditions(face, nodes, lambda, elim, linearised_[contact]);

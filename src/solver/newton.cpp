@@ -165,7 +165,8 @@ bool Newton::inside_reach(const System& system, int c) const {
   const auto& setup = system.contacts[c];
   const auto rim = [](const mortar::Surface& s, const std::vector<char>& near, int node) {
     for (int facet : {s.before[node], s.after[node]})
-      if (facet >= 0 && !(near[s.facets[facet][0]] && near[s.facets[facet][1]])) return true;
+      for (int k : facet < 0 ? mortar::Facet{-1, -1, -1} : s.facets[facet])
+        if (k >= 0 && !near[k]) return true;
     return false;
   };
   for (int j = 0; j < setup.secondary_count(); ++j) {

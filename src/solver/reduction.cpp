@@ -22,8 +22,11 @@ namespace {
 void widen(const mortar::Surface& surface, std::vector<char>& mark, int margin) {
   for (int round = 0; round < margin; ++round) {
     const auto old = mark;
-    for (const auto& [a, b] : surface.facets)
-      if (old[a] || old[b]) mark[a] = mark[b] = 1;
+    for (const auto& [a, b, c] : surface.facets) {
+      if (!old[a] && !old[b] && !(c >= 0 && old[c])) continue;
+      mark[a] = mark[b] = 1;
+      if (c >= 0) mark[c] = 1;
+    }
   }
 }
 

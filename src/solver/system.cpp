@@ -88,7 +88,7 @@ Vector contact_forces(const System& system, const std::vector<contact::ContactSt
       const auto& row = state.reference[j];
       if (state.lambda[j].isZero(0.0)) continue;
       add(setup.secondary_nodes[j], row.D * state.lambda[j]);
-      if (row.off_node >= 0) add(setup.secondary_nodes[row.off_node], row.off * state.lambda[j]);
+      for (const auto& [k, share] : row.off) add(setup.secondary_nodes[k], share * state.lambda[j]);
       for (const auto& [l, M] : row.M) add(setup.primary_nodes[l], -M * state.lambda[j]);
     }
   }

@@ -18,7 +18,7 @@ contact::NodeScalars<double> node() {
   n.motion = {-0.5 * s + 7.0 * c, 0.5 * c + 7.0 * s};
   n.gap = 0.25;
   n.D = 4.0;
-  n.worn_primary = 0.125;
+  n.worn_others = 0.125;
   return n;
 }
 

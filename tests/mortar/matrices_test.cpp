@@ -54,7 +54,7 @@ Exact exact(const support::Facing& f) {
   const int ns = static_cast<int>(X.size()), nm = static_cast<int>(f.xm.size());
   Exact e{Vector::Zero(ns), Matrix::Zero(ns, nm), Matrix::Zero(ns, nm)};
   const auto r = [&](double x) { return base::out_of_plane(f.analysis, x); };
-  for (const auto& [i, k] : f.secondary.facets) {
+  for (const auto& [i, k, mid] : f.secondary.facets) {
     const double a = std::max(X[k].x(), f.xm.front().x()), b = std::min(X[i].x(), f.xm.back().x());
     if (a >= b) continue;
     const double length = X[i].x() - X[k].x();
@@ -149,12 +149,12 @@ TEST(matrices, row_sums_agree) {
     p.cut[1] = p.cut.back() = 1;
     const auto s = support::integrals(p);
     EXPECT_GT(s.off.sum(), 0.0);
-    EXPECT_LT((s.D + s.off - s.M.rowwise().sum()).lpNorm<Eigen::Infinity>(), 1e-14);
+    EXPECT_LT((s.D + s.off.rowwise().sum() - s.M.rowwise().sum()).lpNorm<Eigen::Infinity>(), 1e-14);
   }
 }
 
 double cross_at(const support::Facing& f, int facet, const std::array<Vec2, 2>& n, const Vec2& target, double t) {
-  const auto [a, b] = f.secondary.facets[facet];
+  const auto [a, b, mid] = f.secondary.facets[facet];
   return base::cross((1 - t) * n[0] + t * n[1], target - (1 - t) * f.xs[a] - t * f.xs[b]);
 }
 
@@ -170,7 +170,7 @@ Vec2 normal_of(const support::Facing& f, int node) {
 double arc_of_image(const support::Facing& f, const Vec2& target) {
   double arc = 0.0;
   for (int facet = 0; facet < f.secondary.facet_count(); ++facet) {
-    const auto [a, b] = f.secondary.facets[facet];
+    const auto [a, b, mid] = f.secondary.facets[facet];
     const std::array<Vec2, 2> n{normal_of(f, a), normal_of(f, b)};
     const double length = (f.secondary.X[b] - f.secondary.X[a]).norm();
     if (cross_at(f, facet, n, target, 0.0) > 0.0 && cross_at(f, facet, n, target, 1.0) <= 0.0) {

@@ -20,10 +20,13 @@ inline contact::Setup setup_of(const Facing& f, const ContactOptions& options) {
   contact::Setup s;
   s.options = options;
   s.analysis = f.analysis;
+  s.measure = f.measure;
   s.secondary = f.secondary;
   s.primary = f.primary;
   const auto ns = f.secondary.X.size();
   s.cut.assign(ns, 0);
+  for (int j = 0; j < s.secondary.node_count(); ++j)
+    if (options.dual == contact::DualOrder::linear) s.cut[j] = s.secondary.is_control_point(j);
   s.freedom.assign(ns, {});
   s.stiffness.assign(ns, 1000.0);
   s.search = 0.5;
