@@ -16,6 +16,7 @@ struct NodeScalars {
   T gap{};         ///< weighted gap
   Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
   T D{};
+  T off{};         ///< shares of control points without multiplier: they slide as this node does
   T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and what stands at control points without
                     ///< multiplier, this increment's included
   T share{};         ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
@@ -53,7 +54,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   const Pair<T> tangent{-1.0 * s.normal.y, s.normal.x};
   r.lambda_n = mortar::dot(s.lambda, s.normal);
   r.lambda_t = mortar::dot(s.lambda, tangent);
-  r.slip = c.imposed ? s.D * c.imposed_slip : mortar::dot(tangent, s.motion);
+  r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : mortar::dot(tangent, s.motion);
   if (status == ContactStatus::slip && !c.held) r.work = wear::work(c.law, r.lambda_n, r.lambda_t, r.slip);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
   if (c.held && !c.anchor) {

@@ -235,6 +235,14 @@ void Interface::spread_wear() {
   }
 }
 
+/// What the node's multiplier carries of control points that have none.
+double Interface::shares_between(int node) const {
+  double sum = 0.0;
+  for (const auto& [k, share] : rows_[node].off)
+    if (setup_->between(k)) sum += share;
+  return sum;
+}
+
 /// What the depths of other nodes open in the gap of this one.
 double Interface::worn_others(int node) const {
   double worn = 0.0;
@@ -254,6 +262,7 @@ void Interface::evaluate(const std::vector<Vec2>& lambda) {
     s.gap = gap_[j];
     s.motion = {v.x(), v.y()};
     s.D = rows_[j].D;
+    s.off = shares_between(node);
     s.worn_others = worn_others(node);
     s.share = share(node, lambda);
     return conditions(s, constants(node), status_[j]);
@@ -289,7 +298,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const auto& c = condition_[j];
     if (!active(static_cast<int>(j)) || status_[j] != ContactStatus::slip) continue;
-    next.slip[j] += options_.jump * std::abs(c.slip) / rows_[j].D;
+    next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(static_cast<int>(j)));
     const double friction_work = options_.jump * std::abs(c.lambda_t * c.slip);
     next.frictional_work += friction_work;
     if (!options_.wear || !law.wears()) continue;

@@ -87,7 +87,7 @@ class Interface {
   static constexpr double minimum_cover = 1e-3;
 
  private:
-  using Ten = base::Dual<10>;
+  using Eleven = base::Dual<11>;
   struct WearEntry {
     int col = 0;
     double value = 0.0;
@@ -101,13 +101,14 @@ class Interface {
   bool leave_out_slivers();
   void sum_start_of_increment();
   mortar::NormalStencil stencil(int node) const;
-  NodeConditions<Ten> node_duals(int node, const std::vector<Vec2>& lambda) const;
+  NodeConditions<Eleven> node_duals(int node, const std::vector<Vec2>& lambda) const;
   bool wear_spreads() const;
   double worn_others(int node) const;
+  double shares_between(int node) const;
   void spread_wear();
   void begin_wear();
   template <class Add>
-  void chain(int node, const Ten& quantity, Add add) const;
+  void chain(int node, const Eleven& quantity, Add add) const;
   template <class Add>
   void chain_normal(int node, double slope_x, double slope_y, Add add) const;
   template <class Add>
@@ -115,8 +116,8 @@ class Interface {
   template <class Visit>
   void for_records(int node, Visit visit) const;
   void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
-  void collect_primary_wear(int node, const Ten& work);
-  void collect_wear_between(int node, const Ten& work);
+  void collect_primary_wear(int node, const Eleven& work);
+  void collect_wear_between(int node, const Eleven& work);
   void wear_entries(int node, double slope, std::vector<Entry>& out) const;
 
   const Setup* setup_ = nullptr;

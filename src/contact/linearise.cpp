@@ -7,7 +7,7 @@ using mortar::FacetRecord;
 namespace {
 
 /// Order of the scalars of a node in its dual numbers.
-enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, worn_, share_ };
+enum Direction { lambda_x, lambda_y, normal_x, normal_y, gap_, motion_x, motion_y, cover_D, off_, worn_, share_ };
 
 }  // namespace
 
@@ -18,16 +18,17 @@ void Interface::for_records(int node, Visit visit) const {
       visit((*records_)[r], setup_->secondary.is_control_point(node) ? 2 : 1 - side);
 }
 
-NodeConditions<Interface::Ten> Interface::node_duals(int node, const std::vector<Vec2>& lambda) const {
+NodeConditions<Interface::Eleven> Interface::node_duals(int node, const std::vector<Vec2>& lambda) const {
   const Vec2 v = motion(node);
-  NodeScalars<Ten> s;
-  s.lambda = {Ten::variable(lambda[node].x(), lambda_x), Ten::variable(lambda[node].y(), lambda_y)};
-  s.normal = {Ten::variable(normal_[node].x(), normal_x), Ten::variable(normal_[node].y(), normal_y)};
-  s.gap = Ten::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
-  s.motion = {Ten::variable(v.x(), motion_x), Ten::variable(v.y(), motion_y)};
-  s.D = Ten::variable(rows_[node].D, cover_D);
-  s.worn_others = Ten::variable(worn_others(node), worn_);
-  s.share = Ten::variable(share(node, lambda), share_);
+  NodeScalars<Eleven> s;
+  s.lambda = {Eleven::variable(lambda[node].x(), lambda_x), Eleven::variable(lambda[node].y(), lambda_y)};
+  s.normal = {Eleven::variable(normal_[node].x(), normal_x), Eleven::variable(normal_[node].y(), normal_y)};
+  s.gap = Eleven::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
+  s.motion = {Eleven::variable(v.x(), motion_x), Eleven::variable(v.y(), motion_y)};
+  s.D = Eleven::variable(rows_[node].D, cover_D);
+  s.off = Eleven::variable(shares_between(node), off_);
+  s.worn_others = Eleven::variable(worn_others(node), worn_);
+  s.share = Eleven::variable(share(node, lambda), share_);
   return conditions(s, constants(node), status_[node]);
 }
 
@@ -77,7 +78,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
 
 /// add(column, value) for everything a node's scalar depends on but the wear of others.
 template <class Add>
-void Interface::chain(int node, const Ten& quantity, Add add) const {
+void Interface::chain(int node, const Eleven& quantity, Add add) const {
   const auto& d = quantity.d;
   const int multipliers = placement_.dofs() + 2 * node;
   add(multipliers, d[lambda_x]);
@@ -89,6 +90,11 @@ void Interface::chain(int node, const Ten& quantity, Add add) const {
     const double *g = record.row(record.gap(e)), *D = record.row(record.D(e));
     for (std::size_t i = 0; i < record.dofs.size(); ++i)
       add(record.dofs[i], d[Direction::gap_] * g[i] + d[cover_D] * D[i]);
+    for (int k = 0; k < record.count; ++k) {
+      if (d[off_] == 0.0 || k == e || !setup_->between(setup_->secondary.facets[record.facet][k])) continue;
+      const double* off = record.row(record.off(e, k));
+      for (std::size_t i = 0; i < record.dofs.size(); ++i) add(record.dofs[i], d[off_] * off[i]);
+    }
   });
 }
 
@@ -113,7 +119,7 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
 }
 
 /// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
-void Interface::collect_primary_wear(int node, const Ten& work) {
+void Interface::collect_primary_wear(int node, const Eleven& work) {
   const double coefficient = setup_->options.wear.primary * options_.jump, D = spread_[node];
   const bool linear = setup_->secondary.order == 1;
   for (const auto& [l, T] : cover_[node]) {
@@ -139,7 +145,7 @@ void Interface::collect_primary_wear(int node, const Ten& work) {
 }
 
 /// Adds this node's share to d(depth) of the control points that wear with it.
-void Interface::collect_wear_between(int node, const Ten& work) {
+void Interface::collect_wear_between(int node, const Eleven& work) {
   for (const auto& [k, per_volume] : between_[node]) {
     const double factor = setup_->options.wear.secondary * options_.jump * per_volume;
     auto& slopes = secondary_slope_[k];
@@ -180,7 +186,7 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   secondary_slope_.resize(setup_->secondary.X.size());
   for (auto* side : {&primary_slope_, &secondary_slope_})
     for (auto& slopes : *side) slopes.clear();
-  std::vector<std::pair<int, NodeConditions<Ten>>> duals;
+  std::vector<std::pair<int, NodeConditions<Eleven>>> duals;
   for (int node = 0; node < static_cast<int>(rows_.size()); ++node) {
     if (!active(node)) continue;
     for (int r : record_of_[node])
@@ -197,7 +203,7 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
         collect_primary_wear(node, c.work);
         collect_wear_between(node, c.work);
       }
-  const Ten anchor_shear = options_.anchor < 0 ? Ten() : node_duals(options_.anchor, lambda).lambda_t;
+  const Eleven anchor_shear = options_.anchor < 0 ? Eleven() : node_duals(options_.anchor, lambda).lambda_t;
   for (const auto& [node, c] : duals) {
     const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };
     chain(node, c.normal, into(2 * node));

@@ -51,7 +51,7 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
   std::vector<int> nodes;
   const auto surface_of = [&](const BoundaryRef& ref) {
     const auto& mesh = shapes[ref.body]->mesh;
-    return mortar::make_surface(mesh.X, mesh.boundaries.at(ref.boundary), analysis, nodes);
+    return mortar::make_surface(mesh.X, mesh.boundaries.at(ref.boundary), analysis, nodes, mesh::order(mesh.kind));
   };
   setup.secondary = surface_of(secondary);
   setup.secondary_nodes = located(secondary.body, nodes, operators[secondary.body]);

@@ -218,4 +218,131 @@ TEST(volume, gap_of_this_increment_becomes_the_pending_one) {
   }
 }
 
+/// Curved facets with one kind of multipliers.
+struct Curved {
+  FacingOptions facing;
+  ContactOptions options;
+};
+
+/// Both kinds of multipliers, both measures, curved against curved and against straight.
+std::vector<Curved> curved_cases(const FacingOptions& facing, const ContactOptions& options) {
+  std::vector<Curved> cases;
+  for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
+    for (auto measure : {base::Kinematics::small, base::Kinematics::finite})
+      for (int primary : {1, 2}) {
+        Curved c{facing, options};
+        c.facing.secondary_order = 2;
+        c.facing.primary_order = primary;
+        c.facing.measure = measure;
+        c.options.dual = dual;
+        cases.push_back(c);
+      }
+  return cases;
+}
+
+// Forces of curved sides must cancel at any state; so must moments where the contact is closed.
+TEST(balance, of_curved_facets) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    FacingOptions o;
+    o.seed = seed;
+    o.from = seed % 2 == 0 ? 0.15 : -0.1;
+    for (const auto& [facing, options] : curved_cases(o, frictional(0.3))) {
+      auto c = support::random_case(facing, options);
+      c.setup.cut[2] = 1;
+      const auto b = balance(c, support::interface_of(c, 0));
+      EXPECT_GT(b.sum, 1.0);
+      EXPECT_LT(b.force.norm(), 1e-12 * b.sum);
+    }
+  }
+  for (const auto& [from, to] : {std::pair{-0.3, 1.3}, {0.13, 0.78}})
+    for (const auto& [facing, options] : curved_cases(closed(from, to, 0.5), frictional(0.5))) {
+      auto c = support::case_of(support::facing(facing), options);
+      support::press(c, 100.0, 35.0);
+      const auto b = balance(c, support::interface_of(c, 0));
+      EXPECT_LT(std::abs(b.moment), 1e-12 * b.sum) << from;
+    }
+}
+
+// A common rigid motion of curved sides must give no slip at any gap, and a true slide the slip it is.
+TEST(slip, of_curved_facets) {
+  FacingOptions o;
+  o.gap = 0.0;
+  for (const auto& [facing, options] : curved_cases(o, frictional(0.5))) {
+    auto c = support::case_of(support::facing(facing), options);
+    support::turn(c, 0.9, {0.7, -0.3});
+    support::press(c, 100.0, 0.0);
+    EXPECT_LT(largest_slip(support::interface_of(c, 0)), 1e-12);
+  }
+  for (const auto& [facing, options] : curved_cases(closed(0.13, 0.78, 0.5), frictional(0.5))) {
+    auto c = support::case_of(support::facing(facing), options);
+    slide(c, 0.5);
+    support::press(c, 100.0, 0.0);
+    const auto face = support::interface_of(c, 0);
+    for (int j = 0; j < static_cast<int>(c.xs.size()); ++j)
+      if (face.active(j)) {
+        EXPECT_NEAR(face.condition(j).slip / face.rows()[j].carried(), 0.21, 1e-11) << "node " << j;
+      }
+  }
+}
+
+// A stretch changes D over length on x, but not what is covered: the objective slip stays in use.
+TEST(slip, stretch_is_no_change_of_coverage) {
+  FacingOptions o = closed(-0.3, 1.3, 0.0);
+  for (const auto& [facing, options] : curved_cases(o, frictional(0.5))) {
+    auto c = support::case_of(support::facing(facing), options);
+    for (auto* side : {&c.xs, &c.xm})
+      for (Vec2& x : *side) x *= 1.2;
+    support::press(c, 100.0, 0.0);
+    const auto face = support::interface_of(c, 0);
+    const double stretch = facing.measure == base::Kinematics::finite ? 1.2 : 1.0;
+    for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
+      const auto &now = face.rows()[j], &then = c.before.reference[j];
+      EXPECT_NEAR(now.covered, then.covered, 1e-13);
+      EXPECT_NEAR(now.D, stretch * then.D, 1e-13);
+      EXPECT_TRUE(face.touching(j) || c.setup.cut[j]);
+    }
+    EXPECT_LT(largest_slip(face), 1e-13);
+  }
+}
+
+// Removed volume must be coefficient times work on curved facets, too, and what stands in the gap the next increment's.
+TEST(volume, of_curved_facets) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    FacingOptions o;
+    o.seed = seed;
+    o.angle = seed;
+    o.from = seed % 2 == 0 ? 0.15 : -0.1;
+    for (const auto& [facing, options] : curved_cases(o, frictional(0.1, {LawKind::energy, 1e-4, 3e-4}))) {
+      const auto c = support::random_case(facing, options);
+      expect_volume_is_paid(c);
+      const auto face = support::interface_of(c, 1);
+      const auto after = face.accepted(c.lambda);
+      support::Interface next;
+      next.begin(c.setup, after, c.xs, c.xm, {});
+      next.integrate(c.xs, c.xm);
+      for (int j = 0; j < static_cast<int>(c.xs.size()); ++j)
+        if (face.active(j)) {
+          EXPECT_NEAR(face.residual_normal(j), next.gap()[j] + next.worn_gap(j), 1e-13);
+        }
+    }
+  }
+}
+
+// Depth that is the same everywhere must open every node by its D and share, with either kind of multipliers; and a
+// thickness factor scales what it opens.
+TEST(volume, even_depth_opens_evenly) {
+  for (const auto& [facing, options] : curved_cases(closed(-0.3, 1.3, 0.0), frictional(0.1, {LawKind::energy, 1.0, 1.0}))) {
+    auto c = support::case_of(support::facing(facing), options);
+    for (std::size_t j = 0; j < c.xs.size(); ++j) c.before.pending_secondary[j] = 0.01 * c.setup.secondary.area[j];
+    for (std::size_t l = 0; l < c.xm.size(); ++l) c.before.pending_primary[l] = 0.02 * c.setup.primary.area[l];
+    c.increment.thickness_secondary.assign(c.xs.size(), 2.0);
+    c.increment.thickness_primary.assign(c.xm.size(), 0.5);
+    const auto face = support::interface_of(c, 0);
+    for (int j = 0; j < static_cast<int>(c.xs.size()); ++j)
+      if (!c.setup.cut[j]) {
+        EXPECT_NEAR(face.worn_gap(j), 0.03 * face.rows()[j].carried(), 1e-14);
+      }
+  }
+}
+
 }  // namespace

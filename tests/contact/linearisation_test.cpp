@@ -131,4 +131,65 @@ TEST(linearisation, held_shear_with_anchor) {
   });
 }
 
+/// The same check with curved facets, either kind of multipliers, and over length on X or on x.
+void over_curved_states(ContactOptions options, int iteration, ContactStatus wanted, const std::function<void(ContactCase&)>& change = {}) {
+  for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
+    for (auto measure : {base::Kinematics::small, base::Kinematics::finite})
+      for (unsigned seed = 1; seed <= 2; ++seed)
+        for (bool partly : {false, true}) {
+          auto o = state(seed, partly);
+          o.secondary_order = 2;
+          o.primary_order = seed == 1 ? 2 : 1;
+          o.measure = measure;
+          options.dual = dual;
+          auto c = support::random_case(o, options);
+          if (change) change(c);
+          expect_rate_two(c, iteration, wanted, std::string(dual == contact::DualOrder::linear ? "linear" : "quadratic") +
+                                                    (measure == base::Kinematics::finite ? ", on x" : ", on X") +
+                                                    (partly ? ", partly covered, seed " : ", seed ") + std::to_string(seed));
+        }
+}
+
+// Curved facets: sticking nodes, and slip with wear on both sides.
+TEST(linearisation, curved_facets) {
+  over_curved_states(frictional(0.4), 0, ContactStatus::stick);
+  over_curved_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip);
+}
+
+// Wear of the secondary side alone: with linear multipliers it reaches the gap of neighbours through control points.
+TEST(linearisation, curved_facets_with_wear_on_the_secondary_side) {
+  over_curved_states(frictional(0.1, {LawKind::archard, 3.0 * alpha, 0.0}), 1, ContactStatus::slip);
+}
+
+// Straight facets over length on x, where D follows the stretch.
+TEST(linearisation, length_on_x) {
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (const auto& [friction, iteration, wanted] : {std::tuple{0.4, 0, ContactStatus::stick}, {0.1, 1, ContactStatus::slip}}) {
+      auto o = state(seed, seed % 2 == 0);
+      o.measure = base::Kinematics::finite;
+      const auto c = support::random_case(o, frictional(friction, {LawKind::energy, alpha, 3.0 * alpha}));
+      expect_rate_two(c, iteration, wanted, "seed " + std::to_string(seed));
+    }
+}
+
+// Sliding imposed as a number on curved facets: it counts for the control points, too.
+TEST(linearisation, imposed_sliding_of_curved_facets) {
+  auto options = frictional(0.2, {LawKind::archard, alpha, alpha});
+  options.imposed = true;
+  options.imposed_sliding_mm = -0.5;
+  over_curved_states(options, 1, ContactStatus::slip, [](ContactCase& c) { c.increment.imposed_slip = -0.05; });
+}
+
+/// Layers that stand in the gap with other than their thickness on X.
+void thicken(ContactCase& c) {
+  for (std::size_t j = 0; j < c.xs.size(); ++j) c.increment.thickness_secondary.push_back(0.5 + 0.1 * static_cast<double>(j));
+  for (std::size_t l = 0; l < c.xm.size(); ++l) c.increment.thickness_primary.push_back(1.5 - 0.1 * static_cast<double>(l));
+}
+
+// The same where depth on X and depth in the gap differ from node to node.
+TEST(linearisation, thickness_of_layers) {
+  over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip, thicken);
+  over_curved_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip, thicken);
+}
+
 }  // namespace

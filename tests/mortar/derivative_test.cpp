@@ -102,4 +102,52 @@ TEST(derivative, many_primary_nodes_under_one_facet) {
   }
 }
 
+/// Orders of the two sides: curved against curved, curved against straight, straight against curved.
+constexpr std::pair<int, int> orders[] = {{2, 2}, {2, 1}, {1, 2}};
+
+// The same with curved facets on either side or both, whole and partly covered.
+TEST(derivative, curved_facets) {
+  for (const auto& [secondary, primary] : orders)
+    for (double from : {-0.1, 0.23})
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        auto o = state(seed);
+        o.secondary_order = secondary;
+        o.primary_order = primary;
+        o.from = from;
+        const auto f = support::facing(o);
+        EXPECT_NEAR(rate(in_motion(f, seed), seed), 2.0, 0.1) << secondary << primary << " from " << from << " seed " << seed;
+      }
+}
+
+// The same where control points carry no multiplier, and where nodes are cut beside them.
+TEST(derivative, curved_facets_with_linear_multipliers_and_cut_nodes) {
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (bool linear : {true, false}) {
+      auto o = state(seed);
+      o.secondary_order = o.primary_order = 2;
+      o.to = 0.8;
+      const auto f = support::facing(o);
+      auto p = in_motion(f, seed);
+      for (int j = 0; j < f.secondary.node_count(); ++j) p.cut[j] = linear && f.secondary.is_control_point(j);
+      p.cut[2] = 1;
+      EXPECT_NEAR(rate(p, seed), 2.0, 0.1) << seed << linear;
+    }
+}
+
+// The same over length on x, where the measure itself moves, with and without ring weights.
+TEST(derivative, length_on_x) {
+  for (int order : {1, 2})
+    for (auto analysis : {base::Analysis::plane_strain, base::Analysis::axisymmetric})
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        auto o = state(seed);
+        o.secondary_order = o.primary_order = order;
+        o.measure = base::Kinematics::finite;
+        o.analysis = analysis;
+        o.angle = 0.1 * seed;
+        o.to = seed % 2 == 0 ? 0.8 : 1.1;
+        const auto f = support::facing(o);
+        EXPECT_NEAR(rate(in_motion(f, seed), seed), 2.0, 0.1) << order << " " << seed;
+      }
+}
+
 }  // namespace
