@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/errors.hpp"
@@ -7,6 +8,7 @@
 #include "body/operator.hpp"
 #include "fem/assemble_loads.hpp"
 #include "fem/finite.hpp"
+#include "fem/follower.hpp"
 
 namespace reye::body {
 
@@ -18,6 +20,25 @@ namespace {
 const BodyInput& checked(const mesh::Mesh& mesh, const BodyInput& input) {
   for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
   return input;
+}
+
+/// One load of the scene for history factor 1: the part that keeps its direction, and at finite strain the pressure.
+struct Load {
+  Vector dead;
+  std::optional<fem::FollowerPressure> pressure;
+};
+
+Load make_load(const mesh::Mesh& mesh, const BodyInput& input, fem::BoundaryLoad load) {
+  if (input.kinematics == base::Kinematics::small || load.pressure_MPa == 0.0)
+    return {fem::load_vector(mesh, input.analysis, load), {}};
+  fem::FollowerPressure pressure(mesh, input.analysis, load);
+  load.pressure_MPa = 0.0;
+  return {fem::load_vector(mesh, input.analysis, load), std::move(pressure)};
+}
+
+template <class DeadLoad>
+Load make_load(const mesh::Mesh& mesh, const BodyInput& input, const DeadLoad& load) {
+  return {fem::load_vector(mesh, input.analysis, load), {}};
 }
 
 std::vector<Vec2> by_node(const Vector& u) {
@@ -42,7 +63,7 @@ struct NonlinearBody::Impl {
   Columns columns;
   fem::Pattern pattern;
   std::vector<LoadColumn> names;
-  std::vector<Vector> loads;  ///< per load, for history factor 1
+  std::vector<Load> loads;
 
   Impl(ShapePtr s, const BodyInput& input)
       : shape(std::move(s)),
@@ -55,11 +76,11 @@ struct NonlinearBody::Impl {
     add_loads(input, input.body_forces);
   }
 
-  template <class Load>
-  void add_loads(const BodyInput& input, const std::vector<Load>& list) {
-    for (const Load& load : list) {
+  template <class SceneLoad>
+  void add_loads(const BodyInput& input, const std::vector<SceneLoad>& list) {
+    for (const SceneLoad& load : list) {
       names.push_back({load.name, load.history});
-      loads.push_back(fem::load_vector(shape->mesh, input.analysis, load));
+      loads.push_back(make_load(shape->mesh, input, load));
     }
   }
 
@@ -104,11 +125,24 @@ struct NonlinearBody::Impl {
     return B;
   }
 
+  bool symmetric() const {
+    const auto follows = [](const Load& load) { return load.pressure.has_value(); };
+    return solid.symmetric(mesh().kind) && std::none_of(loads.begin(), loads.end(), follows);
+  }
+
   /// f_int - sum factor_i f_i on the nodes.
-  Vector unbalanced(const fem::InternalForce& f, const Vector& factors) const {
+  Vector unbalanced(const fem::InternalForce& f, const Vector& u, const Vector& factors) const {
     Vector r = f.total;
-    for (size_t i = 0; i < loads.size(); ++i) r -= factors[i] * loads[i];
+    for (size_t i = 0; i < loads.size(); ++i) {
+      r -= factors[i] * loads[i].dead;
+      if (loads[i].pressure) loads[i].pressure->add_force(-factors[i], mesh(), u, r);
+    }
     return r;
+  }
+
+  void subtract_load_tangent(const Vector& u, const Vector& factors, SparseMatrix& K) const {
+    for (size_t i = 0; i < loads.size(); ++i)
+      if (loads[i].pressure) loads[i].pressure->add_tangent(-factors[i], mesh(), u, pattern, K);
   }
 
   /// What d^2 u / dtheta^2 adds to the tangent: the nodes of an edge accelerate towards its centre.
@@ -157,18 +191,18 @@ void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vec
   if (!out.kept) out.kept = std::make_shared<Linearised::Kept>();
   Linearised::Kept& kept = *out.kept;
   if (kept.K.rows() != 2 * impl_->mesh().node_count()) kept.K = impl_->pattern.zero();
-  const Vector unknowns = impl_->all(y, q);
+  const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
   impl_->named([&] {
-    fem::tangent(impl_->mesh(), impl_->solid, impl_->displacement(unknowns), before.history, impl_->pattern, kept.f,
-                 kept.K);
+    fem::tangent(impl_->mesh(), impl_->solid, u, before.history, impl_->pattern, kept.f, kept.K);
   });
+  impl_->subtract_load_tangent(u, load_factors, kept.K);
   kept.B = impl_->expansion(unknowns);
-  const Vector r = impl_->unbalanced(kept.f, load_factors);
+  const Vector r = impl_->unbalanced(kept.f, u, load_factors);
   kept.KB = kept.K * kept.B;
   kept.reduced = kept.B.transpose() * kept.KB;
   impl_->add_turning(r, unknowns, kept.reduced);
   kept.r = kept.B.transpose() * r;
-  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->solid.symmetric(impl_->mesh().kind)); });
+  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric()); });
   out.S = kept.condensation.schur();
   out.r = kept.condensation.condense(kept.r);
   out.interior_residual = impl_->interior() > 0 ? kept.r.head(impl_->interior()).cwiseAbs().maxCoeff() : 0.0;
@@ -181,12 +215,10 @@ Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) cons
 
 Vector NonlinearBody::retained_residual(const Interior& before, const Vector& y, const Vector& q,
                                         const Vector& load_factors) const {
-  const Vector unknowns = impl_->all(y, q);
+  const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
   fem::InternalForce f;
-  impl_->named([&] {
-    fem::internal_force(impl_->mesh(), impl_->solid, impl_->displacement(unknowns), before.history, f);
-  });
-  const Vector r = impl_->expansion(unknowns).transpose() * impl_->unbalanced(f, load_factors);
+  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, before.history, f); });
+  const Vector r = impl_->expansion(unknowns).transpose() * impl_->unbalanced(f, u, load_factors);
   return r.tail(dofs());
 }
 

@@ -8,6 +8,7 @@
 #include "body/columns.hpp"
 #include "body/operator.hpp"
 #include "fem/finite.hpp"
+#include "fem/follower.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 
@@ -108,16 +109,31 @@ class nonlinear_body : public testing::TestWithParam<std::tuple<Kinematics, bool
   fem::Solid solid() const { return {input_.material, input_.analysis, input_.kinematics, input_.b_bar}; }
   bool linear() const { return input_.kinematics == Kinematics::small && !std::get<1>(GetParam()); }
 
+  static Vector as_vector(const base::Points& points) {
+    Vector u(2 * points.size());
+    for (size_t k = 0; k < points.size(); ++k) u.segment<2>(2 * k) = points[k];
+    return u;
+  }
+
+  /// All loads at factor one on the nodes; at finite strain the pressure follows the surface.
+  Vector loads(const Vector& u) const {
+    auto in = input_;
+    Vector f = Vector::Zero(u.size());
+    if (in.kinematics == Kinematics::finite) {
+      fem::FollowerPressure(mesh_, in.analysis, in.boundary_loads[0]).add_force(1.0, mesh_, u, f);
+      in.boundary_loads[0].pressure_MPa = 0.0;
+    }
+    for (const auto& dead : support::load_vectors(mesh_, in)) f += dead;
+    return f;
+  }
+
   /// Residual on all unknowns [y; q], from nodal forces and the positions of nodes alone.
   Vector residual(const Vector& unknowns) const {
     const auto in = static_cast<Eigen::Index>(s_.y.size());
-    Vector u(2 * mesh_.node_count());
-    const auto nodal = body_.recover(unknowns.tail(body_.dofs()), unknowns.head(in));
-    for (int k = 0; k < mesh_.node_count(); ++k) u.segment<2>(2 * k) = nodal[k];
+    const Vector u = as_vector(body_.recover(unknowns.tail(body_.dofs()), unknowns.head(in)));
     fem::InternalForce f;
     fem::internal_force(mesh_, solid(), u, s_.before.history, f);
-    const auto loads = support::load_vectors(mesh_, input_);
-    for (size_t i = 0; i < loads.size(); ++i) f.total -= s_.factors[static_cast<int>(i)] * loads[i];
+    f.total -= 0.7 * loads(u);
     Vector r = Vector::Zero(unknowns.size());
     const double h = 1e-6;  // virtual displacements by central differences: r = (du/dy)^T f
     for (int j = 0; j < unknowns.size(); ++j) {
@@ -155,8 +171,10 @@ TEST_P(nonlinear_body, condensed_step_equals_full_step) {
   auto sparse = pattern.zero();
   fem::InternalForce f;
   fem::tangent(mesh_, solid(), B * unknowns(), s_.before.history, pattern, f, sparse);
-  const auto loads = support::load_vectors(mesh_, input_);
-  for (size_t i = 0; i < loads.size(); ++i) f.total -= s_.factors[static_cast<int>(i)] * loads[i];
+  f.total -= 0.7 * loads(B * unknowns());
+  if (input_.kinematics == Kinematics::finite)
+    fem::FollowerPressure(mesh_, input_.analysis, input_.boundary_loads[0])
+        .add_tangent(-0.7, mesh_, B * unknowns(), pattern, sparse);
   Matrix K = B.transpose() * (sparse * B);
   Vector rhs = -(B.transpose() * f.total), condensed = -lin.r;
   for (const auto& c : columns.supports) {
@@ -219,8 +237,8 @@ TEST_P(nonlinear_body, newton_ends_quadratically) {
 TEST_P(nonlinear_body, reactions_balance_loads) {
   const auto s = support::solve_nonlinear(body_, input_, 4);
   Vec2 load{0, 0}, reaction{0, 0};
-  for (const auto& f : support::load_vectors(mesh_, input_))
-    for (int k = 0; k < mesh_.node_count(); ++k) load += f.segment<2>(2 * k);
+  const Vector f = loads(as_vector(body_.recover(s.q, s.state.y)));
+  for (int k = 0; k < mesh_.node_count(); ++k) load += f.segment<2>(2 * k);
   const Vector r = body_.retained_residual(s.state, s.state.y, s.q, s.factors);
   for (const auto& c : body_.support_columns()) reaction += r[c.column] * c.direction;
   EXPECT_LT((reaction + load).norm(), 1e-8 * r.cwiseAbs().maxCoeff());

@@ -85,6 +85,30 @@ TEST(nonlinear_physics, confined_compression_does_not_lock) {
     }
 }
 
+// A thick pipe of nearly incompressible rubber under a pressure that follows its wall must open as the closed solution
+// says: from 1 to 1.5 at the inside, p = mu (ln(a/b) + 1/(2 b^2) - 1/(2 a^2)) with the hoop stretches a, b of its walls.
+TEST(nonlinear_physics, rubber_pipe) {
+  const double mu = 1.0, nu = 0.49999, a = 1.5, b = std::sqrt(4.0 + 1.25) / 2.0;
+  const double pressure = mu * (std::log(a / b) + 0.5 / (b * b) - 0.5 / (a * a));
+  for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric}) {
+    const bool ring = analysis == Analysis::axisymmetric;
+    auto in = made_of(material::NeoHookean{2 * mu * (1 + nu), nu, material::Volumetric::log_squared}, Kinematics::finite, analysis);
+    in.supports = {held("bottom", 'y'), held("top", ring ? 'y' : 'x')};
+    in.boundary_loads = {{"inside", "left", pressure, {0.0, 0.0}, {}, ""}};
+    const auto error = [&](int n) {
+      const auto mesh = ring ? support::rectangle({.corner = {1, 0}, .size = {1, 0.2}, .nx = n, .ny = 2})
+                             : support::ring({.across = n, .around = 2 * n});
+      const body::NonlinearBody pipe(body::make_shape(mesh), in);
+      const auto s = support::solve_nonlinear(pipe, in, 10, 1e-9);
+      EXPECT_LT(s.table.back(), 1e-9);
+      return std::abs(pipe.recover(s.q, s.state.y)[support::node_at(mesh, {1.0, 0.0})].x() - (a - 1.0));
+    };
+    const double coarse = error(8), fine = error(16);
+    EXPECT_LT(fine, 5e-3);
+    EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << " " << fine;
+  }
+}
+
 /// Displacement of the outer and stress at the inner radius of a thick cylinder, 1 < r < 2, under the inner pressure
 /// that makes it plastic up to r = 1.5: elastic, perfectly plastic, Mises, incompressible, length held.
 struct Cylinder {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <ostream>
 #include <vector>
@@ -42,10 +43,12 @@ inline void PrintTo(const Case& c, std::ostream* out) {
        << (c.solid.has_history() ? " plastic" : "");
 }
 
+inline const std::array kinds{CellKind::tri3, CellKind::quad4};
+
 /// Every kind, idealisation, strain measure, cure and two materials.
 inline std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (auto kind : {CellKind::tri3, CellKind::quad4})
+  for (auto kind : kinds)
     for (auto analysis : {Analysis::plane_strain, Analysis::plane_stress, Analysis::axisymmetric})
       for (auto kinematics : {Kinematics::small, Kinematics::finite})
         for (const auto& m : {rubber, metal})
