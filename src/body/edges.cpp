@@ -1,11 +1,13 @@
 #include "body/edges.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "base/errors.hpp"
 #include "fem/assemble_loads.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::body {
 
@@ -22,9 +24,29 @@ void for_each_facet(const Boundary& boundary, Visit visit) {
     for (size_t k = 0; k + 1 < chain.size(); ++k) visit(chain[k], chain[k + 1]);
 }
 
+/// The same in second order: visit(edge, its three nodes).
+template <class Visit>
+void for_each_quadratic_facet(const Mesh& mesh, const Boundary& boundary, Visit visit) {
+  for (const auto& chain : boundary)
+    for (size_t k = 0; k + 2 < chain.size(); k += 2) {
+      const std::array<int, 3> nodes{chain[k], chain[k + 1], chain[k + 2]};
+      visit(mesh::QuadraticEdge{mesh.X[nodes[0]], mesh.X[nodes[1]], mesh.X[nodes[2]]}, nodes);
+    }
+}
+
 Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
   Vec2 sum{0.0, 0.0};
   double total = 0.0;
+  if (mesh::order(mesh.kind) == 2) {
+    for_each_quadratic_facet(mesh, boundary, [&](const mesh::QuadraticEdge& edge, const auto&) {
+      for (const auto& [xi, weight] : mesh::edge_rule()) {
+        const double ds = weight * edge.tangent(xi).norm();
+        sum += ds * edge.at(xi);
+        total += ds;
+      }
+    });
+    return sum / total;
+  }
   for_each_facet(boundary, [&](int a, int b) {
     const double h = (mesh.X[b] - mesh.X[a]).norm();
     sum += 0.5 * h * (mesh.X[a] + mesh.X[b]);
@@ -33,15 +55,24 @@ Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
   return sum / total;
 }
 
-/// Tangent at every node: mean of the unit tangents of its facets; of the whole edge when rigid.
+/// Tangent at every node: mean of the unit tangents its facets have there; of the whole edge when rigid.
 std::vector<Vec2> tangents(const Mesh& mesh, const Boundary& boundary, const SupportPlace& place) {
   std::map<int, Vec2> at_node;
   Vec2 whole{0.0, 0.0};
-  for_each_facet(boundary, [&](int a, int b) {
-    const Vec2 chord = mesh.X[b] - mesh.X[a];
-    for (int node : {a, b}) at_node.try_emplace(node, Vec2::Zero()).first->second += chord.normalized();
-    whole += chord;
-  });
+  const auto add = [&](int node, const Vec2& tangent) {
+    at_node.try_emplace(node, Vec2::Zero()).first->second += tangent.normalized();
+  };
+  if (mesh::order(mesh.kind) == 1)
+    for_each_facet(boundary, [&](int a, int b) {
+      const Vec2 chord = mesh.X[b] - mesh.X[a];
+      for (int node : {a, b}) add(node, chord);
+      whole += chord;
+    });
+  else
+    for_each_quadratic_facet(mesh, boundary, [&](const mesh::QuadraticEdge& edge, const std::array<int, 3>& nodes) {
+      for (int j = 0; j < 3; ++j) add(nodes[j], edge.tangent(j - 1.0));
+      whole += edge.last - edge.first;
+    });
   std::vector<Vec2> result;
   for (int node : place.nodes) result.push_back((place.rigid ? whole : at_node.at(node)).normalized());
   return result;

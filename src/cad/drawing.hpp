@@ -21,7 +21,7 @@ struct Drawing {
 /// Nodes a mesh of the drawing would have, about: int dA / size^2.
 double estimated_nodes(const Drawing& drawing);
 
-/// A fresh mesh with the same boundaries, in a gmsh session of its own. A mesh that came with the drawing's part is
+/// A fresh mesh with the same boundaries and of the order asked for, in a gmsh session of its own. A mesh that came with the drawing's part is
 /// returned as it is. Throws base::MeshError: more than `most_nodes` expected (saying how many), or no mesh with
 /// positive Jacobians.
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);

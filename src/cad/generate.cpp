@@ -5,11 +5,13 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "cad/bend.hpp"
 #include "cad/divide.hpp"
 #include "cad/region.hpp"
 #include "cad/text.hpp"
 #include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/second_order.hpp"
 
 namespace reye::cad {
 
@@ -106,7 +108,7 @@ mesh::Mesh take_over(const BodyPlan& plan) {
   for (const Loop& loop : plan.part->loops) divided.push_back(divided_as_is(loop));
   name_boundaries(mesh, plan, divided);
   if (plan.options->rigid) drop_cells(mesh);
-  return mesh;
+  return plan.options->mesh.order == 2 ? mesh::to_second_order(mesh) : mesh;
 }
 
 /// The divided outline of a body as a region to fill.
@@ -203,7 +205,10 @@ mesh::Mesh make_mesh(const BodyPlan& plan, double far) {
   Region region = outlined(plan, size, divided);
   mesh::Mesh mesh = filled(std::move(region), plan, size);
   name_boundaries(mesh, plan, divided);
-  return mesh;
+  if (plan.options->mesh.order == 1) return mesh;
+  EdgesUnder under;
+  for (const DividedLoop& loop : divided) under.push_back(loop.edge);
+  return second_order(mesh, plan.part->loops, under);
 }
 
 /// The best of some attempts, each with half the far size: thin places may ask for less than it.
@@ -235,7 +240,8 @@ mesh::Mesh generate(const BodyPlan& plan) {
   return best_of_attempts(plan, [&](double far) { return make_mesh(plan, far); });
 }
 
-mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& outline) {
+mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& given) {
+  const mesh::Mesh outline = mesh::to_first_order(given);
   std::vector<int> number;
   const Region region = region_of(plan, outline, number);
   mesh::Mesh mesh = filled(region, plan, size_field(plan, far_size(plan)));
@@ -243,7 +249,7 @@ mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& outline) {
   for (auto& [name, chains] : mesh.boundaries)
     for (mesh::Chain& chain : chains)
       for (int& node : chain) node = number[node];
-  return mesh;
+  return mesh::order(given.kind) == 2 ? second_order(mesh, given) : mesh;
 }
 
 void clear_axis(mesh::Mesh& mesh) {

@@ -28,9 +28,10 @@ struct Profile {
 };
 
 struct MeshOptions {
-  mesh::CellKind element = mesh::CellKind::quad4;  ///< scene: "tri" | "quad"
+  mesh::CellKind element = mesh::CellKind::quad4;  ///< scene: "tri" | "quad"; with `order` 2 it is tri6 or quad8
   double far_size_mm = 0.0;                        ///< 0: a twentieth of the body's bounding-box diagonal
   double growth = 1.3;                             ///< ratio of neighbouring sizes away from fine zones
+  int order = 1;  ///< 2: a node on every edge; a mesh that came with its file in second order stays so
 };
 
 /// A body of the scene: found by a point inside, or by label (STEP product, physical surface);

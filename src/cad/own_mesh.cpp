@@ -6,6 +6,7 @@
 
 #include "mesh/measure.hpp"
 #include "mesh/outline.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::cad {
 
@@ -19,10 +20,18 @@ const std::set<std::string>& names_of(const RawMesh& mesh, int a, int b) {
   return found == mesh.names.end() ? none : found->second;
 }
 
-/// Whether an edge of the outline ends at loop[i], a node of a closed loop.
+/// Whether an edge of the outline ends at loop[i], a node of a closed loop. Its corner is that of the tangents, by
+/// quadratics where mid nodes lie beside it.
 bool ends_at(const RawMesh& raw, const Points& X, const mesh::Chain& loop, std::size_t i) {
-  const int before = loop[i == 0 ? loop.size() - 2 : i - 1], here = loop[i], after = loop[i + 1];
-  const Vec2 in = X[here] - X[before], out = X[after] - X[here];
+  const std::size_t order = mesh::order(raw.kind);
+  if (i % order != 0) return false;
+  const std::size_t last = loop.size() - 1;
+  const int before = loop[(i + last - order) % last], here = loop[i], after = loop[i + order];
+  Vec2 in = X[here] - X[before], out = X[after] - X[here];
+  if (order == 2) {
+    in = mesh::QuadraticEdge{X[before], X[loop[(i + last - 1) % last]], X[here]}.tangent(1.0);
+    out = mesh::QuadraticEdge{X[here], X[loop[i + 1]], X[after]}.tangent(-1.0);
+  }
   return std::abs(std::atan2(base::cross(in, out), in.dot(out))) > corner ||
          names_of(raw, before, here) != names_of(raw, here, after);
 }
@@ -60,10 +69,17 @@ Loop edges_of(const RawMesh& raw, const Points& X, mesh::Chain& loop) {
     if (i + 1 < loop.size() && !ends_at(raw, X, loop, i)) continue;
     const EdgeType type = type_of(knots);
     edges.push_back(make_polyline(type, std::move(knots)));
-    edges.back().names = names_of(raw, loop[i - 1], loop[i]);
+    edges.back().names = names_of(raw, loop[i - mesh::order(raw.kind)], loop[i]);
     knots = {X[loop[i]]};
   }
   return edges;
+}
+
+/// The corners in reverse, and the mid nodes so that each stays between its corners.
+void turn_round(mesh::CellKind kind, mesh::Cell& cell) {
+  const int n = mesh::corners(kind);
+  std::reverse(cell.begin(), cell.begin() + n);
+  if (mesh::order(kind) == 2) std::reverse(cell.begin() + n, cell.begin() + 2 * n - 1);
 }
 
 }  // namespace
@@ -73,9 +89,8 @@ Part part_with_mesh(const RawPart& raw, const Plane& plane) {
   mesh.kind = raw.mesh.kind;
   mesh.cells = raw.mesh.cells;
   for (const Vec3& p : raw.mesh.nodes) mesh.X.push_back(plane.map(p));
-  const int corners = mesh::nodes_per_cell(mesh.kind);
   for (mesh::Cell& cell : mesh.cells)
-    if (mesh::cell_area(mesh.X, mesh.kind, cell) < 0.0) std::reverse(cell.begin(), cell.begin() + corners);
+    if (mesh::cell_area(mesh.X, mesh.kind, cell) < 0.0) turn_round(mesh.kind, cell);
   mesh.outline = mesh::outline_of(mesh.X, mesh.kind, mesh.cells);
   Part part{raw.label, {}, {}};
   for (mesh::Chain& loop : mesh.outline) part.loops.push_back(edges_of(raw.mesh, mesh.X, loop));

@@ -15,12 +15,27 @@ struct Elements {
   std::vector<Tag> nodes;
 };
 
+/// Quadrilaterals of nine nodes without their centre nodes, which follow the others of each.
+Elements without_centres(const Elements& of_nine) {
+  Elements of_eight{8, {}};
+  for (std::size_t i = 0; i < of_nine.nodes.size(); ++i)
+    if (i % 9 != 8) of_eight.nodes.push_back(of_nine.nodes[i]);
+  return of_eight;
+}
+
 Elements elements_of(int dim, int tag) {
   std::vector<int> types;
   std::vector<std::vector<Tag>> ids, nodes;
   gmsh::model::mesh::getElements(types, ids, nodes, dim, tag);
   if (types.empty()) return {};
-  return {static_cast<int>(nodes[0].size() / ids[0].size()), nodes[0]};
+  const Elements elements{static_cast<int>(nodes[0].size() / ids[0].size()), nodes[0]};
+  return elements.nodes_each == 9 ? without_centres(elements) : elements;
+}
+
+mesh::CellKind kind_of(int nodes_each) {
+  for (auto kind : {mesh::CellKind::tri3, mesh::CellKind::tri6, mesh::CellKind::quad8})
+    if (mesh::nodes_per_cell(kind) == nodes_each) return kind;
+  return mesh::CellKind::quad4;
 }
 
 /// Node tags of a part in ascending order: their places are the part's own node numbers.
@@ -42,7 +57,7 @@ void name_edges(RawMesh& mesh, const std::vector<Tag>& tags) {
     const std::set<std::string> names = physical_names(1, curve);
     if (names.empty()) continue;
     const Elements edges = elements_of(1, curve);
-    for (std::size_t i = 0; i + 1 < edges.nodes.size(); i += 2) {
+    for (std::size_t i = 0; i + 1 < edges.nodes.size(); i += edges.nodes_each) {
       const auto [a, b] = std::minmax({place(tags, edges.nodes[i]), place(tags, edges.nodes[i + 1])});
       if (a >= 0) mesh.names[{a, b}].insert(names.begin(), names.end());
     }
@@ -51,7 +66,7 @@ void name_edges(RawMesh& mesh, const std::vector<Tag>& tags) {
 
 RawMesh make_mesh(const Elements& elements) {
   RawMesh mesh;
-  mesh.kind = elements.nodes_each == 3 ? mesh::CellKind::tri3 : mesh::CellKind::quad4;
+  mesh.kind = kind_of(elements.nodes_each);
   const std::vector<Tag> tags = distinct(elements.nodes);
   for (Tag tag : tags) {
     std::vector<double> x, parameters;

@@ -110,7 +110,9 @@ double estimated_nodes(const BodyPlan& plan) {
   double elements = area(*plan.part) / (far * far);
   for (const ZoneOutline& zone : plan.zones)
     elements += estimated_elements(zone.length(), zone.depth, zone.size, far, plan.options->mesh.growth);
-  return plan.options->mesh.element == mesh::CellKind::quad4 ? elements : 1.15 * elements;
+  const bool quads = plan.options->mesh.element == mesh::CellKind::quad4;
+  const double vertices = quads ? elements : 1.15 * elements;
+  return plan.options->mesh.order == 1 ? vertices : (quads ? 3.0 : 4.0) * vertices;  // and a node on every edge
 }
 
 Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {

@@ -25,7 +25,7 @@ struct RawMesh {
   std::vector<Vec3> nodes;
   mesh::CellKind kind = mesh::CellKind::quad4;
   std::vector<mesh::Cell> cells;
-  std::map<std::pair<int, int>, std::set<std::string>> names;  ///< of edges (smaller node first), by physical curve
+  std::map<std::pair<int, int>, std::set<std::string>> names;  ///< of edges (smaller vertex first), by physical curve
 };
 
 struct RawPart {

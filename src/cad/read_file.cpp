@@ -1,6 +1,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -100,8 +101,9 @@ void check_content(const std::string& path, Format format, bool cut) {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 2);
   if (types.empty()) refuse(path, "holds no mesh of triangles or quadrilaterals");
-  if (types.size() > 1 || (types[0] != 2 && types[0] != 3))
-    refuse(path, "the mesh must be all triangles of 3 nodes or all quadrilaterals of 4 nodes");
+  constexpr std::array known{2, 3, 9, 16, 10};  // triangles of 3 nodes, quadrilaterals of 4, then of 6 and of 8 and 9
+  if (types.size() > 1 || std::find(known.begin(), known.end(), types[0]) == known.end())
+    refuse(path, "the mesh must be all triangles of 3 or 6 nodes or all quadrilaterals of 4, 8 or 9 nodes");
 }
 
 /// The faces of the model: those there are, and those cut from its solids.

@@ -5,6 +5,8 @@
 
 #include "base/errors.hpp"
 #include "fem/element.hpp"
+#include "mesh/measure.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::fem {
 
@@ -21,22 +23,18 @@ struct FacetPart {
   double a, b;
 };
 
-double length(const Mesh& mesh, const Chain& chain) {
-  double sum = 0.0;
-  for (size_t k = 0; k + 1 < chain.size(); ++k) sum += (mesh.X[chain[k + 1]] - mesh.X[chain[k]]).norm();
-  return sum;
-}
-
 bool measured_from_end(const Mesh& mesh, const Chain& chain) {
   const Vec2 &first = mesh.X[chain.front()], &last = mesh.X[chain.back()];
   return last.x() < first.x() || (last.x() == first.x() && last.y() < first.y());
 }
 
+/// The interval by the length from the first node of the chain, of length `total`.
+std::array<double, 2> along_chain(const Mesh& mesh, const Chain& chain, std::array<double, 2> interval, double total) {
+  if (measured_from_end(mesh, chain)) interval = {total - interval[1], total - interval[0]};
+  return interval;
+}
+
 std::vector<FacetPart> loaded_parts(const Mesh& mesh, const Chain& chain, std::array<double, 2> interval) {
-  if (measured_from_end(mesh, chain)) {
-    const double total = length(mesh, chain);
-    interval = {total - interval[1], total - interval[0]};
-  }
   std::vector<FacetPart> parts;
   double s = 0.0;
   for (size_t k = 0; k + 1 < chain.size(); ++k) {
@@ -61,6 +59,49 @@ void add_part(const Mesh& mesh, Analysis analysis, const BoundaryLoad& load, con
   }
 }
 
+mesh::QuadraticEdge edge_at(const Mesh& mesh, const Chain& chain, size_t k) {
+  return {mesh.X[chain[k]], mesh.X[chain[k + 1]], mesh.X[chain[k + 2]]};
+}
+
+/// The same on a quadratic edge, from parameter a to b in [-1, 1]. Five Gauss points: exact for the pressure.
+void add_part(const Mesh& mesh, Analysis analysis, const BoundaryLoad& load, const Chain& chain, size_t k, double a,
+              double b, Vector& f) {
+  const mesh::QuadraticEdge edge = edge_at(mesh, chain, k);
+  for (const auto& [point, share] : mesh::edge_rule()) {
+    const double xi = 0.5 * (a + b) + 0.5 * (b - a) * point;
+    const Vec2 tangent = edge.tangent(xi);
+    const Vec2 t_ds = load.traction_MPa * tangent.norm() - load.pressure_MPa * base::right_of(tangent);
+    const double weight = 0.5 * (b - a) * share * base::out_of_plane(analysis, edge.at(xi).x());
+    for (int j = 0; j < 3; ++j) f.segment<2>(2 * chain[k + j]) += mesh::QuadraticEdge::shape(xi)[j] * weight * t_ds;
+  }
+}
+
+/// Adds the load on one chain; false when the interval meets none of it.
+bool add_chain(const Mesh& mesh, Analysis analysis, const BoundaryLoad& load, const Chain& chain, Vector& f) {
+  const int order = mesh::order(mesh.kind);
+  const double total = mesh::length(mesh.X, chain, order);
+  const std::array<double, 2> whole{-1.0, total + 1.0};
+  const std::array<double, 2> interval = along_chain(mesh, chain, load.interval_mm.value_or(whole), total);
+  bool met = false;
+  if (order == 1) {
+    for (const FacetPart& part : loaded_parts(mesh, chain, interval)) {
+      add_part(mesh, analysis, load, part, f);
+      met = true;
+    }
+    return met;
+  }
+  double s = 0.0;
+  for (size_t k = 0; k + 2 < chain.size(); k += 2) {
+    const mesh::QuadraticEdge edge = edge_at(mesh, chain, k);
+    const double a = edge.parameter_at(interval[0] - s), b = edge.parameter_at(interval[1] - s);
+    s += edge.length();
+    if (!(b > a)) continue;
+    add_part(mesh, analysis, load, chain, k, a, b, f);
+    met = true;
+  }
+  return met;
+}
+
 }  // namespace
 
 const mesh::Boundary& boundary_of(const Mesh& mesh, const std::string& name, const std::string& key) {
@@ -72,13 +113,8 @@ const mesh::Boundary& boundary_of(const Mesh& mesh, const std::string& name, con
 Vector load_vector(const Mesh& mesh, Analysis analysis, const BoundaryLoad& load) {
   Vector f = zero(mesh);
   bool met = false;
-  for (const Chain& chain : boundary_of(mesh, load.edge, "load." + load.name + ".edge")) {
-    const std::array<double, 2> whole{-1.0, length(mesh, chain) + 1.0};
-    for (const FacetPart& part : loaded_parts(mesh, chain, load.interval_mm.value_or(whole))) {
-      add_part(mesh, analysis, load, part, f);
-      met = true;
-    }
-  }
+  for (const Chain& chain : boundary_of(mesh, load.edge, "load." + load.name + ".edge"))
+    met = add_chain(mesh, analysis, load, chain, f) || met;
   if (!met) throw base::InputError({{"load." + load.name + ".interval_mm", "", "meets no part of the edge"}});
   return f;
 }

@@ -4,11 +4,13 @@
 
 #include "mesh/mesh.hpp"
 
-/// Lengths, areas and normals of meshes made of straight edges. Geometry only: no quadrature.
+/// Lengths, areas and normals of meshes: of straight edges, and of quadratic ones where the order is 2. Chains are read
+/// by the `order` of the mesh they belong to.
 namespace reye::mesh {
 
-/// Signed area enclosed by a closed chain [mm^2]: 1/2 sum x_i cross x_{i+1}; positive counter-clockwise.
-double enclosed_area(const Points& X, const Chain& loop);
+/// Signed area enclosed by a closed chain [mm^2]: 1/2 sum x_i cross x_{i+1} over its vertices, in second order and
+/// what lies between the edges and their chords; positive counter-clockwise.
+double enclosed_area(const Points& X, const Chain& loop, int order = 1);
 
 /// Area of one cell [mm^2], positive counter-clockwise.
 double cell_area(const Points& X, CellKind kind, const Cell& cell);
@@ -19,8 +21,8 @@ double area(const Mesh& mesh);
 /// x_min, y_min, x_max, y_max of all nodes.
 std::array<double, 4> bounding_box(const Points& X);
 
-double length(const Points& X, const Chain& chain);
-double length(const Points& X, const Boundary& boundary);
+double length(const Points& X, const Chain& chain, int order = 1);
+double length(const Points& X, const Boundary& boundary, int order = 1);
 
 /// Outward unit normal of the straight edge from a to b, body on the left.
 Vec2 outward_normal(const Vec2& a, const Vec2& b);
@@ -28,13 +30,14 @@ Vec2 outward_normal(const Vec2& a, const Vec2& b);
 /// Position of each node along a chain [mm], aligned with the chain. Zero is the end with the smaller x
 /// (ties: smaller y), whatever the direction of the chain. A closed chain is measured from its first node onward;
 /// its last entry is the whole length.
-std::vector<double> arc_lengths(const Points& X, const Chain& chain);
+std::vector<double> arc_lengths(const Points& X, const Chain& chain, int order = 1);
 
 /// Arc length of the distinct nodes of a boundary, aligned with nodes_of(boundary): chains follow one another
 /// in the order of the smaller x of their ends, each starting with the arc length at which the last one ended.
-std::vector<double> arc_lengths(const Points& X, const Boundary& boundary);
+std::vector<double> arc_lengths(const Points& X, const Boundary& boundary, int order = 1);
 
-/// Length belonging to each distinct node, half of each edge that meets it [mm], aligned with nodes_of(boundary).
-std::vector<double> nodal_lengths(const Points& X, const Boundary& boundary);
+/// Length belonging to each distinct node [mm], aligned with nodes_of(boundary): int N_j ds over the edges that meet in
+/// it, half of each straight one; by five Gauss points where they are quadratic.
+std::vector<double> nodal_lengths(const Points& X, const Boundary& boundary, int order = 1);
 
 }  // namespace reye::mesh

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "base/errors.hpp"
 #include "mesh/measure.hpp"
@@ -18,18 +17,27 @@ std::string where(const Points& X, int node) {
          ")";
 }
 
-/// Cell edges without a partner of opposite direction, as from -> to.
-std::map<int, int> boundary_edges(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
-  const int corners = nodes_per_cell(kind);
-  std::set<Edge> edges;
+/// Where an edge leads, and by which mid node (-1: straight there).
+struct Step {
+  int mid, to;
+};
+
+/// Cell edges without a partner of opposite direction, by the vertex they start from.
+std::map<int, Step> boundary_edges(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
+  const int n = corners(kind);
+  std::map<Edge, int> mid_of;
   for (const Cell& cell : cells)
-    for (int i = 0; i < corners; ++i)
-      if (!edges.insert({cell[i], cell[(i + 1) % corners]}).second)
+    for (int i = 0; i < n; ++i)
+      if (!mid_of.insert({{cell[i], cell[(i + 1) % n]}, order(kind) == 2 ? cell[n + i] : -1}).second)
         throw base::MeshError("two cells lie on the same side of an edge at " + where(X, cell[i]));
-  std::map<int, int> next;
-  for (const auto& [from, to] : edges) {
-    if (edges.contains({to, from})) continue;
-    if (!next.insert({from, to}).second) throw base::MeshError("two outlines meet in " + where(X, from));
+  std::map<int, Step> next;
+  for (const auto& [edge, mid] : mid_of) {
+    const auto [from, to] = edge;
+    if (const auto other = mid_of.find({to, from}); other != mid_of.end()) {
+      if (other->second != mid) throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, from));
+      continue;
+    }
+    if (!next.insert({from, {mid, to}}).second) throw base::MeshError("two outlines meet in " + where(X, from));
   }
   return next;
 }
@@ -37,7 +45,7 @@ std::map<int, int> boundary_edges(const Points& X, CellKind kind, const std::vec
 }  // namespace
 
 std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
-  std::map<int, int> next = boundary_edges(X, kind, cells);
+  std::map<int, Step> next = boundary_edges(X, kind, cells);
   std::vector<Chain> loops;
   while (!next.empty()) {
     const int start = next.begin()->first;
@@ -45,7 +53,8 @@ std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<
     for (int node = start;;) {
       const auto step = next.find(node);
       if (step == next.end()) throw base::MeshError("the outline is not closed at " + where(X, node));
-      node = step->second;
+      node = step->second.to;
+      if (step->second.mid >= 0) loop.push_back(step->second.mid);
       next.erase(step);
       loop.push_back(node);
       if (node == start) break;
@@ -53,7 +62,7 @@ std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<
     loops.push_back(std::move(loop));
   }
   const auto outer = std::max_element(loops.begin(), loops.end(), [&](const Chain& a, const Chain& b) {
-    return enclosed_area(X, a) < enclosed_area(X, b);
+    return enclosed_area(X, a, order(kind)) < enclosed_area(X, b, order(kind));
   });
   if (outer != loops.end()) std::rotate(loops.begin(), outer, outer + 1);
   return loops;

@@ -84,7 +84,7 @@ void serialize(Archive& archive, Part& part) {
 
 template <class Archive>
 void serialize(Archive& archive, MeshOptions& options) {
-  archive(options.element, options.far_size_mm, options.growth);
+  archive(options.element, options.far_size_mm, options.growth, options.order);
 }
 
 template <class Archive>

@@ -71,6 +71,16 @@ std::string written(vtkDataSet* data) {
   return writer->GetOutputString();
 }
 
+VTKCellType vtk_type(mesh::CellKind kind) {
+  switch (kind) {
+    case mesh::CellKind::tri3: return VTK_TRIANGLE;
+    case mesh::CellKind::quad4: return VTK_QUAD;
+    case mesh::CellKind::tri6: return VTK_QUADRATIC_TRIANGLE;
+    case mesh::CellKind::quad8: break;
+  }
+  return VTK_QUADRATIC_QUAD;
+}
+
 double von_mises(const std::array<double, 4>& s) {
   const auto [xx, yy, xy, zz] = s;
   const double normal = (xx - yy) * (xx - yy) + (yy - zz) * (yy - zz) + (zz - xx) * (zz - xx);
@@ -115,7 +125,7 @@ struct BodyGrid {
     const vtkIdType first = points->GetNumberOfPoints();
     add_points(frame);
     const mesh::Mesh& mesh = *frame.mesh;
-    const int type = mesh.kind == mesh::CellKind::tri3 ? VTK_TRIANGLE : VTK_QUAD;
+    const int type = vtk_type(mesh.kind);
     const auto count = static_cast<std::size_t>(mesh::nodes_per_cell(mesh.kind));
     for (const auto& cell : mesh.cells) add_cell(type, cell, count, first, index);
     if (!mesh.cells.empty()) return;

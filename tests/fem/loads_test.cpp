@@ -67,7 +67,7 @@ TEST(loads, ring_pressure_has_exact_resultant) {
 
 // A body force must add up to force density times volume, and act at the centroid.
 TEST(loads, body_force_has_exact_resultant) {
-  for (auto kind : {mesh::CellKind::tri3, mesh::CellKind::quad4}) {
+  for (auto kind : {mesh::CellKind::tri3, mesh::CellKind::quad4, mesh::CellKind::tri6, mesh::CellKind::quad8}) {
     const auto m = rectangle({.corner = {1, 0}, .size = {3, 2}, .kind = kind, .distortion = 0.7});
     const fem::BodyForce b{"g", "", {0.5, -2.0}, ""};
     const Vector f = fem::load_vector(m, Analysis::plane_strain, b);

@@ -88,7 +88,7 @@ TEST_P(patch, rigid_motions_are_free) {
 
 std::vector<PatchCase> patch_cases() {
   std::vector<PatchCase> cases;
-  for (auto kind : {CellKind::tri3, CellKind::quad4})
+  for (auto kind : {CellKind::tri3, CellKind::quad4, CellKind::tri6, CellKind::quad8})
     for (auto analysis : {Analysis::plane_strain, Analysis::plane_stress, Analysis::axisymmetric})
       for (bool b_bar : {false, true})
         for (double nu : {0.3, 0.4999}) cases.push_back({kind, analysis, b_bar, nu});

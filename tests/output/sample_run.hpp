@@ -54,7 +54,7 @@ inline reye::mesh::Mesh block(int nx, int ny, double y0) {
     for (int i = 0; i <= nx; ++i) mesh.X.emplace_back(-1.0 + 2.0 * i / nx, y0 + 0.5 * j / ny);
   const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
   for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) mesh.cells.push_back(mesh::cell_of({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}));
+    for (int i = 0; i < nx; ++i) mesh.cells.push_back(reye::mesh::cell_of({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}));
   reye::mesh::Chain loop;
   for (int i = 0; i < nx; ++i) loop.push_back(id(i, 0));
   for (int j = 0; j < ny; ++j) loop.push_back(id(nx, j));

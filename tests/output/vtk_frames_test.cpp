@@ -4,6 +4,7 @@
 #include <vtk-9.1/vtkCellData.h>
 #include <vtk-9.1/vtkDataArray.h>
 #include <vtk-9.1/vtkFieldData.h>
+#include <vtk-9.1/vtkIdList.h>
 #include <vtk-9.1/vtkNew.h>
 #include <vtk-9.1/vtkPointData.h>
 #include <vtk-9.1/vtkPolyData.h>
@@ -12,6 +13,7 @@
 #include <vtk-9.1/vtkXMLPolyDataReader.h>
 #include <vtk-9.1/vtkXMLUnstructuredGridReader.h>
 
+#include "mesh/second_order.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
@@ -45,6 +47,35 @@ TEST(BodiesVtu, ReadsBackWithAllBodiesDeformed) {
     EXPECT_EQ(grid->GetPoint(i)[0], const_cast<vtkDataArray*>(reference)->GetComponent(i, 0) + 0.25);
   }
   EXPECT_EQ(grid->GetPoint(0)[1], -0.5 - 0.01);
+}
+
+// Cells of second order are written as quadratic ones with all their nodes, corners first.
+TEST(BodiesVtu, SecondOrder) {
+  namespace mesh = reye::mesh;
+  mesh::Mesh triangle;
+  triangle.kind = mesh::CellKind::tri3;
+  triangle.X = {{0, 0}, {1, 0}, {0, 1}};
+  triangle.cells = {mesh::cell_of({0, 1, 2})};
+  triangle.outline = {{0, 1, 2, 0}};
+  reye::sim::Frame frame{.cycle = 0.0, .step = "", .bodies = {}, .surfaces = {}};
+  frame.bodies.push_back(sample::body_frame("triangle", mesh::to_second_order(triangle), 0.0));
+  frame.bodies.push_back(sample::body_frame("block", mesh::to_second_order(sample::block(2, 1, 0.0)), 0.0));
+  const auto grid = read_bodies(frame);
+  EXPECT_EQ(grid->GetCellType(0), 22);  // quadratic triangle
+  EXPECT_EQ(grid->GetCellType(1), 23);  // quadratic quadrilateral
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType cell : {0, 1, 2}) {
+    grid->GetCellPoints(cell, nodes);
+    const vtkIdType corners = cell == 0 ? 3 : 4;
+    ASSERT_EQ(nodes->GetNumberOfIds(), 2 * corners);
+    for (vtkIdType k = 0; k < corners; ++k) {
+      const double *a = grid->GetPoint(nodes->GetId(k)), ax = a[0], ay = a[1];
+      const double *b = grid->GetPoint(nodes->GetId((k + 1) % corners)), bx = b[0], by = b[1];
+      const double* mid = grid->GetPoint(nodes->GetId(corners + k));
+      EXPECT_NEAR(mid[0], 0.5 * (ax + bx), 1e-14);
+      EXPECT_NEAR(mid[1], 0.5 * (ay + by), 1e-14);
+    }
+  }
 }
 
 // Every array of the frame is there with the names of its components and exact values.

@@ -84,17 +84,15 @@ TEST(BadScene, Values) {
        {{"friction  = 0.9", "friction = 0.9\n"
          R"(dual = "quadratic")"},
         {"[boundary]", R"(kinematics = "finite")" "\n"
-         "order = 2\n"
          "[boundary]"},
         {"jump = 100 ", "jump = { tolerance = 0.01 } "}},
        R"(scene.toml:20: body.flat.kinematics = "finite": only "small" is built in this version)" "\n"
-       "scene.toml:21: body.flat.order = 2: only 1 is built in this version\n"
-       R"(scene.toml:32: contact.pad.dual = "quadratic": only "linear" is built in this version)" "\n"
-       "scene.toml:69: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
+       R"(scene.toml:31: contact.pad.dual = "quadratic": only "linear" is built in this version)" "\n"
+       "scene.toml:68: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
       {"order unknown",
        {{"[boundary]", "order = 3\n"
          "[boundary]"}},
-       "scene.toml:20: body.flat.order = 3: must be 1"},
+       "scene.toml:20: body.flat.order = 3: must be 1 or 2"},
       {"missing keys",
        {{"nu    = 0.3", ""},
         {R"(secondary = "face")", "#"},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mesh/mesh.hpp"
+#include "mesh/second_order.hpp"
 
 /// Small meshes written by hand, for tests of all rooms.
 namespace reye::support {
@@ -14,7 +15,8 @@ using mesh::Chain;
 using mesh::Mesh;
 
 /// A rectangle cut into nx times ny quadrilaterals (or twice as many triangles).
-/// `distortion` in [0, 1) moves inner nodes, as a share of a third of the cell size; repeatable.
+/// `distortion` in [0, 1) moves inner nodes, as a share of a third of the cell size; repeatable. In second order edges
+/// are straight, with mid nodes between the moved vertices.
 struct RectangleOptions {
   Vec2 corner{0.0, 0.0};  ///< lower left [mm]
   Vec2 size{1.0, 1.0};
@@ -45,7 +47,7 @@ inline void add_cells(Mesh& m, int i, int j, int nx) {
 /// towards smaller x and `left` towards smaller y). Node of row j and column i: j * (nx + 1) + i.
 inline Mesh rectangle(const RectangleOptions& o) {
   Mesh m;
-  m.kind = o.kind;
+  m.kind = mesh::corners(o.kind) == 3 ? CellKind::tri3 : CellKind::quad4;
   const Vec2 h{o.size.x() / o.nx, o.size.y() / o.ny};
   for (int j = 0; j <= o.ny; ++j)
     for (int i = 0; i <= o.nx; ++i) {
@@ -69,7 +71,7 @@ inline Mesh rectangle(const RectangleOptions& o) {
   loop.push_back(loop.front());
   m.boundaries = {{"bottom", {bottom}}, {"right", {right}}, {"top", {top}}, {"left", {left}}};
   m.outline = {loop};
-  return m;
+  return mesh::order(o.kind) == 2 ? mesh::to_second_order(m) : m;
 }
 
 /// The mesh with every node moved by `map` (which must keep cells counter-clockwise).
