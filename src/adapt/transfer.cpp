@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "adapt/locate.hpp"
-#include "fem/element.hpp"
 
 namespace reye::adapt {
 
@@ -39,8 +38,12 @@ Field interpolated(const mesh::Mesh& from, const Field& field, const std::vector
   return result;
 }
 
-void carry_nodal(const mesh::Mesh& from, const std::vector<Field>& fields, const mesh::Mesh& to, double most_distance,
-                 Transferred& result) {
+}  // namespace
+
+Transferred transfer(const mesh::Mesh& from, const std::vector<Field>& fields, const mesh::Mesh& to,
+                     double most_distance) {
+  Transferred result;
+  if (fields.empty()) return result;
   const auto places = places_of(from, to);
   int farthest = -1;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -50,50 +53,9 @@ void carry_nodal(const mesh::Mesh& from, const std::vector<Field>& fields, const
     }
   if (farthest >= 0 && result.largest_distance > most_distance) {
     result.failure = outside(to, farthest, result.largest_distance, most_distance);
-    return;
+    return result;
   }
-  for (const auto& field : fields) result.fields.nodal.push_back(interpolated(from, field, places));
-}
-
-Points gauss_points(const mesh::Mesh& mesh) {
-  Points points;
-  for (const auto& cell : mesh.cells)
-    for (const auto& at : fem::stiffness_rule(mesh.kind)) {
-      const fem::NodeValues N = fem::shape_functions(mesh.kind, at.xi);
-      Vec2 x = Vec2::Zero();
-      for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) x += N[a] * mesh.X[cell[a]];
-      points.push_back(x);
-    }
-  return points;
-}
-
-Field picked(const Field& field, const std::vector<int>& items) {
-  Field result{field.name, field.components, {}};
-  result.values.reserve(items.size() * field.components);
-  for (std::size_t item : items)
-    for (int c = 0; c < field.components; ++c) result.values.push_back(field.values[item * field.components + c]);
-  return result;
-}
-
-std::vector<Field> carry_gauss(const mesh::Mesh& from, const std::vector<Field>& fields, const mesh::Mesh& to) {
-  const SegmentTree old(gauss_points(from));
-  std::vector<int> items;
-  for (const Vec2& x : gauss_points(to)) items.push_back(old.nearest(x).segment);
-  std::vector<Field> result;
-  for (const auto& field : fields) {
-    assert(field.values.size() ==
-           from.cells.size() * fem::stiffness_rule(from.kind).size() * static_cast<std::size_t>(field.components));
-    result.push_back(picked(field, items));
-  }
-  return result;
-}
-
-}  // namespace
-
-Transferred transfer(const mesh::Mesh& from, const BodyFields& fields, const mesh::Mesh& to, double most_distance) {
-  Transferred result;
-  if (!fields.nodal.empty()) carry_nodal(from, fields.nodal, to, most_distance, result);
-  if (!fields.gauss.empty() && result.failure.empty()) result.fields.gauss = carry_gauss(from, fields.gauss, to);
+  for (const auto& field : fields) result.fields.push_back(interpolated(from, field, places));
   return result;
 }
 

@@ -51,10 +51,10 @@ std::string start_values(const mesh::Mesh& old, Displaced before, const mesh::Me
   for (const Vec2& v : before.u) u.values.insert(u.values.end(), {v.x(), v.y()});
   mesh::Mesh nodes;
   for (int node : body.contact_nodes()) nodes.X.push_back(fresh.X[node]);
-  const auto carried = adapt::transfer(old, {{std::move(u)}, {}}, nodes, 0.5 * longest_facet(old));
+  const auto carried = adapt::transfer(old, {std::move(u)}, nodes, 0.5 * longest_facet(old));
   if (!carried.failure.empty()) return carried.failure;
   projection = carried.largest_distance;
-  const auto& values = carried.fields.nodal.front().values;
+  const auto& values = carried.fields.front().values;
   base::Points displacement;
   for (std::size_t k = 0; k < nodes.X.size(); ++k) displacement.emplace_back(values[2 * k], values[2 * k + 1]);
   body::seat(body, displacement, q);

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "adapt/transfer.hpp"
-#include "fem/element.hpp"
 #include "mesh/quality.hpp"
 #include "support/meshes.hpp"
 #include "support/surfaces.hpp"
@@ -11,7 +10,6 @@ namespace reye {
 namespace {
 
 using namespace support;  // NOLINT: test vocabulary
-using adapt::BodyFields;
 using adapt::Field;
 using adapt::transfer;
 
@@ -52,21 +50,20 @@ double rms_difference(const Field& a, const Field& b) {
   return std::sqrt(square / static_cast<double>(a.values.size()));
 }
 
-// To the same mesh every nodal and Gauss value comes back to the bit, with its name and components.
+// To the same mesh every value comes back to the bit, with its name and components.
 TEST(Transfer, IdentityIsExact) {
   for (auto kind : kinds) {
     const auto mesh = turned(rectangle({.nx = 13, .ny = 9, .kind = kind, .distortion = 0.9}), 0.3);
-    const BodyFields fields{{random_field(mesh.X.size(), 2), random_field(mesh.X.size(), 1)},
-                            {random_field(mesh.cells.size() * fem::stiffness_rule(kind).size(), 5)}};
+    const std::vector<Field> fields{random_field(mesh.X.size(), 2), random_field(mesh.X.size(), 1)};
     const auto result = transfer(mesh, fields, mesh, 0.0);
     ASSERT_EQ(result.failure, "");
     EXPECT_EQ(result.largest_distance, 0.0);
-    ASSERT_EQ(result.fields.nodal.size(), 2U);
-    ASSERT_EQ(result.fields.gauss.size(), 1U);
-    for (int k : {0, 1}) EXPECT_EQ(result.fields.nodal[k].values, fields.nodal[k].values);
-    EXPECT_EQ(result.fields.gauss[0].values, fields.gauss[0].values);
-    EXPECT_EQ(result.fields.gauss[0].components, 5);
-    EXPECT_EQ(result.fields.gauss[0].name, "noise");
+    ASSERT_EQ(result.fields.size(), 2U);
+    for (int k : {0, 1}) {
+      EXPECT_EQ(result.fields[k].values, fields[k].values);
+      EXPECT_EQ(result.fields[k].components, fields[k].components);
+      EXPECT_EQ(result.fields[k].name, "noise");
+    }
   }
 }
 
@@ -77,9 +74,9 @@ TEST(Transfer, AffineFieldsAreExact) {
       for (int n : {5, 12, 31}) {
         const auto from = turned(rectangle({.nx = 12, .ny = 7, .kind = kind, .distortion = 0.9}), 0.3);
         const auto to = turned(rectangle({.nx = n, .ny = n + 2, .kind = other, .distortion = 0.7}), 0.3);
-        const auto result = transfer(from, {{nodal(from, affine)}, {}}, to, 1e-12);
+        const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
         ASSERT_EQ(result.failure, "");
-        EXPECT_LT(largest_difference(result.fields.nodal[0], nodal(to, affine)), 1e-13);
+        EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-13);
       }
 }
 
@@ -89,9 +86,9 @@ TEST(Transfer, AffineFieldsAreExactFromRuinedMeshes) {
     const auto from = rectangle({.nx = 20, .ny = 20, .kind = kind, .distortion = 2.5});
     const auto to = rectangle({.nx = 33, .ny = 31, .kind = kind, .distortion = 0.5});
     ASSERT_LT(mesh::poorest_cell(from).scaled_jacobian, -0.1);
-    const auto result = transfer(from, {{nodal(from, affine)}, {}}, to, 1e-12);
+    const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
     ASSERT_EQ(result.failure, "");
-    EXPECT_LT(largest_difference(result.fields.nodal[0], nodal(to, affine)), 1e-13);
+    EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-13);
   }
 }
 
@@ -104,9 +101,9 @@ TEST(Transfer, FineBoxMoves) {
     });
   };
   const auto from = fine_at(0.9), to = fine_at(1.1);
-  const auto result = transfer(from, {{nodal(from, affine)}, {}}, to, 1e-12);
+  const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
   ASSERT_EQ(result.failure, "");
-  EXPECT_LT(largest_difference(result.fields.nodal[0], nodal(to, affine)), 1e-12);
+  EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-12);
 }
 
 // A smooth field loses at second order of the old mesh size, on curved bodies too, where new nodes lie outside.
@@ -116,9 +113,9 @@ TEST(Transfer, SecondOrder) {
     for (int n : {8, 16, 32, 64}) {
       const auto from = ring({.across = n, .around = 2 * n, .kind = kind});
       const auto to = ring({.across = 5 * n / 4, .around = 9 * n / 4, .kind = kind});
-      const auto result = transfer(from, {{nodal(from, smooth)}, {}}, to, 1.0);
+      const auto result = transfer(from, {nodal(from, smooth)}, to, 1.0);
       EXPECT_GT(result.largest_distance, 0.0);
-      errors.push_back(rms_difference(result.fields.nodal[0], nodal(to, smooth)));
+      errors.push_back(rms_difference(result.fields[0], nodal(to, smooth)));
     }
     for (int k = 0; k < 3; ++k) EXPECT_GT(std::log2(errors[k] / errors[k + 1]), 1.9);
     RecordProperty(kind == CellKind::tri3 ? "tri3_finest" : "quad4_finest", std::to_string(errors.back()));
@@ -129,63 +126,30 @@ TEST(Transfer, SecondOrder) {
 TEST(Transfer, NodesJustOutside) {
   const auto from = rectangle({.nx = 6, .ny = 6, .distortion = 0.5});
   const auto to = mapped(rectangle({.nx = 7, .ny = 5}), [](Vec2 x) { return Vec2(1.002 * x); });
-  const auto result = transfer(from, {{nodal(from, affine)}, {}}, to, 0.01);
+  const auto result = transfer(from, {nodal(from, affine)}, to, 0.01);
   ASSERT_EQ(result.failure, "");
   EXPECT_NEAR(result.largest_distance, 0.002 * std::sqrt(2.0), 1e-14);
   const auto clamped = mapped(to, [](Vec2 x) { return Vec2(x.cwiseMin(1.0)); });
-  EXPECT_LT(largest_difference(result.fields.nodal[0], nodal(clamped, affine)), 1e-13);
+  EXPECT_LT(largest_difference(result.fields[0], nodal(clamped, affine)), 1e-13);
 }
 
 // A mesh that does not belong to the body is refused: which node, where, how far, the bound; no field comes back.
 TEST(Transfer, FarNodesAreRefused) {
   const auto from = rectangle({.nx = 4, .ny = 4});
   const auto to = rectangle({.corner = {0.25, 0.0}, .nx = 4, .ny = 4});
-  const auto gauss = random_field(from.cells.size() * 4, 1);
-  const auto result = transfer(from, {{nodal(from, affine)}, {gauss}}, to, 0.1);
+  const auto result = transfer(from, {nodal(from, affine)}, to, 0.1);
   EXPECT_EQ(result.failure,
             "node 4 of the new mesh at (1.25, 0) mm lies 0.25 mm outside the old mesh, more than 0.1 mm");
-  EXPECT_TRUE(result.fields.nodal.empty());
-  EXPECT_TRUE(result.fields.gauss.empty());
+  EXPECT_TRUE(result.fields.empty());
   EXPECT_EQ(result.largest_distance, 0.25);
 }
 
-// A kind without fields costs nothing: not even meshes that cannot be searched are looked at.
+// No fields cost nothing: not even meshes that cannot be searched are looked at.
 TEST(Transfer, NothingIsBuiltWithoutFields) {
   const auto result = transfer(Mesh{}, {}, rectangle({}), 0.0);
   EXPECT_EQ(result.failure, "");
   EXPECT_EQ(result.largest_distance, 0.0);
-  EXPECT_TRUE(result.fields.nodal.empty());
-}
-
-Points gauss_points(const Mesh& m) {
-  Points points;
-  for (const auto& cell : m.cells)
-    for (const auto& at : fem::stiffness_rule(m.kind)) {
-      const auto N = fem::shape_functions(m.kind, at.xi);
-      points.push_back(Vec2::Zero());
-      for (int a = 0; a < mesh::nodes_per_cell(m.kind); ++a) points.back() += N[a] * m.X[cell[a]];
-    }
-  return points;
-}
-
-// Gauss values are those of the nearest old Gauss point, all components of one point together.
-TEST(Transfer, GaussValuesOfTheNearestPoint) {
-  for (auto kind : kinds)
-    for (auto other : kinds) {
-      const auto from = rectangle({.nx = 9, .ny = 8, .kind = kind, .distortion = 0.8});
-      const auto to = rectangle({.nx = 11, .ny = 7, .kind = other, .distortion = 0.4});
-      const auto old = gauss_points(from);
-      Field positions{"position", 2, {}};
-      for (const Vec2& x : old) positions.values.insert(positions.values.end(), {x.x(), x.y()});
-      const auto values = transfer(from, {{}, {positions}}, to, anywhere).fields.gauss.at(0).values;
-      const auto fresh = gauss_points(to);
-      ASSERT_EQ(values.size(), 2 * fresh.size());
-      for (std::size_t k = 0; k < fresh.size(); ++k) {
-        double least = anywhere;
-        for (const Vec2& x : old) least = std::min(least, (x - fresh[k]).norm());
-        EXPECT_EQ((Vec2(values[2 * k], values[2 * k + 1]) - fresh[k]).norm(), least);
-      }
-    }
+  EXPECT_TRUE(result.fields.empty());
 }
 
 }  // namespace
