@@ -8,7 +8,7 @@
 namespace reye::scene {
 
 base::Analysis analysis_of(const Entry& root);
-std::map<std::string, material::Material> materials_of(const Entry& root);
+std::map<std::string, material::Material> materials_of(const Entry& root, Issues& issues);
 std::map<std::string, BodyMaterial> body_materials_of(const Entry& root);
 std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
 /// Profiles are read from their files, whose paths count from the scene at `path`.

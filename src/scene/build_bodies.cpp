@@ -13,17 +13,12 @@ base::Analysis analysis_of(const Entry& root) {
   return base::Analysis::plane_strain;
 }
 
-std::map<std::string, material::Material> materials_of(const Entry& root) {
-  std::map<std::string, material::Material> materials;
-  for (const auto& entry : root.all("material"))
-    materials[entry.name()] = material::LinearElastic{.E_MPa = entry.number("E_MPa"), .nu = entry.number("nu")};
-  return materials;
-}
-
 std::map<std::string, BodyMaterial> body_materials_of(const Entry& root) {
   std::map<std::string, BodyMaterial> materials;
   for (const auto& entry : root.all("body"))
-    materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar")};
+    materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar"),
+                               .kinematics = entry.text("kinematics") == "finite" ? base::Kinematics::finite
+                                                                                  : base::Kinematics::small};
   return materials;
 }
 
@@ -31,7 +26,7 @@ namespace {
 
 void check_body(const Entry& entry, base::Analysis analysis, Issues& issues) {
   const bool rigid = entry.flag("rigid");
-  if (rigid) refuse(entry, {"material", "b_bar"}, "a rigid body takes none", issues);
+  if (rigid) refuse(entry, {"material", "b_bar", "kinematics"}, "a rigid body takes none", issues);
   if (!rigid && !entry.given("material"))
     issues.push_back({entry.key("material"), "", "missing; a body has a material or is rigid"});
   if (!rigid && analysis == base::Analysis::plane_stress && entry.flag("b_bar"))

@@ -20,6 +20,7 @@ std::string type_rule(Type type) {
     case Type::pair: return "must be a list of two numbers";
     case Type::triple: return "must be a list of three numbers";
     case Type::box: return "must be a list of four numbers";
+    case Type::curve: return "must be a list of at least two pairs of numbers";
     case Type::history: return "must be a list of at least two pairs [progress, factor]";
     case Type::refused: break;
   }
@@ -44,6 +45,7 @@ bool has_type(const Node& node, Type type) {
     case Type::texts:
       return node.kind == NodeKind::list &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return n.kind == NodeKind::text; });
+    case Type::curve:
     case Type::history:
       return node.kind == NodeKind::list && parts.size() >= 2 &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return numbers(n, 2); });
@@ -86,6 +88,13 @@ std::string history_rule(const Node& history) {
   return whole ? "" : "progress must increase strictly from 0 to 1";
 }
 
+std::string curve_rule(const Node& curve) {
+  for (std::size_t i = 1; i < curve.children.size(); ++i)
+    if (curve.children[i].children[0].number <= curve.children[i - 1].children[0].number)
+      return "the first number of each pair must increase strictly";
+  return {};
+}
+
 std::string choice_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   const auto value = key.type == Type::whole ? shown(node.number) : node.text;
@@ -104,6 +113,7 @@ std::string broken_rule(const Node& node, const Spec& place) {
   if (!key.range.choices.empty()) return choice_rule(node, place);
   if (key.type == Type::history) return history_rule(node);
   if (!in_range(node, key.range)) return rule_of(key);
+  if (key.type == Type::curve) return curve_rule(node);
   constexpr double most = 1e9;   // whole numbers are kept as int
   if (key.type == Type::whole && std::abs(node.number) > most) return "must be at most 1e9";
   return {};

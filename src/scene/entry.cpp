@@ -88,14 +88,26 @@ std::vector<double> Entry::numbers(std::string_view name) const {
   return list;
 }
 
+namespace {
+
+std::vector<std::array<double, 2>> pairs_of(const Node& list) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : list.children)
+    if (point.children.size() == 2) points.push_back({point.children[0].number, point.children[1].number});
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 2>> Entry::curve(std::string_view name) const {
+  const auto* found = value(name, NodeKind::list);
+  return found ? pairs_of(*found) : std::vector<std::array<double, 2>>{};
+}
+
 std::map<std::string, std::vector<std::array<double, 2>>> Entry::histories() const {
   std::map<std::string, std::vector<std::array<double, 2>>> tables;
   if (!node_) return tables;
-  for (const auto& child : node_->children) {
-    auto& points = tables[child.name];
-    for (const auto& point : child.children)
-      if (point.children.size() == 2) points.push_back({point.children[0].number, point.children[1].number});
-  }
+  for (const auto& child : node_->children) tables[child.name] = pairs_of(child);
   return tables;
 }
 

@@ -42,6 +42,8 @@ class Entry {
   std::optional<double> maybe_number(std::string_view name) const;
   std::optional<base::Vec2> pair(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
+  /// A list of pairs.
+  std::vector<std::array<double, 2>> curve(std::string_view name) const;
   /// The lists of pairs that stand right here, by name.
   std::map<std::string, std::vector<std::array<double, 2>>> histories() const;
 

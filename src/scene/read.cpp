@@ -80,7 +80,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.shape = root.text("shape") == "on";
   scene.max_newton = root.at("solver").whole("max_newton");
   scene.max_cutbacks = root.at("solver").whole("max_cutbacks");
-  scene.materials = materials_of(root);
+  scene.materials = materials_of(root, issues);
   scene.body_material = body_materials_of(root);
   scene.geometry.axisymmetric = scene.analysis == base::Analysis::axisymmetric;
   scene.geometry.files = geometry_files(root, scene.path, issues);

@@ -22,7 +22,8 @@ using History = std::vector<std::array<double, 2>>;
 
 struct BodyMaterial {
   std::string material;  ///< empty for a rigid body
-  std::optional<bool> b_bar;  ///< default: quads in plane strain and axisymmetry
+  std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
+  base::Kinematics kinematics = base::Kinematics::small;
 };
 
 struct Step {

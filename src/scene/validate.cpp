@@ -67,6 +67,18 @@ void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
   if (!root.given("step")) issues.push_back({"step", "", "missing; a scene has at least one [[step]]"});
 }
 
+/// A finite-strain body needs a law that knows finite strain.
+void check_kinematics(const Entry& root, const Scene& scene, Issues& issues) {
+  for (const auto& body : root.all("body")) {
+    const auto found = scene.materials.find(body.text("material"));
+    if (found == scene.materials.end() || body.text("kinematics") != "finite") continue;
+    if (std::holds_alternative<material::LinearElastic>(found->second))
+      issues.push_back({body.key("kinematics"), body.written("kinematics"),
+                        "material \"" + found->first + "\" is linear_elastic, a law of small strain; the same E_MPa and nu "
+                        "serve hencky, neo_hookean and st_venant_kirchhoff"});
+  }
+}
+
 void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
   const auto bodies = names_of(scene.geometry.bodies);
   for (const auto& body : root.all("body"))
@@ -93,14 +105,39 @@ std::set<std::string> used(const Scene& scene) {
 
 void validate(const Entry& root, const Scene& scene, Issues& issues) {
   check_bodies(root, scene, issues);
+  check_kinematics(root, scene, issues);
   check_histories(root, keys_of(scene.histories), issues);
   check_steps(root, scene, issues);
   validate_contacts(root, scene, issues);
   for (const auto& limit : root.all("limit")) refer(limit, "contact", "contact", names_of(scene.contacts), issues);
 }
 
+namespace {
+
+/// Elements that lock: triangles of order 1, and quads without their cure, where volume is (nearly) kept.
+void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
+  if (scene.analysis == base::Analysis::plane_stress) return;
+  for (const auto& body : root.all("body")) {
+    const auto material = scene.materials.find(body.text("material"));
+    if (material == scene.materials.end() || body.whole("order") == 2) continue;
+    const bool plastic = std::holds_alternative<material::HenckyJ2>(material->second);
+    const double nu = std::visit([](const auto& m) { return m.nu; }, material->second);
+    const bool triangles = body.at("mesh").text("element") == "tri";
+    if (!plastic && nu <= 0.45) continue;
+    if (!triangles && body.maybe_flag("b_bar").value_or(true)) continue;
+    found.push_back({body.key("material"), body.written("material"),
+                     std::string(triangles ? "triangles of order 1" : "quads of order 1 without b_bar") +
+                         " lock where the material (nearly) keeps its volume, " +
+                         (plastic ? "as plastic flow does" : "as nu > 0.45 does") + "; take " +
+                         (triangles ? "quads or order = 2" : "b_bar = true or order = 2")});
+  }
+}
+
+}  // namespace
+
 Issues suspicious(const Entry& root, const Scene& scene) {
   Issues found;
+  warn_of_locking(root, scene, found);
   std::set<std::string> played;
   for (const auto& step : scene.steps) played.insert(step.play.begin(), step.play.end());
   const auto named = used(scene);
