@@ -181,8 +181,7 @@ class NonlinearBody {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The seam a nonlinear body fills later: one more alternative with the same members.
-using Operator = std::variant<RigidBody, LinearBody>;
+using Operator = std::variant<RigidBody, LinearBody, NonlinearBody>;
 
 /// The rigid motions of the body that nothing holds and nothing loads, in words ("translation along x",
 /// "rotation"); empty when the body is well posed. A motion left free by the supports is accepted when the

@@ -17,11 +17,29 @@ void serialize(Archive& archive, ContactState& s) {
 
 }  // namespace reye::contact
 
+namespace reye::material {
+
+template <class Archive>
+void serialize(Archive& archive, PlasticState& s) {
+  archive(s.strain, s.accumulated);
+}
+
+}  // namespace reye::material
+
+namespace reye::body {
+
+template <class Archive>
+void serialize(Archive& archive, Interior& s) {
+  archive(s.y, s.history);
+}
+
+}  // namespace reye::body
+
 namespace reye::solver {
 
 template <class Archive>
 void serialize(Archive& archive, SolverState& s) {
-  archive(s.q, s.contacts);
+  archive(s.q, s.interiors, s.contacts);
 }
 
 }  // namespace reye::solver

@@ -30,6 +30,14 @@ Vector translation(const Problem& problem, const solver::System& system, int b, 
   return t;
 }
 
+/// The equations of a nonlinear body before anything has moved.
+body::NonlinearBody::Linearised at_start(const body::NonlinearBody& body, const Vector& load_factors) {
+  body::NonlinearBody::Linearised out;
+  const auto start = body.start();
+  body.linearise(start, start.y, Vector::Zero(body.dofs()), load_factors, out);
+  return out;
+}
+
 double peak_factor(const Problem& problem, const std::string& history) {
   if (history.empty()) return 1.0;
   double peak = 0.0;
@@ -57,9 +65,23 @@ double driving_force(const Problem& problem, const solver::System& system, int b
   const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
   for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, loads[i].history);
-  const Vector t = translation(problem, system, b, d);
-  force -= std::visit([&](const auto& o) { return o.residual(Vector::Zero(t.size()), factors).dot(t); }, op);
-  return force;
+  const Vector t = translation(problem, system, b, d), zero = Vector::Zero(t.size());
+  const auto at_rest = [&](const auto& o) -> Vector {
+    if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
+      return at_start(o, factors).r;
+    else
+      return o.residual(zero, factors);
+  };
+  return force - std::visit(at_rest, op).dot(t);
+}
+
+/// Moves all of body b by what t is in its q.
+void translate(const solver::System& system, int b, const Vector& t, solver::SolverState& solution) {
+  solution.q.segment(system.offset[b], t.size()) += t;
+  const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]);
+  if (!body) return;
+  const Vector unloaded = Vector::Zero(static_cast<Eigen::Index>(body->loads().size()));
+  solution.interiors[b].y += body->interior_step(at_start(*body, unloaded), t);  // without load the interior goes along
 }
 
 /// Distance that body b can move along d until the first covered secondary node of its contacts meets.
@@ -108,7 +130,7 @@ void approach(const Problem& problem, State& state, const solver::System& system
       for (int round = 0; round < 50; ++round) {
         const auto way = free_way(problem, system, state, b, d);
         if (!way || (round == 0 && *way <= 0.0)) break;
-        state.solution.q.segment(system.offset[b], t.size()) += *way * t;
+        translate(system, b, *way * t, state.solution);
         if (std::abs(*way) < 1e-14) break;
       }
     }

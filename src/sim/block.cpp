@@ -110,6 +110,9 @@ void tell_progress(const Observer& observer, const State& state, const solver::S
 void begin_state(const Problem& problem, State& state, Cache& cache) {
   const auto& system = timed_system(problem, state, cache);
   state.solution.q = Vector::Zero(system.dofs);
+  state.solution.interiors.assign(system.bodies.size(), {});
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b])) state.solution.interiors[b] = body->start();
   state.solution.contacts.clear();
   for (const auto& setup : system.contacts) state.solution.contacts.push_back(contact::fresh_state(setup));
   approach(problem, state, system);

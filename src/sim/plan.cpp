@@ -13,6 +13,13 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
+const char* cell_name(mesh::CellKind kind) { return kind == mesh::CellKind::quad4 ? "quads" : "triangles"; }
+
+const char* law_name(const material::Material& material) {
+  constexpr const char* names[] = {"linear elastic", "St Venant-Kirchhoff", "neo-Hookean", "Hencky", "Hencky with J2 plasticity"};
+  return names[material.index()];
+}
+
 void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
   const auto& name = p.inputs[b].name;
   const auto& mesh = p.shapes[b]->mesh;
@@ -21,9 +28,17 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
     plan.skipped.push_back("body " + name + " is rigid: no elements, no stiffness");
     return;
   }
+  if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b])) {
+    const bool finite = p.inputs[b].kinematics == base::Kinematics::finite;
+    plan.lines.push_back(text("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration", name.c_str(),
+                              law_name(p.inputs[b].material), finite ? "finite" : "small", mesh.cell_count(),
+                              cell_name(mesh.kind), body->full_dofs(), body->dofs()));
+    if (!material::has_history(p.inputs[b].material)) plan.skipped.push_back("body " + name + " is elastic: no history");
+    return;
+  }
   const auto& linear = std::get<body::LinearBody>(system.bodies[b]);
   plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
-                            mesh.cell_count(), mesh.kind == mesh::CellKind::quad4 ? "quads" : "triangles",
+                            mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames");
 }

@@ -200,6 +200,7 @@ body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& bo
   if (body.rigid) return input;
   const auto& choice = scene.body_material.at(body.name);
   input.material = scene.materials.at(choice.material);
+  input.kinematics = choice.kinematics;
   input.b_bar = choice.b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
                                       scene.analysis != base::Analysis::plane_stress);
   return input;

@@ -73,6 +73,9 @@ struct Cache {
 /// Reads geometry, finds names, meshes, checks. Throws base::InputError with located lines.
 Problem prepare(const scene::Scene& scene);
 
+/// Finite strain or a material with history: not condensed once, but linearised in every iteration.
+bool is_nonlinear(const body::BodyInput& input);
+
 /// The state before the first step.
 State initial_state(const Problem& problem);
 

@@ -9,6 +9,10 @@ State initial_state(const Problem& problem) {
   return state;
 }
 
+bool is_nonlinear(const body::BodyInput& input) {
+  return input.kinematics == base::Kinematics::finite || material::has_history(input.material);
+}
+
 const solver::System& system_of(const Problem& problem, const State& state, Cache& cache) {
   if (cache.shapes == state.shapes) return cache.system;
   std::vector<body::Operator> bodies;
@@ -18,6 +22,8 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
       bodies.push_back(cache.system.bodies[b]);
     else if (problem.rigid[b])
       bodies.emplace_back(body::RigidBody(state.shapes[b], problem.inputs[b]));
+    else if (is_nonlinear(problem.inputs[b]))
+      bodies.emplace_back(body::NonlinearBody(state.shapes[b], problem.inputs[b]));
     else
       bodies.emplace_back(body::LinearBody(state.shapes[b], problem.inputs[b]));
   }

@@ -6,33 +6,35 @@ namespace reye::solver {
 
 using contact::ContactStatus;
 
-void Condenser::start(const System& system, const Controls& controls, const Reduction& reduction, const Vector& q,
-                      const Vector& rhs) {
+void Condenser::start(const System& system, const Vector& rhs) {
   linearised_.resize(system.contacts.size());
   elimination_.resize(system.contacts.size());
-  At_.setZero(reduction.size(), reduction.size());
+  At_.setZero(rhs.size(), rhs.size());
   b_ = rhs;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int at = reduction.first(static_cast<int>(b));
-    if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {
-      const Vector part = q.segment(at, rigid->dofs());
-      At_.block(at, at, rigid->dofs(), rigid->dofs()) = rigid->tangent(part, controls.load_factors[b]).transpose();
-    } else {
-      const Matrix& S = reduction.stiffness(static_cast<int>(b));
-      At_.block(at, at, S.rows(), S.cols()) = S;
-    }
-  }
 }
 
-/// A rigid body turns the arms of its forces: what its tangent gains at (theta, theta).
-void Condenser::turn_rigid(const System& system, const contact::SurfaceNode& node, const Vec2& force,
-                           const Reduction& reduction, const Vector& q) {
-  const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[node.body]);
-  if (!rigid || force.isZero(0.0)) return;
-  std::vector<Vec2> forces(rigid->contact_nodes().size(), Vec2::Zero());
-  forces[node.contact_node] = force;
-  const int at = reduction.first(node.body);
-  At_(at + 2, at + 2) += rigid->geometric(q.segment(at, rigid->dofs()), forces);
+/// What turns with q turns the arms of its forces, too: second derivatives of positions in the tangent.
+void Condenser::turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
+                     const Vector& q) {
+  turned_.resize(system.bodies.size());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const bool turns = !std::holds_alternative<body::LinearBody>(system.bodies[b]);
+    const auto count = turns ? std::visit([](const auto& o) { return o.contact_nodes().size(); }, system.bodies[b]) : 0;
+    turned_[b].assign(count, Vec2::Zero());
+  }
+  Eigen::Index k = 0;
+  for (const auto* nodes : {&setup.secondary_nodes, &setup.primary_nodes})
+    for (const auto& node : *nodes) {
+      if (!turned_[node.body].empty()) turned_[node.body][node.contact_node] += force.segment<2>(k);
+      k += 2;
+    }
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int at = reduction.first(static_cast<int>(b));
+    if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
+      At_(at + 2, at + 2) += rigid->geometric(q.segment(at, rigid->dofs()), turned_[b]);
+    else if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]))
+      At_.diagonal().segment(at, nonlinear->dofs()) += nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
+  }
 }
 
 void Condenser::add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
@@ -46,12 +48,7 @@ void Condenser::add_contact(const System& system, int contact, contact::Interfac
         At_(col.column[k], row.column[r]) +=
             e.value * row.position.terms[r].direction[e.row % 2] * col.position.terms[k].direction[e.col % 2];
   }
-  const auto& setup = system.contacts[contact];
-  const Vector f = face.forces(lambda);
-  for (int j = 0; j < setup.secondary_count(); ++j)
-    turn_rigid(system, setup.secondary_nodes[j], f.segment<2>(2 * j), reduction, q);
-  for (int l = 0; l < setup.primary_count(); ++l)
-    turn_rigid(system, setup.primary_nodes[l], f.segment<2>(2 * (setup.secondary_count() + l)), reduction, q);
+  turn(system, system.contacts[contact], face.forces(lambda), reduction, q);
 }
 
 /// lambda = constant + slope dq from the balance of each active node.
@@ -140,10 +137,10 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
   }
 }
 
-void Condenser::fix(int column) {
+void Condenser::fix(int column, double by) {
   At_.col(column).setZero();
   At_(column, column) = 1.0;
-  b_[column] = 0.0;
+  b_[column] = by;
 }
 
 Vector Condenser::solve() { return algebra::solve_dense_transposed(At_, b_); }

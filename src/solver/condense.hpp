@@ -18,8 +18,11 @@ struct PlacedNode {
 /// gives lambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions.
 class Condenser {
  public:
-  /// Tangents of the bodies into an empty matrix; `rhs`: minus the bodies' residual.
-  void start(const System& system, const Controls& controls, const Reduction& reduction, const Vector& q, const Vector& rhs);
+  /// An empty matrix; `rhs`: minus the bodies' residual.
+  void start(const System& system, const Vector& rhs);
+
+  /// Tangent of a body whose columns start at `at`.
+  void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
 
   /// Derivative of the contact forces at fixed multipliers.
   void add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
@@ -29,8 +32,8 @@ class Condenser {
   void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                  const std::vector<Vec2>& lambda);
 
-  /// Keeps a column at its value.
-  void fix(int column);
+  /// Moves a column by a given amount.
+  void fix(int column, double by);
 
   /// dq. Throws base::SolveError when the matrix is singular.
   Vector solve();
@@ -48,13 +51,14 @@ class Condenser {
   void load(const PlacedNode& node, const Elimination& elim, int from, double factor);
   void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda,
                   const Elimination& elim, const contact::Linearised& linearised);
-  void turn_rigid(const System& system, const contact::SurfaceNode& node, const Vec2& force, const Reduction& reduction,
-                  const Vector& q);
+  void turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
+            const Vector& q);
 
   Matrix At_;  ///< transposed: one equation per column
   Vector b_;
   std::vector<contact::Linearised> linearised_;
   std::vector<Elimination> elimination_;
+  std::vector<std::vector<Vec2>> turned_;  ///< per body: forces on its contact nodes
 };
 
 }  // namespace reye::solver

@@ -14,6 +14,11 @@ namespace {
 
 constexpr int reach_margin = 6;  ///< nodes beyond the contact that are kept
 constexpr double tiny = std::numeric_limits<double>::min();
+constexpr int most_halvings = 5;  ///< of one Newton step that turns an element inside out
+
+const body::NonlinearBody* nonlinear(const System& system, std::size_t body) {
+  return std::get_if<body::NonlinearBody>(&system.bodies[body]);
+}
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
@@ -21,6 +26,11 @@ std::string no_convergence(const Iteration& last, int iterations) {
   return "no convergence in " + std::to_string(iterations) + " iterations: unbalanced force " + std::to_string(last.force) +
          ", unmet condition " + std::to_string(last.condition) + " (relative), " + std::to_string(last.changes) +
          " nodes still change status";
+}
+
+bool in_nonlinear(const System& system, int column) {
+  const auto next = std::upper_bound(system.offset.begin(), system.offset.end(), column);
+  return nonlinear(system, static_cast<std::size_t>(next - system.offset.begin()) - 1) != nullptr;
 }
 
 /// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
@@ -37,6 +47,7 @@ double extent(const System& system) {
 void Newton::reset() {
   reach_chosen_ = false;
   last_step_.resize(0);
+  last_interior_step_.clear();
 }
 
 void Newton::choose_reach(const System& system, const SolverState& before, bool everything) {
@@ -62,6 +73,41 @@ void Newton::begin(const System& system, const SolverState& before, const Contro
   }
   loads_ = reduction_.loads(system, controls.load_factors);
   for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
+  interior_.assign(system.bodies.size(), {});
+  linearised_.resize(system.bodies.size());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (nonlinear(system, b)) interior_[b] = before.interiors[b].y;
+}
+
+/// Tangent and residual of the nonlinear bodies at q and their interiors. Throws base::SolveError when an element
+/// has turned inside out or a stress can not be found.
+void Newton::linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* body = nonlinear(system, b))
+      body->linearise(before.interiors[b], interior_[b], q.segment(reduction_.first(static_cast<int>(b)), body->dofs()),
+                      controls.load_factors[b], linearised_[b]);
+}
+
+/// Adds dq, and what it means for interiors and multipliers.
+void Newton::step(const System& system, const Vector& dq, Vector& q) {
+  taken_ = {dq, std::vector<Vector>(system.bodies.size()), lambda_};
+  for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* body = nonlinear(system, b)) {
+      taken_.interior[b] =
+          body->interior_step(linearised_[b], dq.segment(reduction_.first(static_cast<int>(b)), body->dofs()));
+      interior_[b] += taken_.interior[b];
+    }
+  q += dq;
+}
+
+/// Takes half of what is left of the last step back; `share` of the whole.
+void Newton::step_back(double share, Vector& q) {
+  q -= share * taken_.q;
+  for (std::size_t b = 0; b < interior_.size(); ++b)
+    if (interior_[b].size() > 0) interior_[b] -= share * taken_.interior[b];
+  for (std::size_t c = 0; c < lambda_.size(); ++c)
+    for (std::size_t j = 0; j < lambda_[c].size(); ++j) lambda_[c][j] = 0.5 * (lambda_[c][j] + taken_.lambda[c][j]);
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
@@ -91,7 +137,7 @@ void Newton::place(const System& system, const Vector& q, bool everything) {
   }
 }
 
-/// S' q - f' of all bodies on the reduced columns.
+/// S' q - f' of all bodies on the reduced columns; of nonlinear ones what their linearisation leaves there.
 Vector Newton::residual(const System& system, const Controls& controls, const Vector& q) const {
   Vector r = -loads_;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -99,6 +145,8 @@ Vector Newton::residual(const System& system, const Controls& controls, const Ve
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {
       const Vector part = q.segment(at, rigid->dofs());
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
+    } else if (nonlinear(system, b)) {
+      r.segment(at, linearised_[b].r.size()) += linearised_[b].r;
     } else {
       const Matrix& S = reduction_.stiffness(static_cast<int>(b));
       r.segment(at, S.rows()).noalias() += S * q.segment(at, S.rows());
@@ -112,7 +160,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   Iteration row;
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
-  double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
+  double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0, inside = 0.0;
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
     face.evaluate(lambda_[c]);
@@ -136,10 +184,15 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
     }
   }
   for (const auto& [column, value] : controls.prescribed) balance[reduction_.index(column)] = 0.0;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (const Matrix& S = reduction_.stiffness(static_cast<int>(b)); S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const Matrix& S = nonlinear(system, b) ? linearised_[b].S : reduction_.stiffness(static_cast<int>(b));
+    if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
+    if (!nonlinear(system, b)) continue;
+    inside = std::max(inside, linearised_[b].interior_residual);
+    largest = std::max(largest, linearised_[b].force_scale);
+  }
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
-  row.force = std::max(0.0, largest_of(balance) - rounding) / std::max(largest, tiny);
+  row.force = std::max(0.0, std::max(largest_of(balance), inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
   row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, 1e-6 * unmet);
   return row;
@@ -183,8 +236,9 @@ bool Newton::inside_reach(const System& system, int c) const {
 }
 
 /// Solves back what was out of reach, looks whether contact stayed inside, and takes the state over.
-Newton::Fit Newton::accept(const System& system, const Vector& q, SolveResult& result) {
+Newton::Fit Newton::accept(const System& system, const SolverState& before, const Vector& q, SolveResult& result) {
   result.state.q = reduction_.expand(q);
+  result.state.interiors.resize(system.bodies.size());
   place(system, result.state.q, true);
   result.state.contacts.clear();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
@@ -192,6 +246,10 @@ Newton::Fit Newton::accept(const System& system, const Vector& q, SolveResult& r
     interfaces_[c].evaluate(lambda_[c]);
     result.state.contacts.push_back(interfaces_[c].accepted(lambda_[c]));
   }
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* body = nonlinear(system, b))
+      result.state.interiors[b] =
+          body->accepted(before.interiors[b], interior_[b], system.part(result.state.q, static_cast<int>(b)));
   return Fit::good;
 }
 
@@ -200,10 +258,26 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   auto& report = result.report;
   begin(system, before, controls);
   Vector q = reduction_.restrict_to(before.q);
-  if (predicted) q += controls.continues * reduction_.restrict_to(last_step_);
-  for (const auto& [column, value] : controls.prescribed) q[reduction_.index(column)] = value;
+  if (predicted) {
+    q += controls.continues * reduction_.restrict_to(last_step_);
+    for (std::size_t b = 0; b < last_interior_step_.size(); ++b)
+      if (interior_[b].size() > 0) interior_[b] += controls.continues * last_interior_step_[b];
+  }
+  // A nonlinear body is led to what is imposed by its tangent, not torn there.
+  for (const auto& [column, value] : controls.prescribed)
+    if (!in_nonlinear(system, column)) q[reduction_.index(column)] = value;
   bool late = false;
+  int halvings = 0;
   for (int iteration = 0; iteration <= options_.max_iterations; ++iteration) {
+    try {
+      linearise(system, before, controls, q);
+      halvings = 0;
+    } catch (const base::SolveError& error) {
+      report.reason = error.what();
+      if (iteration == 0 || halvings == most_halvings) return result;
+      step_back(std::ldexp(1.0, -(++halvings)), q);
+      continue;
+    }
     place(system, reduction_.scatter(q), false);
     const int changes = decide(late ? options_.max_iterations : iteration, predicted);
     Iteration row = measure(system, controls, q);
@@ -217,7 +291,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
     if (met && (late || decide(options_.max_iterations, predicted) == 0)) {
       report.converged = true;
-      if (accept(system, q, result) == Fit::good) return result;
+      if (accept(system, before, q, result) == Fit::good) return result;
       choose_reach(system, before, true);
       return iterate(system, before, controls, predicted);
     }
@@ -226,16 +300,25 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       measure(system, controls, q);
     }
     if (iteration == options_.max_iterations) break;
-    condenser_.start(system, controls, reduction_, q, -structural_);
+    condenser_.start(system, -structural_);
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      const int at = reduction_.first(static_cast<int>(b));
+      if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
+        condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
+      else
+        condenser_.add_body(at, nonlinear(system, b) ? linearised_[b].S : reduction_.stiffness(static_cast<int>(b)));
+    }
     for (std::size_t c = 0; c < interfaces_.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
     for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c], lambda_[c]);
-    for (const auto& [column, value] : controls.prescribed) condenser_.fix(reduction_.index(column));
+    for (const auto& [column, value] : controls.prescribed) {
+      const int at = reduction_.index(column);
+      condenser_.fix(at, value - q[at]);
+    }
     try {
       const Vector dq = condenser_.solve();
       ++report.solves;
-      for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
-      q += dq;
+      step(system, dq, q);
       // Far out the rounding of S q hides that nothing is in balance any more.
       if (const double way = largest_of(dq), bound = 1e3 * extent(system); !system.contacts.empty() && !(way < bound)) {
         report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
@@ -259,7 +342,11 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
     result = iterate(system, before, controls, false);
     result.report.solves += solves;
   }
-  if (result.report.converged) last_step_ = result.state.q - before.q;
+  if (!result.report.converged) return result;
+  last_step_ = result.state.q - before.q;
+  last_interior_step_.assign(system.bodies.size(), {});
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (nonlinear(system, b)) last_interior_step_[b] = result.state.interiors[b].y - before.interiors[b].y;
   return result;
 }
 

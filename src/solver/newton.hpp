@@ -51,10 +51,13 @@ class Newton {
   SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted);
   void begin(const System& system, const SolverState& before, const Controls& controls);
   void place(const System& system, const Vector& q, bool everything);
+  void linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q);
+  void step(const System& system, const Vector& dq, Vector& q);
+  void step_back(double share, Vector& q);
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
   Iteration measure(const System& system, const Controls& controls, const Vector& q);
   int decide(int iteration, bool predicted);
-  Fit accept(const System& system, const Vector& q, SolveResult& result);
+  Fit accept(const System& system, const SolverState& before, const Vector& q, SolveResult& result);
   bool inside_reach(const System& system, int contact) const;
 
   NewtonOptions options_;
@@ -62,6 +65,16 @@ class Newton {
   Reduction reduction_;
   bool reach_chosen_ = false;
   Vector last_step_;                       ///< dq of the last accepted increment
+  std::vector<Vector> last_interior_step_; ///< and of the interior of each nonlinear body
+  std::vector<Vector> interior_;           ///< y of each nonlinear body in this iteration
+  std::vector<body::NonlinearBody::Linearised> linearised_;  ///< about it
+  /// The last iteration's step, so that a part of it can be taken back.
+  struct Step {
+    Vector q;
+    std::vector<Vector> interior;
+    std::vector<std::vector<Vec2>> lambda;  ///< multipliers before it
+  };
+  Step taken_;
   std::vector<contact::Interface> interfaces_;
   std::vector<std::vector<Vec2>> lambda_;
   std::vector<Sides> sides_;

@@ -99,8 +99,15 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
   Vector total = contact_forces(system, state.contacts, state.q);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b);
-    const Vector r = std::visit([&](const auto& o) { return o.residual(Vector(system.part(state.q, body)), controls.load_factors[b]); },
-                                system.bodies[b]);
+    const Vector q = system.part(state.q, body);
+    const Vector r = std::visit(
+        [&](const auto& o) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
+            return o.retained_residual(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
+          else
+            return o.residual(q, controls.load_factors[b]);
+        },
+        system.bodies[b]);
     total.segment(system.offset[b], r.size()) += r;
   }
   return total;

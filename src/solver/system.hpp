@@ -34,6 +34,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
 /// What evolves in the solver.
 struct SolverState {
   Vector q;
+  std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;
 };
 
