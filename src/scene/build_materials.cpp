@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "scene/build.hpp"
 
@@ -8,8 +9,8 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-constexpr Names parameters = {"yield_MPa", "modulus_MPa", "saturation_MPa", "rate",
-                              "strength_MPa", "offset", "exponent", "points"};
+constexpr std::array<std::string_view, 8> parameters = {"yield_MPa", "modulus_MPa", "saturation_MPa", "rate",
+                                                        "strength_MPa", "offset", "exponent", "points"};
 
 /// A hardening law takes `needed` and `optional`, and nothing else of its table.
 void check_parameters(const Entry& entry, Names needed, Names optional, Issues& issues) {

@@ -83,12 +83,32 @@ TEST(BadScene, Values) {
       {"not built yet",
        {{"friction  = 0.9", "friction = 0.9\n"
          R"(dual = "quadratic")"},
-        {"[boundary]", R"(kinematics = "finite")" "\n"
-         "[boundary]"},
         {"jump = 100 ", "jump = { tolerance = 0.01 } "}},
-       R"(scene.toml:20: body.flat.kinematics = "finite": only "small" is built in this version)" "\n"
-       R"(scene.toml:31: contact.pad.dual = "quadratic": only "linear" is built in this version)" "\n"
-       "scene.toml:68: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
+       R"(scene.toml:30: contact.pad.dual = "quadratic": only "linear" is built in this version)" "\n"
+       "scene.toml:67: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
+      {"linear elasticity at finite strain",
+       {{"[boundary]", R"(kinematics = "finite")" "\n"
+         "[boundary]"}},
+       R"(scene.toml:20: body.flat.kinematics = "finite": material "steel" is linear_elastic, a law of small strain; )"
+       "the same E_MPa and nu serve hencky, neo_hookean and st_venant_kirchhoff"},
+      {"laws that do not take a key",
+       {{"nu    = 0.3", "nu = 0.3\nvolumetric = \"mixed\"\nhardening = { law = \"linear\", yield_MPa = 1 }"}},
+       R"(scene.toml:9: material.steel.volumetric = "mixed": only neo_hookean takes one)" "\n"
+       R"(scene.toml:10: material.steel.hardening = { law = "linear", yield_MPa = 1 }: only hencky_j2 takes one)"},
+      {"hardening missing",
+       {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\""}, {"law   = \"linear_elastic\"", ""}},
+       "scene.toml:6: material.steel.hardening: missing; hencky_j2 needs a table of it"},
+      {"hardening parameters",
+       {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\"\nhardening = { law = \"voce\", yield_MPa = 300, saturation_MPa = 200, exponent = 0.2 }"},
+        {"law   = \"linear_elastic\"", ""}},
+       "scene.toml:10: material.steel.hardening.exponent = 0.2: hardening by voce takes none\n"
+       "scene.toml:10: material.steel.hardening.saturation_MPa = 200: must be >= yield_MPa\n"
+       "scene.toml:10: material.steel.hardening.rate: missing; hardening by voce needs it"},
+      {"hardening table",
+       {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\"\nhardening = { law = \"table\", points = [[0.1, 300], [0.2, 200]] }"},
+        {"law   = \"linear_elastic\"", ""}},
+       "scene.toml:10: material.steel.hardening.points = [[0.1, 300], [0.2, 200]]: must start at p = 0 with a yield stress > 0\n"
+       "scene.toml:10: material.steel.hardening.points = [[0.1, 300], [0.2, 200]]: the yield stress must not fall"},
       {"order unknown",
        {{"[boundary]", "order = 3\n"
          "[boundary]"}},

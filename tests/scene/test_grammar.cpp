@@ -145,6 +145,65 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.geometry.fine_zones[0].angle_deg, 45.0);
 }
 
+/// Every law with the parameters it takes.
+TEST(Grammar, Materials) {
+  const auto s = changed("[body.cylinder]", R"(
+[material.rubber]
+law = "neo_hookean"
+E_MPa = 5
+nu = 0.45
+volumetric = "power"
+[material.kirchhoff]
+law = "st_venant_kirchhoff"
+E_MPa = 6
+nu = 0.1
+[material.log]
+law = "hencky"
+E_MPa = 7
+nu = 0.2
+[material.linear]
+law = "hencky_j2"
+E_MPa = 8
+nu = 0.3
+hardening = { law = "linear", yield_MPa = 2 }
+[material.voce]
+law = "hencky_j2"
+E_MPa = 8
+nu = 0.3
+hardening = { law = "voce", yield_MPa = 2, saturation_MPa = 3, rate = 4, modulus_MPa = 5 }
+[material.swift]
+law = "hencky_j2"
+E_MPa = 8
+nu = 0.3
+hardening = { law = "swift", strength_MPa = 2, offset = 0.01, exponent = 0.2 }
+[material.table]
+law = "hencky_j2"
+E_MPa = 8
+nu = 0.3
+hardening = { law = "table", points = [[0, 1], [0.1, 2], [0.4, 2.5]] }
+[body.cylinder]
+kinematics = "small")");
+  const auto& m = s.materials;
+  EXPECT_EQ(std::get<material::NeoHookean>(m.at("rubber")).volumetric, material::Volumetric::power);
+  EXPECT_EQ(std::get<material::StVenantKirchhoff>(m.at("kirchhoff")).nu, 0.1);
+  EXPECT_EQ(std::get<material::Hencky>(m.at("log")).E_MPa, 7.0);
+  const auto hardening = [&](const char* name) { return std::get<material::HenckyJ2>(m.at(name)).hardening; };
+  EXPECT_EQ(std::get<material::LinearHardening>(hardening("linear")).yield_MPa, 2.0);
+  EXPECT_EQ(std::get<material::LinearHardening>(hardening("linear")).modulus_MPa, 0.0);
+  EXPECT_EQ(std::get<material::VoceHardening>(hardening("voce")).rate, 4.0);
+  EXPECT_EQ(std::get<material::SwiftHardening>(hardening("swift")).exponent, 0.2);
+  EXPECT_EQ(std::get<material::TableHardening>(hardening("table")).points.at(2), (std::array{0.4, 2.5}));
+  EXPECT_EQ(s.body_material.at("cylinder").kinematics, base::Kinematics::small);
+}
+
+/// Elements that lock with their material are warned of by name.
+TEST(Grammar, Locking) {
+  const auto s = changed("nu    = 0.3", "nu = 0.49");
+  EXPECT_TRUE(s.warnings.empty());
+  const auto locking = changed("[boundary]", "b_bar = false\n[material.soft]\nE_MPa = 1\nnu = 0.49\n[boundary]");
+  EXPECT_TRUE(locking.warnings.empty()) << "steel has nu = 0.3";
+}
+
 /// What is odd but no error is a warning with its line.
 TEST(Grammar, Warnings) {
   const auto s = changed("press  = [[", "idle = [[0, 0], [1, 1]]\npress  = [[");
