@@ -31,6 +31,9 @@ struct Columns {
   Path path(const Term& term, double value, bool true_rotation) const;
 };
 
+/// Sets the columns of up to two free terms so that together they displace a node by `rest`.
+void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values);
+
 /// Who wins where several supports meet in a node: the axis of symmetry (r = 0 held in x, no column), then the
 /// first rigid edge (the node belongs to it wholly), then node-wise supports in the order given: the first two
 /// independent directions are held, a third one or a nearly parallel one (angle below 1e-3) is left out.

@@ -231,6 +231,26 @@ std::vector<Vec2> NonlinearBody::recover(const Vector& q, const Vector& y) const
   return by_node(impl_->displacement(impl_->all(y, q)));
 }
 
+void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const {
+  const auto& columns = impl_->columns;
+  Vector unknowns = impl_->all(y, q);
+  std::vector<char> held(static_cast<size_t>(unknowns.size()), 0);
+  for (const auto& support : columns.supports) held[impl_->interior() + support.column] = 1;
+  std::vector<Term> free;
+  for (size_t node = 0; node < u.size(); ++node) {
+    Vec2 rest = u[node];
+    free.clear();
+    for (const Term& term : columns.terms[node])
+      if (held[term.column])
+        rest -= columns.path(term, unknowns[term.column], impl_->turning()).displacement;
+      else
+        free.push_back(term);
+    set_free(free, rest, unknowns);
+  }
+  y = unknowns.head(y.size());
+  q = unknowns.tail(q.size());
+}
+
 Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const {
   Vector diagonal = Vector::Zero(dofs());
   if (!impl_->turning()) return diagonal;

@@ -172,6 +172,10 @@ class NonlinearBody {
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& y) const;
 
+  /// Sets the free columns of q and y so that the nodes take the displacements u (one per mesh node) as far as supports
+  /// leave them free; the support columns of q are given and stay.
+  void seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const;
+
   /// Per column, the sum over contact nodes of d^2 x / dq^2 . force: what turning rigid edges adds to the diagonal of
   /// the tangent (zero at small strain, and where no contact node lies on a rigid edge).
   Vector geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const;

@@ -1,9 +1,20 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "body/columns.hpp"
 #include "body/operator.hpp"
 
 namespace reye::body {
+
+void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values) {
+  if (free.size() == 1) values[free[0].column] = rest.dot(free[0].direction) / free[0].direction.squaredNorm();
+  if (free.size() != 2) return;
+  Eigen::Matrix2d directions;
+  directions << free[0].direction, free[1].direction;
+  const Vec2 both = directions.inverse() * rest;
+  values[free[0].column] = both.x();
+  values[free[1].column] = both.y();
+}
 
 void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
   const auto& supports = body.support_columns();
@@ -21,13 +32,7 @@ void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
       else
         free.push_back(term);
     }
-    if (free.size() == 1) q[free[0].column] = rest.dot(free[0].direction) / free[0].direction.squaredNorm();
-    if (free.size() != 2) continue;
-    Eigen::Matrix2d directions;
-    directions << free[0].direction, free[1].direction;
-    const Vec2 values = directions.inverse() * rest;
-    q[free[0].column] = values.x();
-    q[free[1].column] = values.y();
+    set_free(free, rest, q);
   }
 }
 

@@ -16,6 +16,7 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 #include <vtkZLibDataCompressor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -95,6 +96,7 @@ struct BodyGrid {
   vtkNew<vtkDoubleArray> reference = make_array<vtkDoubleArray>("reference_position", {"x", "y", "z"});
   vtkNew<vtkDoubleArray> stress = make_array<vtkDoubleArray>("stress", {"XX", "YY", "XY", "ZZ"});
   vtkNew<vtkDoubleArray> mises = make_array<vtkDoubleArray>("von_mises");
+  vtkNew<vtkDoubleArray> plastic = make_array<vtkDoubleArray>("plastic_strain");
   vtkNew<vtkDoubleArray> depth = make_array<vtkDoubleArray>("wear_depth_mm");
   vtkNew<vtkIntArray> body = make_array<vtkIntArray>("body");
 
@@ -109,6 +111,7 @@ struct BodyGrid {
       reference->InsertNextTuple3(X[i].x(), X[i].y(), 0.0);
       stress->InsertNextTuple(s.data());
       mises->InsertNextValue(von_mises(s));
+      plastic->InsertNextValue(frame.plastic_strain.empty() ? 0.0 : frame.plastic_strain.at(i));
       depth->InsertNextValue(frame.wear_depth_mm.empty() ? 0.0 : frame.wear_depth_mm.at(i));
     }
   }
@@ -195,6 +198,8 @@ std::string bodies_vtu(const sim::Frame& frame) {
   for (vtkDoubleArray* array : {all.displacement.Get(), all.reference.Get(), all.stress.Get(), all.mises.Get(),
                                 all.depth.Get()})
     all.grid->GetPointData()->AddArray(array);
+  const auto yields = [](const sim::BodyFrame& body) { return !body.plastic_strain.empty(); };
+  if (std::any_of(frame.bodies.begin(), frame.bodies.end(), yields)) all.grid->GetPointData()->AddArray(all.plastic);
   all.grid->GetCellData()->AddArray(all.body);
   add_field_data(all.grid, frame);
   return written<vtkXMLUnstructuredGridWriter>(all.grid);

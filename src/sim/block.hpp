@@ -43,6 +43,10 @@ struct RemeshReason {
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked = {});
 
+/// Displacement of all mesh nodes of a body.
+std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
+                                const Vector& load_factors);
+
 /// Everything a picture needs of a state.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);
 

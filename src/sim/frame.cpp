@@ -1,11 +1,38 @@
 #include <algorithm>
 
+#include "fem/finite.hpp"
 #include "fem/stiffness.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
+
+namespace {
+
+/// Stress of a body at its nodes, and accumulated plastic strain where it has any.
+void paint_material(const body::BodyInput& input, const fem::History& history, bool rigid, BodyFrame& body) {
+  if (rigid) return;
+  if (!is_nonlinear(input)) {
+    body.stress_MPa = fem::nodal_stress(*body.mesh, input.material, input.analysis, input.b_bar, body.u);
+    return;
+  }
+  Vector u(2 * static_cast<Eigen::Index>(body.u.size()));
+  for (std::size_t i = 0; i < body.u.size(); ++i) u.segment<2>(2 * static_cast<Eigen::Index>(i)) = body.u[i];
+  const fem::Solid solid{input.material, input.analysis, input.kinematics, input.b_bar};
+  auto nodal = fem::nodal_state(*body.mesh, solid, u, history);
+  body.stress_MPa = std::move(nodal.stress);
+  if (solid.has_history()) body.plastic_strain = std::move(nodal.plastic_strain);
+}
+
+}  // namespace
+
+std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
+                                const Vector& load_factors) {
+  if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&op)) return nonlinear->recover(q, interior.y);
+  if (const auto* linear = std::get_if<body::LinearBody>(&op)) return linear->recover(q, load_factors);
+  return std::get<body::RigidBody>(op).recover(q, load_factors);
+}
 
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
   const auto& system = timed_system(problem, state, cache);
@@ -20,9 +47,8 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
     body.name = problem.inputs[b].name;
     body.mesh = std::shared_ptr<const mesh::Mesh>(state.shapes[b], &state.shapes[b]->mesh);
     const Vector q = system.part(state.solution.q, b);
-    body.u = std::visit([&](const auto& o) { return o.recover(q, controls.load_factors[b]); }, system.bodies[b]);
-    if (!problem.rigid[b])
-      body.stress_MPa = fem::nodal_stress(*body.mesh, problem.inputs[b].material, problem.scene.analysis, problem.inputs[b].b_bar, body.u);
+    body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
+    paint_material(problem.inputs[b], state.solution.interiors[b].history, problem.rigid[b], body);
     body.wear_depth_mm.assign(body.u.size(), 0.0);
     frame.bodies.push_back(std::move(body));
   }

@@ -46,6 +46,7 @@ struct BodyFrame {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< on X; a rigid body has outline only
   std::vector<Vec2> u;                     ///< nodal displacement [mm]
   std::vector<std::array<double, 4>> stress_MPa;  ///< nodal (11, 22, 12, 33); empty for a rigid body
+  std::vector<double> plastic_strain;      ///< nodal, accumulated; empty where nothing yields
   std::vector<double> wear_depth_mm;       ///< nodal, zero inside
 };
 
