@@ -50,6 +50,7 @@ std::vector<Vec2> by_node(const Vector& u) {
 }  // namespace
 
 struct NonlinearBody::Linearised::Kept {
+  std::shared_ptr<const Impl> owner;  ///< whose mesh the memory and the analysis below fit
   fem::InternalForce f;
   SparseMatrix K, B, KB, reduced;
   Vector r;  ///< [r_i; r_c]
@@ -188,9 +189,12 @@ Interior NonlinearBody::start() const {
 
 void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
                               Linearised& out) const {
-  if (!out.kept) out.kept = std::make_shared<Linearised::Kept>();
+  if (!out.kept || out.kept->owner != impl_) {
+    out.kept = std::make_shared<Linearised::Kept>();
+    out.kept->owner = impl_;
+    out.kept->K = impl_->pattern.zero();
+  }
   Linearised::Kept& kept = *out.kept;
-  if (kept.K.rows() != 2 * impl_->mesh().node_count()) kept.K = impl_->pattern.zero();
   const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
   impl_->named([&] {
     fem::tangent(impl_->mesh(), impl_->solid, u, before.history, impl_->pattern, kept.f, kept.K);

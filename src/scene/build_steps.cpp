@@ -52,6 +52,10 @@ Remesh remesh_of(const Entry& root) {
                      .wear_fraction = entry.number("wear_fraction")};
   remesh.options = {.most_nodes = 0.5 * entry.number("max_dofs"),
                     .fit_tolerance_mm = entry.maybe_number("fit_tolerance_mm").value_or(0.0)};
+  const auto transfer = entry.text("state_transfer");
+  remesh.state_transfer = transfer == "nearest" ? adapt::GaussTransfer::nearest
+                          : transfer == "patch" ? adapt::GaussTransfer::patch
+                                                : adapt::GaussTransfer::l2;
   return remesh;
 }
 

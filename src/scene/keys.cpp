@@ -169,6 +169,10 @@ constexpr Key table[] = {
     {"remesh.fit_tolerance_mm", Type::number, "mm", "", positive,
      "a spline farther than this from the worn nodes' polygon is replaced by the polygon; without it chosen from the elements"},
 
+    {"remesh.state_transfer", Type::text, "", "l2", one_of("nearest|patch|l2"),
+     "how plastic state goes to a fresh mesh: of the nearest Gauss point, by patch recovery, or by L2 projection, which keeps "
+     "its integral"},
+
     {"solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"},
     {"solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"},
 };

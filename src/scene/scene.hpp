@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "adapt/gauss_transfer.hpp"
 #include "adapt/remesh.hpp"
 #include "adapt/triggers.hpp"
 #include "base/analysis.hpp"
@@ -64,6 +65,7 @@ struct Remesh {
   int every_blocks = 0;  ///< 0: only when a trigger asks for it
   adapt::Triggers triggers;
   adapt::RemeshOptions options;
+  adapt::GaussTransfer state_transfer = adapt::GaussTransfer::l2;
 };
 
 struct Scene {

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "material/parameters.hpp"
+
 namespace reye::sim {
 
 namespace {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapt/gauss_transfer.hpp"
 #include "adapt/remesh.hpp"
 #include "adapt/transfer.hpp"
+#include "fem/finite.hpp"
 #include "mesh/quality.hpp"
 #include "sim/carry.hpp"
 #include "sim/drive.hpp"
@@ -15,14 +17,15 @@ namespace {
 
 bool in_contact(const Problem& problem, int body) { return !problem.inputs[body].contact_boundaries.empty(); }
 
-const body::LinearBody& linear(const solver::System& system, int body) {
-  return std::get<body::LinearBody>(system.bodies[body]);
+const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
+  return std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
 base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
   const scene::Step none;
   const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return linear(system, body).recover(system.part(state.solution.q, body), controls.load_factors[body]);
+  return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
+                       controls.load_factors[body]);
 }
 
 /// A body's displacement as it was before its mesh was made anew.
@@ -30,6 +33,7 @@ struct Displaced {
   base::Points u;   ///< of all nodes
   Vector q;
   std::vector<body::SupportColumn> supports;
+  fem::History history;
 };
 
 /// Farther outside than half of this no node of a sound remesh can lie: chords of coarse facets cut off less.
@@ -40,24 +44,42 @@ double longest_facet(const mesh::Mesh& mesh) {
   return longest;
 }
 
-/// Start values of q on a fresh mesh: supports as they were, contact nodes displaced as the old mesh is at their place.
-/// A linear body has no other state. Returns why it can not be done; `projection`: how far outside a node lay.
-std::string start_values(const mesh::Mesh& old, Displaced before, const mesh::Mesh& fresh, const body::LinearBody& body,
-                         Vector& q, double& projection) {
-  for (const auto& now : body.support_columns())
+/// Displacements of nodes at X, interpolated in the old mesh. Returns why it can not be done.
+std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, const base::Points& X, base::Points& carried,
+                               double& projection) {
+  adapt::Field field{"displacement", 2, {}};
+  for (const Vec2& v : u) field.values.insert(field.values.end(), {v.x(), v.y()});
+  mesh::Mesh nodes;
+  nodes.X = X;
+  const auto result = adapt::transfer(old, {std::move(field)}, nodes, 0.5 * longest_facet(old));
+  if (!result.failure.empty()) return result.failure;
+  projection = result.largest_distance;
+  const auto& values = result.fields.front().values;
+  for (std::size_t k = 0; k < X.size(); ++k) carried.emplace_back(values[2 * k], values[2 * k + 1]);
+  return {};
+}
+
+/// Start values of q on a fresh mesh: supports as they were, nodes displaced as the old mesh is at their place. A linear
+/// body has no other state, a nonlinear one its interior.
+std::string start_values(const mesh::Mesh& old, const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
+                         const adapt::GaussOptions& gauss, Vector& q, body::Interior& interior, double& projection) {
+  for (const auto& now : support_columns(op))
     for (const auto& then : before.supports)
       if (then.support == now.support && then.motion == now.motion) q[now.column] = before.q[then.column];
-  adapt::Field u{"displacement", 2, {}};
-  for (const Vec2& v : before.u) u.values.insert(u.values.end(), {v.x(), v.y()});
-  mesh::Mesh nodes;
-  for (int node : body.contact_nodes()) nodes.X.push_back(fresh.X[node]);
-  const auto carried = adapt::transfer(old, {std::move(u)}, nodes, 0.5 * longest_facet(old));
-  if (!carried.failure.empty()) return carried.failure;
-  projection = carried.largest_distance;
-  const auto& values = carried.fields.front().values;
-  base::Points displacement;
-  for (std::size_t k = 0; k < nodes.X.size(); ++k) displacement.emplace_back(values[2 * k], values[2 * k + 1]);
-  body::seat(body, displacement, q);
+  base::Points u;
+  if (const auto* linear = std::get_if<body::LinearBody>(&op)) {
+    base::Points contact;
+    for (int node : linear->contact_nodes()) contact.push_back(fresh.X[node]);
+    const std::string failure = carry_displacement(old, before.u, contact, u, projection);
+    if (failure.empty()) body::seat(*linear, u, q);
+    return failure;
+  }
+  const auto& nonlinear = std::get<body::NonlinearBody>(op);
+  interior = nonlinear.start();
+  const std::string failure = carry_displacement(old, before.u, fresh.X, u, projection);
+  if (!failure.empty()) return failure;
+  nonlinear.seat(u, q, interior.y);
+  if (!before.history.empty()) interior.history = adapt::transfer_plastic(old, before.history, fresh, gauss);
   return {};
 }
 
@@ -134,7 +156,8 @@ std::string remesh_bodies(const Problem& problem, const State& state, const std:
     const auto made =
         adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]), options);
     if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
-    displaced[b] = {recovered(problem, state, old, b), parts[b], linear(old, b).support_columns()};
+    displaced[b] = {recovered(problem, state, old, b), parts[b], support_columns(old.bodies[b]),
+                    state.solution.interiors[b].history};
     records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
     shapes[b] = made.shape;
     ++next.counts.remeshes;
@@ -150,10 +173,11 @@ std::string remesh_bodies(const Problem& problem, const State& state, const std:
   std::size_t r = 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (const auto found = displaced.find(b); found != displaced.end()) {
-      parts[b] = Vector::Zero(linear(system, b).dofs());
+      parts[b] = Vector::Zero(std::visit([](const auto& o) { return o.dofs(); }, system.bodies[b]));
       const auto& fresh = next.shapes[b]->mesh;
-      const std::string failure = start_values(state.shapes[b]->mesh, found->second, fresh, linear(system, b), parts[b],
-                                               records[r++].projection_mm);
+      const adapt::GaussOptions gauss{problem.scene.remesh.state_transfer, problem.scene.analysis};
+      const std::string failure = start_values(state.shapes[b]->mesh, found->second, fresh, system.bodies[b], gauss, parts[b],
+                                               next.solution.interiors[b], records[r++].projection_mm);
       if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
     }
     next.solution.q.segment(system.offset[b], parts[b].size()) = parts[b];
@@ -171,7 +195,8 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
   }
   for (int b = 0; b < problem.body_count(); ++b) {
     const Vector q = system.part(state.solution.q, b);
-    balance.energy.push_back(problem.rigid[b] ? 0.0 : 0.5 * q.dot(linear(system, b).tangent(q) * q));
+    const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
+    balance.energy.push_back(linear ? 0.5 * q.dot(linear->tangent(q) * q) : 0.0);
   }
   return balance;
 }

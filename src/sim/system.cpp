@@ -1,3 +1,4 @@
+#include "material/parameters.hpp"
 #include "sim/problem.hpp"
 
 namespace reye::sim {
