@@ -4,6 +4,8 @@
 
 #include "base/errors.hpp"
 #include "fem/assemble_loads.hpp"
+#include "mesh/measure.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::fem {
 
@@ -13,22 +15,21 @@ using mesh::Mesh;
 
 namespace {
 
-double length(const Mesh& mesh, const Chain& chain) {
-  double sum = 0.0;
-  for (size_t k = 0; k + 1 < chain.size(); ++k) sum += (mesh.X[chain[k + 1]] - mesh.X[chain[k]]).norm();
-  return sum;
-}
-
 bool measured_from_end(const Mesh& mesh, const Chain& chain) {
   const Vec2 &first = mesh.X[chain.front()], &last = mesh.X[chain.back()];
   return last.x() < first.x() || (last.x() == first.x() && last.y() < first.y());
 }
 
-void add_chain(const Mesh& mesh, const Chain& chain, std::array<double, 2> interval, std::vector<LoadedEdge>& edges) {
-  if (measured_from_end(mesh, chain)) {
-    const double total = length(mesh, chain);
-    interval = {total - interval[1], total - interval[0]};
-  }
+/// The interval by the length from the first node of the chain.
+std::array<double, 2> along_chain(const Mesh& mesh, const Chain& chain, const BoundaryLoad& load) {
+  const double total = mesh::length(mesh.X, chain, mesh::order(mesh.kind));
+  const std::array<double, 2> interval = load.interval_mm.value_or(std::array<double, 2>{-1.0, total + 1.0});
+  if (measured_from_end(mesh, chain)) return {total - interval[1], total - interval[0]};
+  return interval;
+}
+
+void add_straight(const Mesh& mesh, const Chain& chain, const std::array<double, 2>& interval,
+                  std::vector<LoadedEdge>& edges) {
   double s = 0.0;
   for (size_t k = 0; k + 1 < chain.size(); ++k) {
     const double h = (mesh.X[chain[k + 1]] - mesh.X[chain[k]]).norm();
@@ -38,16 +39,46 @@ void add_chain(const Mesh& mesh, const Chain& chain, std::array<double, 2> inter
   }
 }
 
+void add_quadratic(const Mesh& mesh, const Chain& chain, const std::array<double, 2>& interval,
+                   std::vector<LoadedEdge>& edges) {
+  double s = 0.0;
+  for (size_t k = 0; k + 2 < chain.size(); k += 2) {
+    const mesh::QuadraticEdge edge{mesh.X[chain[k]], mesh.X[chain[k + 1]], mesh.X[chain[k + 2]]};
+    const double a = edge.parameter_at(interval[0] - s), b = edge.parameter_at(interval[1] - s);
+    if (b > a) edges.push_back({{chain[k], chain[k + 1], chain[k + 2]}, 3, a, b});
+    s += edge.length();
+  }
+}
+
 }  // namespace
 
 std::vector<LoadedEdge> loaded_edges(const Mesh& mesh, const BoundaryLoad& load) {
   std::vector<LoadedEdge> edges;
   for (const Chain& chain : boundary_of(mesh, load.edge, "load." + load.name + ".edge")) {
-    const std::array<double, 2> whole{-1.0, length(mesh, chain) + 1.0};
-    add_chain(mesh, chain, load.interval_mm.value_or(whole), edges);
+    const auto add = mesh::order(mesh.kind) == 1 ? add_straight : add_quadratic;
+    add(mesh, chain, along_chain(mesh, chain, load), edges);
   }
   if (edges.empty()) throw base::InputError({{"load." + load.name + ".interval_mm", "", "meets no part of the edge"}});
   return edges;
+}
+
+std::array<EdgePoint, 5> edge_points(const LoadedEdge& edge) {
+  std::array<EdgePoint, 5> points;
+  const double half = 0.5 * (edge.to - edge.from);
+  int k = 0;
+  for (const auto& [point, share] : mesh::edge_rule()) {
+    const double xi = 0.5 * (edge.from + edge.to) + half * point;
+    EdgePoint& p = points[k++];
+    p.weight = half * share;
+    if (edge.count == 2) {
+      p.N = {0.5 * (1.0 - xi), 0.5 * (1.0 + xi), 0.0};
+      p.slope = {-0.5, 0.5, 0.0};
+    } else {
+      p.N = {0.5 * xi * (xi - 1.0), 1.0 - xi * xi, 0.5 * xi * (xi + 1.0)};
+      p.slope = {xi - 0.5, -2.0 * xi, xi + 0.5};
+    }
+  }
+  return points;
 }
 
 }  // namespace reye::fem

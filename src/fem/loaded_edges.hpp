@@ -19,4 +19,29 @@ struct LoadedEdge {
 /// Throws base::InputError when the edge is unknown or the interval meets none of it.
 std::vector<LoadedEdge> loaded_edges(const mesh::Mesh& mesh, const BoundaryLoad& load);
 
+/// A Gauss point of the covered part: shape functions of its nodes, their derivatives, and the weight of dxi.
+struct EdgePoint {
+  std::array<double, 3> N{}, slope{};
+  double weight = 0.0;
+};
+
+/// Five Gauss points: exact for N times a pressure times r, on quadratic edges too.
+std::array<EdgePoint, 5> edge_points(const LoadedEdge& edge);
+
+/// Position and dx/dxi at a point of an edge, of nodes at `position(node)`.
+struct OnEdge {
+  base::Vec2 x{0.0, 0.0}, tangent{0.0, 0.0};
+};
+
+template <class Position>
+OnEdge on_edge(const LoadedEdge& edge, const EdgePoint& point, Position position) {
+  OnEdge here;
+  for (int a = 0; a < edge.count; ++a) {
+    const base::Vec2 at = position(edge.nodes[a]);
+    here.x += point.N[a] * at;
+    here.tangent += point.slope[a] * at;
+  }
+  return here;
+}
+
 }  // namespace reye::fem

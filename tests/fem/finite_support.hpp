@@ -43,7 +43,7 @@ inline void PrintTo(const Case& c, std::ostream* out) {
        << (c.solid.has_history() ? " plastic" : "");
 }
 
-inline const std::array kinds{CellKind::tri3, CellKind::quad4};
+inline const std::array kinds{CellKind::tri3, CellKind::quad4, CellKind::tri6, CellKind::quad8};
 
 /// Every kind, idealisation, strain measure, cure and two materials.
 inline std::vector<Case> all_cases() {
