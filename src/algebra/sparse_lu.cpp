@@ -51,8 +51,8 @@ void SparseLu::factorise(const SparseMatrix& A, bool same_pattern) {
   void* made = nullptr;
   if (!same_pattern || !symbolic_) {
     symbolic_.reset();
-    const int status =
-        umfpack_di_symbolic(size_, size_, A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr(), &made, c.data(), info.data());
+    const int status = umfpack_di_symbolic(size_, size_, A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr(), &made,
+                                           c.data(), info.data());
     symbolic_.reset(made);
     check(status, "symbolic analysis");
   }

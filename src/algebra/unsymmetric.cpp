@@ -69,7 +69,8 @@ Matrix product(const Packed& V, const Packed& W) {
   const double one = 1.0, zero = 0.0;
   // By columns, the rows of v and w are columns: S = v w^T.
   if (columns > 0)
-    dgemm_("N", "T", &columns, &columns, &count, &one, v.data(), &columns, w.data(), &columns, &zero, S.data(), &columns);
+    dgemm_("N", "T", &columns, &columns, &count, &one, v.data(), &columns, w.data(), &columns, &zero, S.data(),
+           &columns);
   return S;
 }
 

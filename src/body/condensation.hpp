@@ -7,7 +7,8 @@
 
 namespace reye::body {
 
-/// The Schur complement of a tangent: by Cholesky while it is symmetric and definite, else by LU at three times the cost.
+/// The Schur complement of a tangent: by Cholesky while it is symmetric and definite, else by LU at three times the
+/// cost.
 class Condensation {
  public:
   void factorise(const base::SparseMatrix& K, int retained, bool symmetric) {

@@ -77,8 +77,8 @@ base::SolveError located(const Mesh& mesh, int cell, int point, const base::Solv
   return base::SolveError(place + std::string(error.what()));
 }
 
-/// For every cell: begin(), then point(sample, its number in the cell, its number in the mesh) for each Gauss point, then
-/// end(cell, samples).
+/// For every cell: begin(), then for each Gauss point point(sample, its number in the cell, its number in the mesh),
+/// then end(cell, samples).
 template <class Strain, int n, class Begin, class Point, class End>
 void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, Begin begin, Point point, End end) {
   int number = 0;
