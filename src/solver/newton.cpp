@@ -14,7 +14,8 @@ namespace {
 
 constexpr int reach_margin = 6;  ///< nodes beyond the contact that are kept
 constexpr double tiny = std::numeric_limits<double>::min();
-constexpr int most_halvings = 5;  ///< of one Newton step that turns an element inside out
+constexpr int most_halvings = 5;  ///< of one step of nonlinear bodies that turns an element inside out
+constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
 const body::NonlinearBody* nonlinear(const System& system, std::size_t body) {
   return std::get_if<body::NonlinearBody>(&system.bodies[body]);
@@ -86,28 +87,34 @@ void Newton::linearise(const System& system, const SolverState& before, const Co
     if (const auto* body = nonlinear(system, b))
       body->linearise(before.interiors[b], interior_[b], q.segment(reduction_.first(static_cast<int>(b)), body->dofs()),
                       controls.load_factors[b], linearised_[b]);
+  anchor_ = {q, lambda_};
 }
 
-/// Adds dq, and what it means for interiors and multipliers.
-void Newton::step(const System& system, const Vector& dq, Vector& q) {
-  taken_ = {dq, std::vector<Vector>(system.bodies.size()), lambda_};
-  for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
+/// Takes the interiors to where q has gone since the anchor and linearises the nonlinear bodies there; where they can
+/// not be, half the way is tried, and so on. Returns why it can not be done at all.
+std::string Newton::renew(const System& system, const SolverState& before, const Controls& controls, Vector& q) {
+  Vector way = q - anchor_.q;
+  std::vector<Vector> inside(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* body = nonlinear(system, b)) {
-      taken_.interior[b] =
-          body->interior_step(linearised_[b], dq.segment(reduction_.first(static_cast<int>(b)), body->dofs()));
-      interior_[b] += taken_.interior[b];
+      inside[b] = body->interior_step(linearised_[b], way.segment(reduction_.first(static_cast<int>(b)), body->dofs()));
+      interior_[b] += inside[b];
     }
-  q += dq;
-}
-
-/// Takes half of what is left of the last step back; `share` of the whole.
-void Newton::step_back(double share, Vector& q) {
-  q -= share * taken_.q;
-  for (std::size_t b = 0; b < interior_.size(); ++b)
-    if (interior_[b].size() > 0) interior_[b] -= share * taken_.interior[b];
-  for (std::size_t c = 0; c < lambda_.size(); ++c)
-    for (std::size_t j = 0; j < lambda_[c].size(); ++j) lambda_[c][j] = 0.5 * (lambda_[c][j] + taken_.lambda[c][j]);
+  const auto start = anchor_.lambda;
+  for (int halvings = 0;; ++halvings) {
+    try {
+      linearise(system, before, controls, q);
+      return {};
+    } catch (const base::SolveError& error) {
+      if (halvings == most_halvings) return error.what();
+    }
+    way *= 0.5;
+    q -= way;
+    for (std::size_t b = 0; b < inside.size(); ++b)
+      if (inside[b].size() > 0) interior_[b] -= (inside[b] *= 0.5);
+    for (std::size_t c = 0; c < lambda_.size(); ++c)
+      for (std::size_t j = 0; j < lambda_[c].size(); ++j) lambda_[c][j] = 0.5 * (lambda_[c][j] + start[c][j]);
+  }
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
@@ -137,7 +144,7 @@ void Newton::place(const System& system, const Vector& q, bool everything) {
   }
 }
 
-/// S' q - f' of all bodies on the reduced columns; of nonlinear ones what their linearisation leaves there.
+/// S' q - f' of all bodies on the reduced columns; of nonlinear ones r + S (q - q_anchor).
 Vector Newton::residual(const System& system, const Controls& controls, const Vector& q) const {
   Vector r = -loads_;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -146,7 +153,9 @@ Vector Newton::residual(const System& system, const Controls& controls, const Ve
       const Vector part = q.segment(at, rigid->dofs());
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
     } else if (nonlinear(system, b)) {
-      r.segment(at, linearised_[b].r.size()) += linearised_[b].r;
+      const auto n = linearised_[b].r.size();
+      r.segment(at, n) += linearised_[b].r;
+      r.segment(at, n).noalias() += linearised_[b].S * (q - anchor_.q).segment(at, n);
     } else {
       const Matrix& S = reduction_.stiffness(static_cast<int>(b));
       r.segment(at, S.rows()).noalias() += S * q.segment(at, S.rows());
@@ -156,7 +165,7 @@ Vector Newton::residual(const System& system, const Controls& controls, const Ve
 }
 
 /// Balance and conditions at (q, lambda); structural_ keeps the bodies' residual without contact.
-Iteration Newton::measure(const System& system, const Controls& controls, const Vector& q) {
+Iteration Newton::measure(const System& system, const Controls& controls, const Vector& q, bool fresh) {
   Iteration row;
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
@@ -188,7 +197,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
     const Matrix& S = nonlinear(system, b) ? linearised_[b].S : reduction_.stiffness(static_cast<int>(b));
     if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
     if (!nonlinear(system, b)) continue;
-    inside = std::max(inside, linearised_[b].interior_residual);
+    if (fresh) inside = std::max(inside, linearised_[b].interior_residual);
     largest = std::max(largest, linearised_[b].force_scale);
   }
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
@@ -266,38 +275,48 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)
     if (!in_nonlinear(system, column)) q[reduction_.index(column)] = value;
+  const bool renews = std::any_of(system.bodies.begin(), system.bodies.end(),
+                                  [](const auto& b) { return std::holds_alternative<body::NonlinearBody>(b); });
+  try {
+    linearise(system, before, controls, q);
+  } catch (const base::SolveError& error) {
+    report.reason = error.what();
+    return result;
+  }
   bool late = false;
-  int halvings = 0;
-  for (int iteration = 0; iteration <= options_.max_iterations; ++iteration) {
-    try {
-      linearise(system, before, controls, q);
-      halvings = 0;
-    } catch (const base::SolveError& error) {
-      report.reason = error.what();
-      if (iteration == 0 || halvings == most_halvings) return result;
-      step_back(std::ldexp(1.0, -(++halvings)), q);
-      continue;
-    }
+  int renewals = 0;
+  for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
+    const bool fresh = !renews || since == 0;  // what is measured is the truth, not a linear body's
     place(system, reduction_.scatter(q), false);
     const int changes = decide(late ? options_.max_iterations : iteration, predicted);
-    Iteration row = measure(system, controls, q);
+    Iteration row = measure(system, controls, q, fresh);
     row.changes = changes;
-    report.table.push_back(row);
+    if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
       report.reason = "the residual is not finite after " + std::to_string(iteration) + " iterations";
       return result;
     }
-    const bool met = iteration > 0 && changes == 0 && row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
+    bool met = iteration > 0 && changes == 0 && row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
-    if (met && (late || decide(options_.max_iterations, predicted) == 0)) {
+    if (met && !late && decide(options_.max_iterations, predicted) != 0) {
+      met = false;
+      late = true;
+      measure(system, controls, q, fresh);
+    }
+    if (met && fresh) {
       report.converged = true;
       if (accept(system, before, q, result) == Fit::good) return result;
       choose_reach(system, before, true);
       return iterate(system, before, controls, predicted);
     }
-    if (met) {
-      late = true;
-      measure(system, controls, q);
+    // Contact has settled on the bodies as they were linearised: these anew, there.
+    if (renews && (met || since == most_on_one_tangent)) {
+      if (renewals++ == options_.max_iterations) break;
+      report.reason = renew(system, before, controls, q);
+      if (!report.reason.empty()) return result;
+      iteration = 0;
+      since = -1;
+      continue;
     }
     if (iteration == options_.max_iterations) break;
     condenser_.start(system, -structural_);
@@ -318,7 +337,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     try {
       const Vector dq = condenser_.solve();
       ++report.solves;
-      step(system, dq, q);
+      for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
+      q += dq;
       // Far out the rounding of S q hides that nothing is in balance any more.
       if (const double way = largest_of(dq), bound = 1e3 * extent(system); !system.contacts.empty() && !(way < bound)) {
         report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";

@@ -33,7 +33,9 @@ struct SolveResult {
   SolveReport report;
 };
 
-/// Semi-smooth Newton (primal-dual active set) for one increment. Work space is kept between calls; so are the
+/// Semi-smooth Newton (primal-dual active set) for one increment. Nonlinear bodies are linear ones that are renewed:
+/// contact settles on their linearisation, then they are linearised anew where it left them, until both are met. Each
+/// renewal is a Newton step of the whole, with the active set of its end. Work space is kept between calls; so are the
 /// reach and the last increment, which steer but do not decide the result: `reset` forgets them.
 class Newton {
  public:
@@ -52,10 +54,9 @@ class Newton {
   void begin(const System& system, const SolverState& before, const Controls& controls);
   void place(const System& system, const Vector& q, bool everything);
   void linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q);
-  void step(const System& system, const Vector& dq, Vector& q);
-  void step_back(double share, Vector& q);
+  std::string renew(const System& system, const SolverState& before, const Controls& controls, Vector& q);
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
-  Iteration measure(const System& system, const Controls& controls, const Vector& q);
+  Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
   int decide(int iteration, bool predicted);
   Fit accept(const System& system, const SolverState& before, const Vector& q, SolveResult& result);
   bool inside_reach(const System& system, int contact) const;
@@ -68,13 +69,12 @@ class Newton {
   std::vector<Vector> last_interior_step_; ///< and of the interior of each nonlinear body
   std::vector<Vector> interior_;           ///< y of each nonlinear body in this iteration
   std::vector<body::NonlinearBody::Linearised> linearised_;  ///< about it
-  /// The last iteration's step, so that a part of it can be taken back.
-  struct Step {
+  /// Where that was.
+  struct Anchor {
     Vector q;
-    std::vector<Vector> interior;
-    std::vector<std::vector<Vec2>> lambda;  ///< multipliers before it
+    std::vector<std::vector<Vec2>> lambda;
   };
-  Step taken_;
+  Anchor anchor_;
   std::vector<contact::Interface> interfaces_;
   std::vector<std::vector<Vec2>> lambda_;
   std::vector<Sides> sides_;
