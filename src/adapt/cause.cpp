@@ -23,17 +23,22 @@ Vec2 centroid(const mesh::Mesh& mesh, int cell) {
 
 using Facet = std::pair<int, int>;
 
-/// Height of the cell behind every outline facet: its area over the facet's length, twice that for triangles.
+/// Height of the cell behind every outline facet (half edge in second order): its area over the edge's length, twice
+/// that for triangles.
 std::map<Facet, double> heights(const mesh::Mesh& mesh) {
   std::map<Facet, double> result;
   for (const auto& loop : mesh.outline)
     for (std::size_t i = 0; i + 1 < loop.size(); ++i) result[{loop[i], loop[i + 1]}] = 0.0;
-  const int n = mesh::nodes_per_cell(mesh.kind);
+  const int n = mesh::corners(mesh.kind);
+  const bool halves = mesh::order(mesh.kind) == 2;
   for (const auto& cell : mesh.cells)
-    for (int k = 0; k < n; ++k)
-      if (const auto found = result.find({cell[k], cell[(k + 1) % n]}); found != result.end())
-        found->second = (n == 3 ? 2.0 : 1.0) * mesh::cell_area(mesh.X, mesh.kind, cell) /
-                        (mesh.X[found->first.second] - mesh.X[found->first.first]).norm();
+    for (int k = 0; k < n; ++k) {
+      const int a = cell[k], b = cell[(k + 1) % n];
+      const auto first = result.find({a, halves ? cell[n + k] : b});
+      if (first == result.end()) continue;
+      first->second = (n == 3 ? 2.0 : 1.0) * mesh::cell_area(mesh.X, mesh.kind, cell) / (mesh.X[b] - mesh.X[a]).norm();
+      if (halves) result.at({cell[n + k], b}) = first->second;
+    }
   return result;
 }
 

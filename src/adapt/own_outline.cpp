@@ -54,7 +54,8 @@ cad::Edge edge_through(Points knots) {
 /// The starts of the edges of a loop; its first node when it has neither corners nor names.
 std::vector<std::size_t> starts(const mesh::Mesh& mesh, const std::vector<Facets>& boundaries, const mesh::Chain& loop) {
   std::vector<std::size_t> all;
-  for (std::size_t i = 0; i + 1 < loop.size(); ++i)
+  const auto order = static_cast<std::size_t>(mesh::order(mesh.kind));  // edges end at vertices
+  for (std::size_t i = 0; i + 1 < loop.size(); i += order)
     if (ends_at(mesh, boundaries, loop, i)) all.push_back(i);
   return all.empty() ? std::vector<std::size_t>{0} : all;
 }
@@ -63,7 +64,7 @@ std::vector<std::size_t> starts(const mesh::Mesh& mesh, const std::vector<Facets
 double largest_size(const mesh::Mesh& mesh) {
   std::vector<double> size;
   for (const auto& cell : mesh.cells)
-    size.push_back(std::sqrt((mesh.kind == mesh::CellKind::tri3 ? 2.0 : 1.0) * mesh::cell_area(mesh.X, mesh.kind, cell)));
+    size.push_back(std::sqrt((mesh::corners(mesh.kind) == 3 ? 2.0 : 1.0) * mesh::cell_area(mesh.X, mesh.kind, cell)));
   for (std::size_t l = 0; mesh.cells.empty() && l < mesh.outline.size(); ++l)
     for (std::size_t i = 0; i + 1 < mesh.outline[l].size(); ++i)
       size.push_back((mesh.X[mesh.outline[l][i + 1]] - mesh.X[mesh.outline[l][i]]).norm());
@@ -99,7 +100,8 @@ std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, const std::vector<i
 
 cad::Drawing drawing_of(const mesh::Mesh& mesh) {
   cad::Drawing drawing;
-  drawing.options.mesh.element = mesh.kind;
+  drawing.options.mesh.element = mesh::corners(mesh.kind) == 3 ? mesh::CellKind::tri3 : mesh::CellKind::quad4;
+  drawing.options.mesh.order = mesh::order(mesh.kind);
   drawing.options.rigid = mesh.cells.empty();
   std::vector<Facets> boundaries;
   for (const auto& [name, chains] : mesh.boundaries) boundaries.push_back(facets_of(chains));

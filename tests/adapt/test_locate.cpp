@@ -242,5 +242,31 @@ TEST(SegmentTree, LooksAtFew) {
   EXPECT_LT(looked_at, 40 * 1000);
 }
 
+// In curved cells of second order too the map is inverted, also between a curved edge and its chords.
+TEST(Locator, CurvedCells) {
+  for (auto kind : {CellKind::tri6, CellKind::quad8}) {
+    const auto mesh = ring({1.0, 2.0, 1.5, 3, 4, kind});
+    const Locator locator(mesh);
+    std::mt19937 random(5);
+    for (int k = 0; k < 5000; ++k) {
+      const int cell = static_cast<int>(random() % mesh.cells.size());
+      const Vec2 xi = inside_reference(kind == CellKind::tri6 ? CellKind::tri3 : CellKind::quad4, random);
+      const auto place = locator.find(mapped_from(mesh, cell, xi));
+      ASSERT_EQ(place.cell, cell);
+      ASSERT_NEAR((place.xi - xi).norm(), 0.0, 1e-11);
+      ASSERT_EQ(place.distance, 0.0);
+      ASSERT_EQ(place.weights, fem::shape_functions(kind, place.xi));
+    }
+    // Off the body the place is the foot on the curve.
+    for (double angle : {0.13, 0.7, 1.31})
+      for (double radius : {0.9, 2.2}) {
+        const Vec2 p = radius * Vec2(std::cos(angle), std::sin(angle));
+        const auto place = locator.find(p);
+        EXPECT_NEAR(place.distance, radius < 1.0 ? 0.1 : 0.2, 1e-4);
+        EXPECT_NEAR((weighted(mesh, place.cell, place.weights) - p).norm(), place.distance, 1e-14);
+      }
+  }
+}
+
 }  // namespace
 }  // namespace reye

@@ -152,5 +152,18 @@ TEST(Transfer, NothingIsBuiltWithoutFields) {
   EXPECT_TRUE(result.fields.empty());
 }
 
+// Between straight meshes of second order, T6 distorted, quadratic fields are carried exactly.
+TEST(Transfer, SecondOrderCarriesQuadratics) {
+  const auto quadratic = [](const Vec2& x) { return 1.0 + x.x() - 3.0 * x.x() * x.y() + 2.0 * x.y() * x.y(); };
+  for (auto kind : {CellKind::tri6, CellKind::quad8}) {
+    const auto from = rectangle({.nx = 7, .ny = 6, .kind = kind, .distortion = kind == CellKind::tri6 ? 0.8 : 0.0});
+    const auto to = rectangle({.nx = 5, .ny = 9, .kind = kind, .distortion = 0.5});
+    Field field{"f", 1, {}};
+    for (const Vec2& x : from.X) field.values.push_back(quadratic(x));
+    const auto values = transfer(from, {field}, to, anywhere).fields.at(0).values;
+    for (std::size_t k = 0; k < to.X.size(); ++k) EXPECT_NEAR(values[k], quadratic(to.X[k]), 1e-13);
+  }
+}
+
 }  // namespace
 }  // namespace reye
