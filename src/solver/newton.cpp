@@ -15,6 +15,7 @@ namespace {
 constexpr int reach_margin = 6;  ///< nodes beyond the contact that are kept
 constexpr double tiny = std::numeric_limits<double>::min();
 constexpr int most_halvings = 5;  ///< of one step of nonlinear bodies that turns an element inside out
+constexpr int most_shortened = 3;  ///< of one that makes the imbalance grow
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
 const body::NonlinearBody* nonlinear(const System& system, std::size_t body) {
@@ -90,8 +91,14 @@ void Newton::linearise(const System& system, const SolverState& before, const Co
   anchor_ = {q, lambda_};
 }
 
+double Newton::inside_imbalance() const {
+  double largest = 0.0;
+  for (const auto& body : linearised_) largest = std::max(largest, body.interior_residual);
+  return largest;
+}
+
 /// Takes the interiors to where q has gone since the anchor and linearises the nonlinear bodies there; where they can
-/// not be, half the way is tried, and so on. Returns why it can not be done at all.
+/// not be, or are far worse balanced there, half the way is tried, and so on. Returns why it can not be done at all.
 std::string Newton::renew(const System& system, const SolverState& before, const Controls& controls, Vector& q) {
   Vector way = q - anchor_.q;
   std::vector<Vector> inside(system.bodies.size());
@@ -101,10 +108,12 @@ std::string Newton::renew(const System& system, const SolverState& before, const
       interior_[b] += inside[b];
     }
   const auto start = anchor_.lambda;
+  const double imbalance = inside_imbalance();
   for (int halvings = 0;; ++halvings) {
     try {
       linearise(system, before, controls, q);
-      return {};
+      // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
+      if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
     } catch (const base::SolveError& error) {
       if (halvings == most_halvings) return error.what();
     }

@@ -54,6 +54,7 @@ class Newton {
   void begin(const System& system, const SolverState& before, const Controls& controls);
   void place(const System& system, const Vector& q, bool everything);
   void linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q);
+  double inside_imbalance() const;
   std::string renew(const System& system, const SolverState& before, const Controls& controls, Vector& q);
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
   Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
