@@ -34,10 +34,29 @@ struct Group {
   bool used = false;
 };
 
+/// The weighted sum of displacements, one term per column.
+std::vector<Term> merged(std::initializer_list<std::pair<double, const std::vector<Term>*>> parts) {
+  std::vector<Term> sum;
+  for (const auto& [weight, terms] : parts)
+    for (const Term& term : *terms) {
+      const auto same = std::find_if(sum.begin(), sum.end(), [&](const Term& t) { return t.column == term.column; });
+      if (same == sum.end())
+        sum.push_back({term.column, weight * term.direction});
+      else
+        same->direction += weight * term.direction;
+    }
+  return sum;
+}
+
 class Numbering {
  public:
   Numbering(const Mesh& mesh, const BodyInput& input)
-      : mesh_(mesh), input_(input), constraints_(mesh.X.size()), first_group_(input.supports.size(), 0) {
+      : mesh_(mesh),
+        input_(input),
+        edges_(curved_edges(mesh, input.contact_boundaries)),
+        points_(with_control_points(mesh.X, edges_)),
+        constraints_(mesh.X.size()),
+        first_group_(input.supports.size(), 0) {
     for (const Support& support : input.supports) places_.push_back(place_support(mesh, support));
     hold_axis();
     for (int s = 0; s < support_count(); ++s)
@@ -57,6 +76,16 @@ class Numbering {
       c.terms.push_back(terms_of(node));
       c.freedom.push_back(freedom_of(node));
     }
+    for (int node : c.contact_nodes) {
+      c.contact_X.push_back(points_[node]);
+      c.contact_terms.push_back(c.terms[node]);
+    }
+    for (const auto& [a, b, mid] : edges_)
+      c.terms[mid] = merged({{0.25, &c.terms[a]}, {0.25, &c.terms[b]}, {0.5, &c.terms[mid]}});  // (7)
+    const auto place = [&](int node) {
+      return static_cast<int>(std::find(c.contact_nodes.begin(), c.contact_nodes.end(), node) - c.contact_nodes.begin());
+    };
+    for (const auto& [a, b, mid] : edges_) c.curved_edges.push_back({place(a), place(b), place(mid)});
     return c;
   }
 
@@ -161,7 +190,7 @@ class Numbering {
   std::vector<Term> rigid_terms(int node) const {
     const Constraint& c = constraints_[node];
     const SupportPlace& place = places_[c.rigid];
-    const Vec2 arm = mesh_.X[node] - place.centre;
+    const Vec2 arm = points_[node] - place.centre;
     std::vector<Term> terms;
     for (int m = 0; m < rigid_motions(); ++m) {
       Vec2 direction = m == 0 ? place.x_axis.front() : m == 1 ? place.y_axis.front() : Vec2{-arm.y(), arm.x()};
@@ -186,6 +215,8 @@ class Numbering {
 
   const Mesh& mesh_;
   const BodyInput& input_;
+  std::vector<CurvedEdge> edges_;
+  base::Points points_;  ///< of nodes, control points in place of mid nodes on contact boundaries
   std::vector<SupportPlace> places_;
   std::vector<Constraint> constraints_;
   std::vector<Group> groups_;

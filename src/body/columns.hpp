@@ -20,6 +20,9 @@ struct Columns {
   std::vector<std::vector<Term>> terms;   ///< per node: u = sum y[column] * direction (columns of y, not of q)
   std::vector<NodeFreedom> freedom;       ///< per node
   std::vector<int> contact_nodes;
+  std::vector<CurvedEdge> curved_edges;   ///< on contact boundaries, as indices into contact_nodes
+  base::Points contact_X;                         ///< per contact node: the point that contact sees, a control point
+  std::vector<std::vector<Term>> contact_terms;   ///< in place of a mid node, and what moves it: its columns are c's
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)

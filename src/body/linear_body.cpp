@@ -71,12 +71,12 @@ const std::vector<int>& LinearBody::contact_nodes() const { return impl_->column
 const Matrix& LinearBody::tangent(const Vector&, const Vector&) const { return impl_->factor.schur(); }
 const std::vector<SupportColumn>& LinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
+const std::vector<CurvedEdge>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
 NodePosition LinearBody::position(int contact_node, const Vector& q) const {
-  const int node = impl_->columns.contact_nodes[contact_node];
   NodePosition p;
-  p.x = impl_->shape->mesh.X[node];
-  for (Term term : impl_->columns.terms[node]) {
+  p.x = impl_->columns.contact_X[contact_node];
+  for (Term term : impl_->columns.contact_terms[contact_node]) {
     term.column -= impl_->columns.interior;  // from the unknowns y to q: all columns of a contact node are retained
     p.x += q[term.column] * term.direction;
     p.terms[p.count++] = term;

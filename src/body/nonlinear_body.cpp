@@ -171,10 +171,9 @@ NodeFreedom NonlinearBody::freedom(int contact_node) const {
 }
 
 NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
-  const int node = impl_->columns.contact_nodes[contact_node];
   NodePosition p;
-  p.x = impl_->mesh().X[node];
-  for (Term term : impl_->columns.terms[node]) {
+  p.x = impl_->columns.contact_X[contact_node];
+  for (const Term& term : impl_->columns.contact_terms[contact_node]) {
     const int column = term.column - impl_->interior();  // all columns of a contact node are retained
     const Path path = impl_->columns.path(term, q[column], impl_->turning());
     p.x += path.displacement;
@@ -259,7 +258,7 @@ Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contac
   Vector diagonal = Vector::Zero(dofs());
   if (!impl_->turning()) return diagonal;
   for (size_t k = 0; k < contact_nodes().size(); ++k)
-    for (const Term& term : impl_->columns.terms[contact_nodes()[k]]) {
+    for (const Term& term : impl_->columns.contact_terms[k]) {
       const int column = term.column - impl_->interior();
       diagonal[column] += contact_forces[k].dot(impl_->columns.path(term, q[column], true).curvature);
     }

@@ -6,6 +6,7 @@
 
 #include "algebra/factor.hpp"
 #include "base/analysis.hpp"
+#include "body/control_points.hpp"
 #include "body/shape.hpp"
 #include "body/supports.hpp"
 #include "fem/loads.hpp"
@@ -24,7 +25,7 @@ struct Term {
   Vec2 direction{0.0, 0.0};
 };
 
-/// Position of a boundary node and its derivative with respect to q.
+/// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point.
 struct NodePosition {
   Vec2 x;
   std::array<Term, 4> terms;
@@ -77,6 +78,7 @@ class LinearBody {
   const std::vector<int>& contact_nodes() const;               ///< mesh nodes
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
+  const std::vector<CurvedEdge>& curved_edges() const;         ///< of contact, as indices into contact_nodes()
   const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
   /// Displacement of all mesh nodes.

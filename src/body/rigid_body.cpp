@@ -47,6 +47,7 @@ struct RigidBody::Impl {
   std::array<Vec2, 2> axes{Vec2{1.0, 0.0}, Vec2{0.0, 1.0}};
   std::array<bool, 3> held{};  ///< by the body itself, at zero
   std::vector<int> contact_nodes;
+  base::Points contact_X;  ///< of the points that contact sees
   std::vector<SupportColumn> supports;
   std::vector<LoadColumn> names;
   std::vector<Resultant> loads;
@@ -59,6 +60,8 @@ struct RigidBody::Impl {
       for (int node : mesh::nodes_of(fem::boundary_of(shape->mesh, name, "body." + input.name + ".contact")))
         if (std::find(contact_nodes.begin(), contact_nodes.end(), node) == contact_nodes.end())
           contact_nodes.push_back(node);
+    const auto points = with_control_points(shape->mesh.X, curved_edges(shape->mesh, input.contact_boundaries));
+    for (int node : contact_nodes) contact_X.push_back(points[node]);
     add_loads(input, input.boundary_loads);
     add_loads(input, input.point_loads);
     add_loads(input, input.body_forces);
@@ -126,8 +129,8 @@ struct RigidBody::Impl {
     return (held[0] ? 0.0 : q[0]) * axes[0] + (held[1] ? 0.0 : q[1]) * axes[1];
   }
   double angle(const Vector& q) const { return held[2] ? 0.0 : q[2]; }
-  Vec2 current(int node, const Vector& q) const {
-    return centre + translation(q) + rotation(angle(q)) * (shape->mesh.X[node] - centre);
+  Vec2 current(const Vec2& X, const Vector& q) const {
+    return centre + translation(q) + rotation(angle(q)) * (X - centre);
   }
 };
 
@@ -140,10 +143,10 @@ const std::vector<LoadColumn>& RigidBody::loads() const { return impl_->names; }
 NodeFreedom RigidBody::freedom(int) const { return {0, {0.0, 0.0}}; }  // no node can yield to a multiplier alone
 
 NodePosition RigidBody::position(int contact_node, const Vector& q) const {
-  const int node = impl_->contact_nodes[contact_node];
+  const Vec2& X = impl_->contact_X[contact_node];
   NodePosition p;
-  p.x = impl_->current(node, q);
-  const Vec2 turning = rotation_rate(impl_->angle(q)) * (impl_->shape->mesh.X[node] - impl_->centre);
+  p.x = impl_->current(X, q);
+  const Vec2 turning = rotation_rate(impl_->angle(q)) * (X - impl_->centre);
   const std::array<Vec2, 3> directions{impl_->axes[0], impl_->axes[1], turning};
   for (int k = 0; k < 3; ++k)
     if (!impl_->held[k]) p.terms[p.count++] = {k, directions[k]};
@@ -174,8 +177,7 @@ Matrix RigidBody::tangent(const Vector& q, const Vector& load_factors) const {
 
 std::vector<Vec2> RigidBody::recover(const Vector& q, const Vector&) const {
   std::vector<Vec2> u;
-  for (int node = 0; node < impl_->shape->mesh.node_count(); ++node)
-    u.push_back(impl_->current(node, q) - impl_->shape->mesh.X[node]);
+  for (const Vec2& X : impl_->shape->mesh.X) u.push_back(impl_->current(X, q) - X);
   return u;
 }
 
@@ -184,7 +186,7 @@ double RigidBody::geometric(const Vector& q, const std::vector<Vec2>& contact_fo
   const Rotation R = rotation(q[2]);
   double sum = 0.0;
   for (size_t k = 0; k < impl_->contact_nodes.size(); ++k)
-    sum -= contact_forces[k].dot(R * (impl_->shape->mesh.X[impl_->contact_nodes[k]] - impl_->centre));
+    sum -= contact_forces[k].dot(R * (impl_->contact_X[k] - impl_->centre));
   return sum;
 }
 

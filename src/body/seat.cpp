@@ -21,9 +21,10 @@ void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
   const auto held = [&](int column) {
     return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.column == column; });
   };
-  for (std::size_t k = 0; k < u.size(); ++k) {
+  const base::Points seen = with_control_points(u, body.curved_edges());
+  for (std::size_t k = 0; k < seen.size(); ++k) {
     const NodePosition node = body.position(static_cast<int>(k), q);
-    Vec2 rest = u[k];
+    Vec2 rest = seen[k];
     std::vector<Term> free;
     for (int t = 0; t < node.count; ++t) {
       const Term& term = node.terms[t];

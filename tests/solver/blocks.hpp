@@ -16,6 +16,8 @@ struct BlocksOptions {
   bool upper_rigid = false;
   double rotation = 0.0;     ///< of a rigid upper block [rad]
   bool upper_secondary = false;
+  mesh::CellKind lower = mesh::CellKind::quad4, upper = mesh::CellKind::quad4;
+  contact::DualOrder dual = contact::DualOrder::quadratic;
 };
 
 inline body::Support holder(const BlocksOptions& o) {
@@ -32,11 +34,11 @@ inline body::Support holder(const BlocksOptions& o) {
 /// The lower block [0, 2] x [0, 1] (6 facets) has a crowned top; the upper one lies on its middle (7 facets).
 inline Assembly blocks(const BlocksOptions& o) {
   Assembly a;
-  const auto crowned = mapped(rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3}), [&](const base::Vec2& x) {
+  const auto crowned = mapped(rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3, .kind = o.lower}), [&](const base::Vec2& x) {
     return base::Vec2(x.x(), x.y() * (1.0 - o.crown * (x.x() - 1.0) * (x.x() - 1.0)));
   });
   a.meshes = {turned(crowned, o.angle),
-              turned(rectangle({.corner = {0.1, 1}, .size = {1.7, 1}, .nx = 7, .ny = 3}), o.angle)};
+              turned(rectangle({.corner = {0.1, 1}, .size = {1.7, 1}, .nx = 7, .ny = 3, .kind = o.upper}), o.angle)};
   a.inputs = {elastic(1000.0, 0.3), elastic(2000.0, 0.25)};
   a.inputs[0].supports = {fixed_edge("base", "bottom")};
   a.inputs[1].supports = {holder(o)};
@@ -44,6 +46,7 @@ inline Assembly blocks(const BlocksOptions& o) {
   contact::ContactOptions c;
   c.friction = o.friction;
   c.wear = o.wear;
+  c.dual = o.dual;
   if (o.upper_secondary)
     touch(a, c, {1, "bottom"}, {0, "top"});
   else

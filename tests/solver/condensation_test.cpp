@@ -63,6 +63,18 @@ TEST(condensation, wear_on_both_sides) {
   expect_exact_both_ways(support::blocks(o), "wear");
 }
 
+// The same with cells of second order and either kind of multipliers: linear ones load control points they do not own.
+TEST(condensation, second_order) {
+  for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
+    for (auto upper : {mesh::CellKind::tri6, mesh::CellKind::quad4}) {
+      BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .drag = 0.06, .angle = 0.4};
+      o.lower = mesh::CellKind::quad8;
+      o.upper = upper;
+      o.dual = dual;
+      expect_exact_both_ways(support::blocks(o), dual == contact::DualOrder::linear ? "linear" : "quadratic");
+    }
+}
+
 // The same against a rigid body that is pushed, dragged and turned.
 TEST(condensation, rigid_primary) {
   BlocksOptions o{.friction = 0.2, .wear = {LawKind::energy, 4e-4, 0.0}, .drag = 0.02, .angle = -0.3};

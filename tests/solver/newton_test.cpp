@@ -87,6 +87,21 @@ TEST(newton, quadratic_with_wear_on_both_sides) {
   EXPECT_GT(depth, 1e-4);
 }
 
+// So must all of that with cells of second order and either kind of multipliers.
+TEST(newton, quadratic_with_cells_of_second_order) {
+  for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
+    for (auto upper : {mesh::CellKind::tri6, mesh::CellKind::quad4}) {
+      BlocksOptions o{.friction = 0.2, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.03, .drag = 0.1, .angle = 0.4};
+      o.lower = mesh::CellKind::quad8;
+      o.upper = upper;
+      o.dual = dual;
+      const auto played = play(support::blocks(o));
+      EXPECT_GT(count(played.state.contacts[0], ContactStatus::slip), 2);
+      o.wear = {};
+      play(support::blocks(o));
+    }
+}
+
 // So must contact with a rigid body that turns by two degrees, rolling and sliding over the crown.
 TEST(newton, quadratic_with_a_turning_rigid_body) {
   BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.02, .drag = 0.05};

@@ -23,6 +23,8 @@ struct Patch {
   double slide = 0.0;  ///< of the upper block along the contact
   double angle = 0.0;  ///< [degrees] of the whole scene
   bool upper_secondary = true;
+  mesh::CellKind lower_kind = mesh::CellKind::quad4, upper_kind = mesh::CellKind::quad4;
+  contact::DualOrder dual = contact::DualOrder::quadratic;
 };
 
 fem::BoundaryLoad load(const Patch& s, const std::string& edge, double x, double y) {
@@ -65,11 +67,12 @@ body::BodyInput upper_input(const Patch& s) {
 Assembly assembly(const Patch& s) {
   const double angle = s.angle * std::numbers::pi / 180.0;
   Assembly a;
-  a.meshes = {support::turned(support::rectangle({.corner = {0, -1}, .size = {s.width, 1}, .nx = s.lower, .ny = 2, .distortion = 0.4}), angle),
-              support::turned(support::rectangle({.corner = {s.a, 0}, .size = {s.b - s.a, 1}, .nx = s.upper, .ny = 3, .distortion = 0.4}), angle)};
+  a.meshes = {support::turned(support::rectangle({.corner = {0, -1}, .size = {s.width, 1}, .nx = s.lower, .ny = 2, .kind = s.lower_kind, .distortion = 0.4}), angle),
+              support::turned(support::rectangle({.corner = {s.a, 0}, .size = {s.b - s.a, 1}, .nx = s.upper, .ny = 3, .kind = s.upper_kind, .distortion = 0.4}), angle)};
   a.inputs = {lower_input(s), upper_input(s)};
   contact::ContactOptions o;
   o.friction = s.friction;
+  o.dual = s.dual;
   if (s.upper_secondary)
     support::touch(a, o, {1, "bottom"}, {0, "top"});
   else
@@ -96,6 +99,20 @@ int expect_uniform(const Patch& s, ContactStatus status) {
     EXPECT_EQ(state.status[j], status) << "node " << j;
   }
   return active;
+}
+
+/// Cells of second order on both sides or one, with either kind of multipliers.
+std::vector<Patch> of_second_order(Patch s) {
+  using mesh::CellKind;
+  std::vector<Patch> all;
+  for (const auto& [lower, upper] : {std::pair{CellKind::quad8, CellKind::quad8}, {CellKind::tri6, CellKind::quad4}, {CellKind::quad4, CellKind::tri6}})
+    for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear}) {
+      s.lower_kind = lower;
+      s.upper_kind = upper;
+      s.dual = dual;
+      all.push_back(s);
+    }
+  return all;
 }
 
 /// Both side choices at 0 and 30 degrees.
@@ -144,6 +161,18 @@ TEST(patch, slip) {
     for (double sign : {1.0, -1.0})
       every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = sign * 3.0, .friction = 0.3, .slide = sign * 0.01},
                 [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::slip), 3); });
+}
+
+// All of that must hold for cells of second order, against each other and against cells of first order.
+TEST(patch, second_order) {
+  const auto pressure = [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::slip), 3); };
+  const auto shear = [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::stick), 3); };
+  for (const auto& [upper, lower] : {std::pair{2, 3}, {7, 5}}) {
+    for (const auto& s : of_second_order({.upper = upper, .lower = lower})) every_way(s, pressure);
+    for (const auto& s : of_second_order({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1})) every_way(s, pressure);
+    for (const auto& s : of_second_order({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = -2.0, .friction = 0.3}))
+      every_way(s, shear);
+  }
 }
 
 }  // namespace
