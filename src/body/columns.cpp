@@ -76,16 +76,11 @@ class Numbering {
       c.terms.push_back(terms_of(node));
       c.freedom.push_back(freedom_of(node));
     }
-    for (int node : c.contact_nodes) {
-      c.contact_X.push_back(points_[node]);
-      c.contact_terms.push_back(c.terms[node]);
-    }
+    c.seen_X = points_;
+    c.seen = c.terms;
     for (const auto& [a, b, mid] : edges_)
       c.terms[mid] = merged({{0.25, &c.terms[a]}, {0.25, &c.terms[b]}, {0.5, &c.terms[mid]}});  // (7)
-    const auto place = [&](int node) {
-      return static_cast<int>(std::find(c.contact_nodes.begin(), c.contact_nodes.end(), node) - c.contact_nodes.begin());
-    };
-    for (const auto& [a, b, mid] : edges_) c.curved_edges.push_back({place(a), place(b), place(mid)});
+    c.curved_edges = edges_;
     return c;
   }
 

@@ -20,9 +20,9 @@ struct Columns {
   std::vector<std::vector<Term>> terms;   ///< per node: u = sum y[column] * direction (columns of y, not of q)
   std::vector<NodeFreedom> freedom;       ///< per node
   std::vector<int> contact_nodes;
-  std::vector<CurvedEdge> curved_edges;   ///< on contact boundaries, as indices into contact_nodes
-  base::Points contact_X;                         ///< per contact node: the point that contact sees, a control point
-  std::vector<std::vector<Term>> contact_terms;   ///< in place of a mid node, and what moves it: its columns are c's
+  std::vector<CurvedEdge> curved_edges;   ///< on contact boundaries
+  base::Points seen_X;                    ///< per node: the point its own columns move and contact sees: the node, or
+  std::vector<std::vector<Term>> seen;    ///< the control point in place of a mid node there; and its displacement
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)

@@ -74,9 +74,10 @@ const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; 
 const std::vector<CurvedEdge>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
 NodePosition LinearBody::position(int contact_node, const Vector& q) const {
+  const int node = impl_->columns.contact_nodes[contact_node];
   NodePosition p;
-  p.x = impl_->columns.contact_X[contact_node];
-  for (Term term : impl_->columns.contact_terms[contact_node]) {
+  p.x = impl_->columns.seen_X[node];
+  for (Term term : impl_->columns.seen[node]) {
     term.column -= impl_->columns.interior;  // from the unknowns y to q: all columns of a contact node are retained
     p.x += q[term.column] * term.direction;
     p.terms[p.count++] = term;

@@ -171,9 +171,10 @@ NodeFreedom NonlinearBody::freedom(int contact_node) const {
 }
 
 NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
+  const int node = impl_->columns.contact_nodes[contact_node];
   NodePosition p;
-  p.x = impl_->columns.contact_X[contact_node];
-  for (const Term& term : impl_->columns.contact_terms[contact_node]) {
+  p.x = impl_->columns.seen_X[node];
+  for (const Term& term : impl_->columns.seen[node]) {
     const int column = term.column - impl_->interior();  // all columns of a contact node are retained
     const Path path = impl_->columns.path(term, q[column], impl_->turning());
     p.x += path.displacement;
@@ -240,10 +241,11 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const
   std::vector<char> held(static_cast<size_t>(unknowns.size()), 0);
   for (const auto& support : columns.supports) held[impl_->interior() + support.column] = 1;
   std::vector<Term> free;
+  const base::Points seen = with_control_points(u, columns.curved_edges);
   for (size_t node = 0; node < u.size(); ++node) {
-    Vec2 rest = u[node];
+    Vec2 rest = seen[node];
     free.clear();
-    for (const Term& term : columns.terms[node])
+    for (const Term& term : columns.seen[node])
       if (held[term.column])
         rest -= columns.path(term, unknowns[term.column], impl_->turning()).displacement;
       else
@@ -258,7 +260,7 @@ Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contac
   Vector diagonal = Vector::Zero(dofs());
   if (!impl_->turning()) return diagonal;
   for (size_t k = 0; k < contact_nodes().size(); ++k)
-    for (const Term& term : impl_->columns.contact_terms[k]) {
+    for (const Term& term : impl_->columns.seen[contact_nodes()[k]]) {
       const int column = term.column - impl_->interior();
       diagonal[column] += contact_forces[k].dot(impl_->columns.path(term, q[column], true).curvature);
     }

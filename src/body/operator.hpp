@@ -78,7 +78,7 @@ class LinearBody {
   const std::vector<int>& contact_nodes() const;               ///< mesh nodes
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
-  const std::vector<CurvedEdge>& curved_edges() const;         ///< of contact, as indices into contact_nodes()
+  const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
   const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
   /// Displacement of all mesh nodes.

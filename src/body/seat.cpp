@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <unordered_map>
 
 #include "body/columns.hpp"
 #include "body/operator.hpp"
@@ -16,12 +17,26 @@ void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values) {
   values[free[1].column] = both.y();
 }
 
+namespace {
+
+/// Displacements of the points that contact sees in place of contact nodes.
+std::vector<Vec2> seen_by_contact(const LinearBody& body, const std::vector<Vec2>& u) {
+  std::unordered_map<int, std::size_t> place;
+  for (std::size_t k = 0; k < u.size(); ++k) place[body.contact_nodes()[k]] = k;
+  std::vector<Vec2> seen = u;
+  for (const auto& [a, b, mid] : body.curved_edges())
+    seen[place[mid]] = 2.0 * u[place[mid]] - 0.5 * (u[place[a]] + u[place[b]]);
+  return seen;
+}
+
+}  // namespace
+
 void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
   const auto& supports = body.support_columns();
   const auto held = [&](int column) {
     return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.column == column; });
   };
-  const base::Points seen = with_control_points(u, body.curved_edges());
+  const base::Points seen = seen_by_contact(body, u);
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const NodePosition node = body.position(static_cast<int>(k), q);
     Vec2 rest = seen[k];

@@ -69,10 +69,14 @@ class Uncondensed {
     const Vector part = system_.part(q, b);
     const auto n = part.size();
     const int at = system_.offset[b];
-    std::visit([&](const auto& o) {
+    const auto add = [&](const auto& o) {
       A_.block(at, at, n, n) += o.tangent(part, controls_.load_factors[b]);
       b_.segment(at, n) -= o.residual(part, controls_.load_factors[b]);
-    }, system_.bodies[b]);
+    };
+    if (const auto* rigid = std::get_if<body::RigidBody>(&system_.bodies[b]))
+      add(*rigid);
+    else
+      add(std::get<body::LinearBody>(system_.bodies[b]));
   }
 
   const contact::SurfaceNode& node(const contact::Setup& setup, int k) const {

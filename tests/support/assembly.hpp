@@ -72,7 +72,12 @@ inline solver::Controls controls_of(const Assembly& a, const solver::System& sys
 }
 
 inline solver::SolverState fresh(const solver::System& system) {
-  solver::SolverState s{base::Vector::Zero(system.dofs), {}};
+  solver::SolverState s;
+  s.q = base::Vector::Zero(system.dofs);
+  for (const auto& body : system.bodies) {
+    const auto* nonlinear = std::get_if<body::NonlinearBody>(&body);
+    s.interiors.push_back(nonlinear ? nonlinear->start() : body::Interior{});
+  }
   for (const auto& setup : system.contacts) s.contacts.push_back(contact::fresh_state(setup));
   return s;
 }
