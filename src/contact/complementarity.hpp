@@ -29,6 +29,7 @@ struct NodeConstants {
   double depth = 0.0;           ///< the secondary's depth at the start of the increment [mm]
   double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
   wear::Law law;
+  wear::Start start;            ///< the node as the law finds it
   bool imposed = false;         ///< slip is a number: D * imposed_slip
   double imposed_slip = 0.0;
   bool held = false;            ///< shear is given: re-equilibration after the shape moved
@@ -55,7 +56,8 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_n = mortar::dot(s.lambda, s.normal);
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : mortar::dot(tangent, s.motion);
-  if (status == ContactStatus::slip && !c.held) r.work = wear::work(c.law, r.lambda_n, r.lambda_t, r.slip);
+  if (status == ContactStatus::slip && !c.held)
+    r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.lambda_t, r.slip, s.D + s.off}, c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
   if (c.held && !c.anchor) {
     const T given = c.held_shear + s.share;

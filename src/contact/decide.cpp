@@ -49,7 +49,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
       continue;
     }
     const Vec2 tangent(-normal_[j].y(), normal_[j].x());
-    if (o.imposed || o.friction == 0.0) {
+    if (o.imposed || friction_ == 0.0) {
       status_[j] = ContactStatus::slip;
       sign_[j] = o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
     } else if ((iteration == 0 && !predicted) || options_.held) {
@@ -58,7 +58,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
       const double trial = lambda[j].dot(tangent) + o.c_tangential * stiffness * tangent.dot(motion(node)) / D;
       // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
       // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
-      const double bound = o.friction * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
+      const double bound = friction_ * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
       const double sign = trial < 0.0 ? -1.0 : 1.0;
       // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
       const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;

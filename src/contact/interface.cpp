@@ -27,6 +27,7 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   setup_ = &setup;
   before_ = &before;
   options_ = options;
+  friction_ = options.friction.value_or(setup.options.friction);
   placement_.secondary = &setup.secondary;
   placement_.primary = &setup.primary;
   placement_.xs = placement_.xs_before = std::move(xs);
@@ -195,11 +196,14 @@ double Interface::share(int node, const std::vector<Vec2>& lambda) const {
 NodeConstants Interface::constants(int node) const {
   NodeConstants c;
   const auto& o = setup_->options;
-  c.friction = o.friction;
+  c.friction = friction_;
   c.sign = sign_[node];
   c.depth = secondary_start_[node];
   c.law = o.wear;
   if (!options_.wear) c.law.kind = wear::LawKind::none;
+  // The energy of control points that wear with the node stands at them: the node's density counts for all of its length.
+  const double worn = worn_length_[node], own = worn / setup_->secondary.area[node];
+  c.start = {options_.jump, options_.duration_s, own * before_->energy_secondary[node], worn};
   if (o.implicit_wear)
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
                        thickness(options_.thickness_secondary, static_cast<std::size_t>(node));
@@ -293,6 +297,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   next.normal = normal_;
   next.status = status_;
   next.reference = rows_;
+  next.friction = friction_;
   if (options_.held) return next;
   const auto& law = setup_->options.wear;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
@@ -301,18 +306,20 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
     next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(static_cast<int>(j)));
     const double friction_work = options_.jump * std::abs(c.lambda_t * c.slip);
     next.frictional_work += friction_work;
+    const auto& area = setup_->secondary.area;
+    const auto spread = [&](auto add) {
+      add(j, area[j] / worn_length_[j]);
+      for (const auto& [k, per_volume] : between_[j]) add(static_cast<std::size_t>(k), 0.5 * area[k] / worn_length_[j]);
+    };
+    spread([&](std::size_t k, double share) { next.energy_secondary[k] += share * friction_work; });
     if (!options_.wear || !law.wears()) continue;
     const double work = options_.jump * c.work;
     next.worn_work += friction_work;
     next.law_work += work;
-    const auto& area = setup_->secondary.area;
-    const auto remove = [&](std::size_t k, double share) {
+    spread([&](std::size_t k, double share) {
       next.pending_secondary[k] += share * law.secondary * work;
       next.removed_secondary[k] += share * law.secondary * work;
-    };
-    remove(j, area[j] / worn_length_[j]);
-    for (const auto& between : between_[j])
-      remove(static_cast<std::size_t>(between.first), 0.5 * area[between.first] / worn_length_[j]);
+    });
     if (law.primary == 0.0) continue;
     for (const auto& [l, T] : cover_[j]) {
       next.pending_primary[l] += law.primary * work * T / spread_[j];

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace reye::contact {
 struct IncrementOptions {
   double jump = 1.0;          ///< cycles that this increment stands for
   bool wear = true;
+  double duration_s = 0.0;    ///< of one play of this increment; read where wear has a speed exponent only
+  std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
@@ -123,6 +126,7 @@ class Interface {
   const Setup* setup_ = nullptr;
   const ContactState* before_ = nullptr;
   IncrementOptions options_;
+  double friction_ = 0.0;
   mortar::Placement placement_;
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;

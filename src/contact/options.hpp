@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct ContactOptions {
   std::string name;
   std::string secondary;
   std::vector<std::string> primary;
-  double friction = 0.0;                ///< Coulomb coefficient mu >= 0
+  double friction = 0.0;                ///< Coulomb coefficient mu >= 0; of a table its largest value
+  std::vector<std::array<double, 2>> friction_over_cycles{};  ///< [cycle, mu], cycles increasing; empty: mu is constant
   wear::Law wear;
   double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step; 0: slip comes from the motion
   bool imposed = false;                 ///< true when imposed_sliding_mm is given

@@ -86,6 +86,7 @@ ContactState fresh_state(const Setup& setup) {
   state.removed_secondary.assign(ns, 0.0);
   state.removed_primary.assign(nm, 0.0);
   state.slip.assign(ns, 0.0);
+  state.energy_secondary.assign(ns, 0.0);
   return state;
 }
 

@@ -40,6 +40,8 @@ struct ContactState {
   std::vector<double> removed_secondary;  ///< removed volume per node since the start
   std::vector<double> removed_primary;
   std::vector<double> slip;               ///< path of slip per secondary node since the start [mm]
+  std::vector<double> energy_secondary;   ///< frictional work per secondary node since the start [mJ per mm]
+  double friction = 0.0;                  ///< mu of the last accepted increment
   double frictional_work = 0.0;           ///< all of it, whether wear was on or not [mJ per mm], times the jump
   double worn_work = 0.0;                 ///< the part that wear acted on
   double law_work = 0.0;                  ///< the law's own measure of it (wear::Ledger::work)

@@ -62,7 +62,8 @@ std::string advice() { return "; choose another folder with --out, or replace it
 Identity identity_of(const scene::Scene& scene) {
   Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}, {}};
   for (const auto& contact : scene.contacts) {
-    identity.friction[contact.name] = contact.friction;
+    auto& friction = identity.friction[contact.name];
+    if (contact.friction_over_cycles.empty()) friction = contact.friction;
     std::string primary;
     for (const auto& edge : contact.primary) primary += (primary.empty() ? "" : ", ") + with_body(scene, edge);
     identity.sides[contact.name] = {with_body(scene, contact.secondary), primary};
@@ -79,7 +80,7 @@ std::optional<Identity> read_identity(const std::string& dir) {
     Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}, {}};
     for (std::size_t i = 0; i < analyses.size(); ++i)
       if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
-    for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu;
+    for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu.is_null() ? std::nullopt : std::optional<double>(mu);
     for (const auto& [name, sides] : json.at("sides").items()) identity.sides[name] = {sides.at(0), sides.at(1)};
     return identity;
   } catch (const Json::exception&) {
@@ -112,7 +113,7 @@ void claim_folder(const std::string& dir, const Identity& identity) {
             {"analysis", analyses[static_cast<std::size_t>(identity.analysis)]},
             {"friction", Json::object()},
             {"sides", Json::object()}};
-  for (const auto& [name, mu] : identity.friction) json["friction"][name] = mu;
+  for (const auto& [name, mu] : identity.friction) json["friction"][name] = mu ? Json(*mu) : Json();
   for (const auto& [name, sides] : identity.sides) json["sides"][name] = sides;
   const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
   // A full disk shows here, while the former results are still whole.

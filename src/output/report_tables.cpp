@@ -178,7 +178,7 @@ std::string ledger_table(const RunData& run) {
   const std::string body = table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
                                   "secondary" + amount, "primary" + amount, "relative error"}, rows);
   if (body.empty()) return {};
-  return section("Ledger", body + "<p class=\"quiet\">Relative error: |removed − sum of coefficient × energy| / "
+  return section("Ledger", body + "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
                                   "sum, over both sides; a dash where nothing wears.</p>\n");
 }
 

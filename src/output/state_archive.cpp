@@ -12,7 +12,7 @@ void serialize(Archive& archive, MortarRow& row) {
 template <class Archive>
 void serialize(Archive& archive, ContactState& s) {
   archive(s.lambda, s.normal, s.status, s.reference, s.pending_secondary, s.pending_primary, s.removed_secondary,
-          s.removed_primary, s.slip, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
+          s.removed_primary, s.slip, s.energy_secondary, s.friction, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
 }
 
 }  // namespace reye::contact

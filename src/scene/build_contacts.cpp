@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "scene/build.hpp"
@@ -10,6 +11,16 @@ namespace {
 /// 1 mm^3/J = 1e-3 mm^2/N.
 constexpr double per_J = 1e-3;
 
+/// Exponent and reference of one factor of the rate; a reference is asked for by its exponent, and by nothing else.
+void add_factor(const Entry& wear, std::string_view exponent_key, std::string_view ref_key, double& exponent, double& ref,
+                Issues& issues) {
+  exponent = wear.number(exponent_key);
+  ref = wear.maybe_number(ref_key).value_or(1.0);
+  if (exponent != 0.0 && !wear.given(ref_key))
+    issues.push_back({wear.key(exponent_key), wear.written(exponent_key), "needs " + std::string(ref_key)});
+  if (!wear.given(exponent_key)) refuse(wear, {ref_key}, "has no use without " + std::string(exponent_key), issues);
+}
+
 /// The coefficients of the named law; those of the other one are refused, they would be ignored.
 wear::Law wear_of(const Entry& wear, Issues& issues) {
   wear::Law law;
@@ -18,6 +29,7 @@ wear::Law wear_of(const Entry& wear, Issues& issues) {
     law.kind = wear::LawKind::energy;
     law.secondary = per_J * wear.number("secondary_mm3_per_J");
     law.primary = per_J * wear.number("primary_mm3_per_J");
+    law.threshold = wear.number("threshold_mJ_per_mm2");
     refuse(wear, {"secondary_per_MPa", "primary_per_MPa"}, "belongs to Archard's law; energy takes mm3_per_J", issues);
     if (!wear.given("secondary_mm3_per_J") && !wear.given("primary_mm3_per_J"))
       issues.push_back({wear.key(), "", "needs secondary_mm3_per_J, primary_mm3_per_J or both"});
@@ -27,10 +39,32 @@ wear::Law wear_of(const Entry& wear, Issues& issues) {
     law.primary = wear.number("primary_per_MPa");
     refuse(wear, {"secondary_mm3_per_J", "primary_mm3_per_J"}, "belongs to the energy law; Archard's takes per_MPa",
            issues);
+    refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
     if (!wear.given("secondary_per_MPa") && !wear.given("primary_per_MPa"))
       issues.push_back({wear.key(), "", "needs secondary_per_MPa, primary_per_MPa or both"});
   }
+  add_factor(wear, "pressure_exponent", "pressure_ref_MPa", law.pressure_exponent, law.pressure_ref, issues);
+  add_factor(wear, "speed_exponent", "speed_ref_mm_per_s", law.speed_exponent, law.speed_ref, issues);
   return law;
+}
+
+/// Friction as a number or as a table over the cycles.
+void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& issues) {
+  const auto table = entry.at("friction");
+  if (!table.is_table()) {
+    contact.friction = entry.number("friction");
+    return;
+  }
+  const auto cycles = table.numbers("cycles"), value = table.numbers("value");
+  if (std::adjacent_find(cycles.begin(), cycles.end(), std::greater_equal<>()) != cycles.end())
+    issues.push_back({table.key("cycles"), table.written("cycles"), "must increase strictly"});
+  if (!cycles.empty() && !value.empty() && cycles.size() != value.size())
+    issues.push_back({table.key("value"), table.written("value"),
+                      "must hold as many numbers as cycles, " + std::to_string(cycles.size())});
+  for (std::size_t i = 0; i < std::min(cycles.size(), value.size()); ++i) {
+    contact.friction_over_cycles.push_back({cycles[i], value[i]});
+    contact.friction = std::max(contact.friction, value[i]);
+  }
 }
 
 void check_sides(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
@@ -47,7 +81,9 @@ void check_sides(const Entry& entry, const contact::ContactOptions& contact, Iss
 
 void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
   // a friction that is no number, or below zero, has its own issue
-  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0;
+  const auto& table = contact.friction_over_cycles;
+  const bool zeros = !table.empty() && std::all_of(table.begin(), table.end(), [](auto& row) { return row[1] == 0.0; });
+  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
   if (!contact.wear.wears() || !none) return;
   const auto wear = entry.at("wear");
   if (contact.wear.kind == wear::LawKind::energy)
@@ -62,7 +98,7 @@ contact::ContactOptions contact_of(const Entry& entry, Issues& issues) {
   contact.name = entry.name();
   contact.secondary = entry.text("secondary");
   contact.primary = entry.texts("primary");
-  contact.friction = entry.number("friction");
+  add_friction(entry, contact, issues);
   contact.wear = wear_of(entry.at("wear"), issues);
   contact.imposed = entry.given("imposed_sliding_mm");
   contact.imposed_sliding_mm = entry.number("imposed_sliding_mm");

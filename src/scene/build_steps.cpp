@@ -16,6 +16,7 @@ std::vector<Step> steps_of(const Entry& root) {
     step.wear = entry.flag("wear");
     step.cycles = entry.number("cycles");
     step.jump = entry.number("jump");
+    step.period_s = entry.number("period_s");
     steps.push_back(step);
   }
   return steps;

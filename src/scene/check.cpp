@@ -20,6 +20,7 @@ std::string type_rule(Type type) {
     case Type::pair: return "must be a list of two numbers";
     case Type::triple: return "must be a list of three numbers";
     case Type::box: return "must be a list of four numbers";
+    case Type::numbers: return "must be a list of numbers";
     case Type::curve: return "must be a list of at least two pairs of numbers";
     case Type::history: return "must be a list of at least two pairs [progress, factor]";
     case Type::refused: break;
@@ -45,6 +46,7 @@ bool has_type(const Node& node, Type type) {
     case Type::texts:
       return node.kind == NodeKind::list &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return n.kind == NodeKind::text; });
+    case Type::numbers: return !parts.empty() && numbers(node, parts.size());
     case Type::curve:
     case Type::history:
       return node.kind == NodeKind::list && parts.size() >= 2 &&

@@ -10,10 +10,10 @@
 /// The one table of keys of a scene: reading, errors and the reference text all come from it.
 namespace reye::scene {
 
-/// What a key takes. `pair`, `triple` and `box` are lists of two, three and four numbers,
-/// `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the
+/// What a key takes. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at least
+/// one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the
 /// grammar knows and this version does not build; its doc is the rule shown.
-enum class Type { text, texts, number, whole, flag, pair, triple, box, curve, history, refused };
+enum class Type { text, texts, number, whole, flag, pair, triple, box, numbers, curve, history, refused };
 
 /// The values a key may take; numbers always finite. Choices are separated by '|'.
 struct Range {

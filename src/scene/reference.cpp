@@ -15,6 +15,7 @@ std::string type_name(Type type) {
     case Type::pair: return "two numbers";
     case Type::triple: return "three numbers";
     case Type::box: return "four numbers";
+    case Type::numbers: return "list of numbers";
     case Type::curve:
     case Type::history: return "list of pairs";
     case Type::refused: break;

@@ -34,6 +34,7 @@ struct Step {
   bool wear = true;
   double cycles = 0.0;  ///< 0: a load step, which is no cycle
   double jump = 1.0;    ///< cycles per block
+  double period_s = 0.0;  ///< how long one play lasts; 0: not given
 };
 
 /// The first cycle at which a depth (or the worn area) is reached.

@@ -56,11 +56,22 @@ void check_step(const Entry& step, const Names& histories, Issues& issues) {
   }
 }
 
+/// A wear law with a speed exponent asks each step that wears for its duration.
+void check_period(const Entry& step, const Scene& scene, Issues& issues) {
+  if (!step.flag("wear") || step.given("period_s")) return;
+  for (const auto& contact : scene.contacts)
+    if (contact.wear.wears() && contact.wear.speed_exponent != 0.0) {
+      issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" wears with a speed_exponent"});
+      return;
+    }
+}
+
 void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
   const auto histories = keys_of(scene.histories);
   std::set<std::string> seen;
   for (const auto& step : root.all("step")) {
     check_step(step, histories, issues);
+    check_period(step, scene, issues);
     if (step.given("name") && !seen.insert(step.text("name")).second)
       issues.push_back({step.key("name"), step.written("name"), "another step has this name"});
   }

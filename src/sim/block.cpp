@@ -53,6 +53,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   const auto& system = timed_system(problem, state, cache);
   const auto factors = factors_at(problem.scene, *span.step, to, held);
   auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
+  set_friction(controls, problem, state.cycle);
   if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
   solver::SolveResult result;
   {

@@ -27,6 +27,7 @@ void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, con
                              {{"normal force", SurfaceKind::summed, held.normal},
                               {"tangential force", SurfaceKind::summed, held.tangential},
                               {"removed volume", SurfaceKind::summed, s.removed_secondary},
+                              {"frictional work", SurfaceKind::summed, s.energy_secondary},
                               {"slip", SurfaceKind::interpolated, s.slip},
                               {"normal x", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].x(); })},
                               {"normal y", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].y(); })},
@@ -36,16 +37,17 @@ void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, con
   held.normal = std::move(fields[0].values);
   held.tangential = std::move(fields[1].values);
   s.removed_secondary = std::move(fields[2].values);
-  s.slip = std::move(fields[3].values);
+  s.energy_secondary = std::move(fields[3].values);
+  s.slip = std::move(fields[4].values);
   const std::size_t m = s.slip.size();
   s.pending_secondary.assign(m, 0.0);
   s.lambda.assign(m, Vec2::Zero());
   s.normal.assign(m, Vec2::Zero());
   s.status.assign(m, contact::ContactStatus::inactive);
   for (std::size_t k = 0; k < m; ++k) {
-    const Vec2 n_k(fields[4].values[k], fields[5].values[k]);
+    const Vec2 n_k(fields[5].values[k], fields[6].values[k]);
     if (n_k.norm() > 0.0) s.normal[k] = n_k.normalized();
-    s.status[k] = static_cast<contact::ContactStatus>(static_cast<int>(fields[6].values[k]));
+    s.status[k] = static_cast<contact::ContactStatus>(static_cast<int>(fields[7].values[k]));
     if (s.status[k] == contact::ContactStatus::inactive) held.normal[k] = held.tangential[k] = 0.0;
     const Vec2 t(-s.normal[k].y(), s.normal[k].x());
     s.lambda[k] = (held.normal[k] * s.normal[k] + held.tangential[k] * t) / to.area[k];

@@ -6,7 +6,7 @@
 namespace reye::sim {
 
 /// What a contact's surfaces carry, from the nodes of the old meshes to those of the fresh ones, boundary by boundary.
-/// Removed volumes and held forces keep their sums, slip and normals are interpolated, the status is that of the nearest
+/// Removed volumes, frictional work and held forces keep their sums, slip and normals are interpolated, the status is that of the nearest
 /// node; lambda follows from the forces. The slip reference starts empty: the next equilibrium gives it.
 /// `from`: shapes whose nodes the state counts; `to`: the same with some bodies meshed anew.
 void carry_contact(const PlacedContact& placed, base::Analysis analysis, const std::vector<body::ShapePtr>& from,

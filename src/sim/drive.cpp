@@ -58,6 +58,7 @@ contact::IncrementOptions contact_options(const contact::ContactOptions& options
   contact::IncrementOptions o;
   o.jump = jump;
   o.wear = step.wear && options.wear.wears();
+  o.duration_s = step.period_s * share;
   if (options.imposed && (o.wear || !options.wear.wears())) o.imposed_slip = options.imposed_sliding_mm * share;
   return o;
 }
@@ -84,6 +85,12 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
   for (const auto& contact : problem.contacts)
     controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
   return controls;
+}
+
+void set_friction(solver::Controls& controls, const Problem& problem, double cycle) {
+  for (std::size_t c = 0; c < controls.contacts.size(); ++c)
+    if (const auto& table = problem.contacts[c].options.friction_over_cycles; !table.empty())
+      controls.contacts[c].friction = factor_at(table, cycle);
 }
 
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {

@@ -19,6 +19,9 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
                              const std::map<std::string, double>& factors, const scene::Step& step, double from,
                              double to, double jump);
 
+/// Coefficients of friction at a cycle, in contacts that have a table of them: constant before and after it.
+void set_friction(solver::Controls& controls, const Problem& problem, double cycle);
+
 /// Force on the body of each support of the scene, in x and y.
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);
 

@@ -54,6 +54,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     auto& o = controls.contacts[c];
     o.held = true;
+    o.friction = state.solution.contacts[c].friction;
     o.wear = false;
     hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
     if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;

@@ -109,7 +109,7 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   const double peak = *std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end());
   if (peak > 0.0) c.peak_pressure_MPa = peak;
   c.contact_half_width_mm = contact_half_width(s);
-  if (setup.options.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, setup.options.friction);
+  if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction);
   Vec2 force = Vec2::Zero(), direction = Vec2::Zero();
   for (int j = 0; j < setup.secondary_count(); ++j) {
     const int facet = setup.secondary.before[j] >= 0 ? setup.secondary.before[j] : setup.secondary.after[j];

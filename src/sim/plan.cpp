@@ -45,13 +45,27 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames");
 }
 
+std::string friction_of(const contact::ContactOptions& o) {
+  const auto& table = o.friction_over_cycles;
+  if (table.empty()) return text("friction %g", o.friction);
+  return text("friction from %g at cycle %g to %g at cycle %g (%d values)", table.front()[1], table.front()[0],
+              table.back()[1], table.back()[0], static_cast<int>(table.size()));
+}
+
+std::string wear_of(const wear::Law& law) {
+  if (law.kind == wear::LawKind::none) return "no wear";
+  std::string words = law.kind == wear::LawKind::energy ? "wear by dissipated energy" : "wear by Archard's law";
+  if (law.threshold > 0.0) words += text(" beyond %g mJ/mm^2", law.threshold);
+  if (law.pressure_exponent != 0.0) words += text(" x (pressure / %g MPa)^%g", law.pressure_ref, law.pressure_exponent);
+  if (law.speed_exponent != 0.0) words += text(" x (speed / %g mm/s)^%g", law.speed_ref, law.speed_exponent);
+  return words;
+}
+
 void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
-  plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, friction %g, %s", o.name.c_str(),
-                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count(), o.friction,
-                            o.wear.kind == wear::LawKind::energy    ? "wear by dissipated energy"
-                            : o.wear.kind == wear::LawKind::archard ? "wear by Archard's law"
-                                                                    : "no wear"));
+  plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
+                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count(), friction_of(o).c_str(),
+                            wear_of(o.wear).c_str()));
   if (o.friction == 0.0) plan.skipped.push_back("contact " + o.name + " is frictionless: no stick and no slip rows");
   if (!o.wear.wears()) plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
   else if (!p.scene.shape) plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");

@@ -1,6 +1,8 @@
 #pragma once
 #include <cmath>
 
+#include "base/dual.hpp"
+
 /// Wear laws: from pressure, shear and slip to removed volume, and the book that is kept of it.
 namespace reye::wear {
 
@@ -13,6 +15,12 @@ struct Law {
   LawKind kind = LawKind::none;
   double secondary = 0.0;
   double primary = 0.0;
+  // The rate times (p / p_ref)^m (v / v_ref)^n; exponents > -1, an exponent of 0 leaves its factor out.
+  double pressure_exponent = 0.0;
+  double pressure_ref = 1.0;  ///< MPa
+  double speed_exponent = 0.0;
+  double speed_ref = 1.0;     ///< mm/s
+  double threshold = 0.0;     ///< energy law: what a node must dissipate per area before it wears [mJ/mm^2]
 
   bool wears() const { return kind != LawKind::none && (secondary > 0.0 || primary > 0.0); }
 };
@@ -24,6 +32,55 @@ T work(const Law& law, const T& lambda_n, const T& lambda_t, const T& weighted_s
   using std::abs;
   if (law.kind == LawKind::none) return T(0.0);
   return abs((law.kind == LawKind::energy ? lambda_t : lambda_n) * weighted_slip);
+}
+
+/// A slipping secondary node.
+template <class T>
+struct Sliding {
+  T lambda_n{}, lambda_t{};  ///< MPa
+  T weighted_slip{};         ///< in this increment
+  T D{};                     ///< covered length: slip = weighted_slip / D [mm]
+};
+
+/// What the laws need of a node besides: fixed while the equations of one increment are solved.
+struct Start {
+  double jump = 1.0;        ///< cycles that the increment stands for
+  double duration_s = 0.0;  ///< of the increment in each of them; read where the law has a speed exponent only
+  double energy = 0.0;      ///< dissipated at the node before this increment, since the start [mJ per mm]
+  double area = 0.0;        ///< full nodal length on X [mm]
+};
+
+/// ratio^exponent. Below 1e-6 the ratio is taken as 1e-6: traction times the factor still falls to zero, its slope
+/// stays finite.
+template <class T>
+T power(const T& ratio, double exponent) {
+  using std::exp, std::log;
+  constexpr double least = 1e-6;
+  return exp(exponent * log(base::value(ratio) > least ? ratio : T(least)));
+}
+
+/// The part of the work that the node does beyond the threshold: max(0, E + jump work - E_th) - max(0, E - E_th),
+/// over the jump, E_th = threshold x area.
+template <class T>
+T beyond_threshold(double threshold, const Start& start, const T& work) {
+  const double lacking = threshold * start.area - start.energy;
+  if (lacking <= 0.0) return work;
+  const T beyond = work - lacking / start.jump;
+  return base::value(beyond) > 0.0 ? beyond : T(0.0);
+}
+
+/// The whole law's measure of a node's wear in one cycle: removed volume = coefficient x jump x work.    [README (1)]
+/// Without exponents and threshold bit by bit the plain work.
+template <class T>
+T work(const Law& law, const Sliding<T>& s, const Start& start) {
+  using std::abs;
+  T w = work(law, s.lambda_n, s.lambda_t, s.weighted_slip);
+  if (law.kind == LawKind::none) return w;
+  if (law.threshold > 0.0) w = beyond_threshold(law.threshold, start, w);
+  if (law.pressure_exponent != 0.0) w *= power(s.lambda_n / law.pressure_ref, law.pressure_exponent);
+  if (law.speed_exponent != 0.0)
+    w *= power(abs(s.weighted_slip) / (start.duration_s * law.speed_ref * s.D), law.speed_exponent);
+  return w;
 }
 
 /// The book of one contact: what the law's work ought to remove against what was removed.

@@ -204,9 +204,57 @@ TEST(volume, nothing_is_removed_while_wear_is_off) {
   EXPECT_EQ(total(after.removed_secondary) + total(after.removed_primary), 0.0);
 }
 
-// The primary's depth in the gap must be what the accepted state then holds: nothing is counted twice.
-TEST(volume, gap_of_this_increment_becomes_the_pending_one) {
-  auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-4, 3e-4}));
+// Each node must keep the frictional work it has seen, wear on or off, and add that of the next increment.
+TEST(volume, energy_of_each_node) {
+  auto c = support::random_case({}, frictional(0.1, {LawKind::archard, 1e-3, 2e-3}));
+  c.before.energy_secondary.assign(c.xs.size(), 0.5);
+  for (bool wear : {false, true}) {
+    c.increment.wear = wear;
+    const auto face = support::interface_of(c, 1);
+    const auto after = face.accepted(c.lambda);
+    EXPECT_GT(after.frictional_work, 0.0);
+    for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
+      const double own = face.status()[j] == ContactStatus::slip ? 3.0 * std::abs(face.condition(j).lambda_t * face.condition(j).slip) : 0.0;
+      EXPECT_NEAR(after.energy_secondary[j], 0.5 + own, 1e-15);
+    }
+  }
+}
+
+// With exponents and a threshold, too, removed volume must be coefficient times the law's work, which is not the plain one.
+TEST(volume, is_coefficient_times_the_work_of_the_whole_law) {
+  auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-3, 2e-3, 0.5, 30.0, -0.5, 1.0, 0.5}));
+  c.increment.duration_s = 0.02;
+  const auto after = support::interface_of(c, 1).accepted(c.lambda);
+  EXPECT_GT(std::abs(after.law_work / after.frictional_work - 1.0), 0.01);
+  EXPECT_NEAR(total(after.removed_secondary) / (1e-3 * after.law_work), 1.0, 1e-14);
+  EXPECT_NEAR(total(after.removed_primary) / (2e-3 * after.law_work), 1.0, 2e-14);
+}
+
+// An increment's own friction must stand in its conditions in place of the contact's, and in the accepted state.
+TEST(conditions, friction_of_the_increment) {
+  auto c = support::random_case({}, frictional(0.1));
+  const auto at = [&] { return support::interface_of(c, 1); };
+  EXPECT_EQ(at().accepted(c.lambda).friction, 0.1);
+  const auto own = at();
+  c.increment.friction = 0.05;
+  const auto given = at();
+  EXPECT_EQ(given.accepted(c.lambda).friction, 0.05);
+  int found = 0;
+  for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
+    if (own.status()[j] != ContactStatus::slip || given.status()[j] != ContactStatus::slip) continue;
+    ++found;
+    EXPECT_NEAR(std::abs(given.residual_tangential(j) - own.residual_tangential(j)), 0.05 * own.condition(j).lambda_n, 1e-12);
+  }
+  EXPECT_GT(found, 0);
+  c.increment.friction = 0.0;  // frictionless: slip whatever the motion
+  const auto without = at();
+  for (const auto& status : without.status()) EXPECT_NE(status, ContactStatus::stick);
+}
+
+/// The depth that stands in this increment's gap against the one that the accepted state holds.
+void expect_counted_once(wear::Law law) {
+  auto c = support::random_case({}, frictional(0.1, law));
+  c.increment.duration_s = 0.02;
   const auto face = support::interface_of(c, 1);
   const auto after = face.accepted(c.lambda);
   support::Interface next;
@@ -216,6 +264,12 @@ TEST(volume, gap_of_this_increment_becomes_the_pending_one) {
     if (!face.active(j)) continue;
     EXPECT_NEAR(face.residual_normal(j), next.gap()[j] + next.worn_gap(j), 1e-13);
   }
+}
+
+// The depth in the gap must be what the accepted state then holds: nothing is counted twice.
+TEST(volume, gap_of_this_increment_becomes_the_pending_one) {
+  expect_counted_once({LawKind::energy, 1e-4, 3e-4});
+  expect_counted_once({LawKind::energy, 1e-4, 3e-4, 0.5, 30.0, -0.5, 1.0, 0.5});
 }
 
 /// Curved facets with one kind of multipliers.

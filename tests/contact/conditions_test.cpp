@@ -56,6 +56,20 @@ TEST(conditions, slip_with_either_law) {
   EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 5.0) + 0.125, 1e-14);
 }
 
+// Factors of pressure and speed and the threshold must act on the work that stands in the gap.
+TEST(conditions, slip_with_the_whole_law) {
+  auto c = constants();
+  c.law.pressure_exponent = 0.5;
+  c.law.pressure_ref = 2.5;
+  c.law.speed_exponent = 1.0;
+  c.law.speed_ref = 0.05;
+  c.law.threshold = 7.0;
+  c.start = {.jump = 4.0, .duration_s = 1.25, .energy = 12.0, .area = 2.0};  // 2 of 4 x 1 mJ are still lacking; 0.1 mm/s
+  const auto r = conditions(node(), c, ContactStatus::slip);
+  EXPECT_NEAR(r.work, 0.5 * 2.0 * 2.0, 1e-14);
+  EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 2.0) + 0.125, 1e-14);
+}
+
 // Imposed sliding must be a number times the covered length, whatever the motion.
 TEST(conditions, imposed_sliding) {
   auto c = constants();

@@ -96,6 +96,35 @@ TEST(linearisation, ring_and_explicit_wear) {
   over_states(options, 1, ContactStatus::slip);
 }
 
+constexpr double m = 0.6, n = -0.4, p_ref = 80.0, v_ref = 2.0;
+
+// Rates that depend on pressure and speed, on both sides, by either law, imposed sliding included.
+TEST(linearisation, exponents) {
+  const auto timed = [](ContactCase& c) { c.increment.duration_s = 0.02; };
+  over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha, m, p_ref, n, v_ref}), 1, ContactStatus::slip, timed);
+  over_states(frictional(0.1, {LawKind::archard, alpha, 2.0 * alpha, n, p_ref, m, v_ref}), 1, ContactStatus::slip, timed);
+  auto options = frictional(0.2, {LawKind::archard, alpha, alpha, m, p_ref, n, v_ref});
+  options.imposed = true;
+  over_states(options, 1, ContactStatus::slip, [](ContactCase& c) {
+    c.increment.duration_s = 0.02;
+    c.increment.imposed_slip = -0.05;
+  });
+}
+
+// The increment in which every slipping node crosses the threshold of wear.
+TEST(linearisation, threshold) {
+  const auto crossing = [](ContactCase& c) {
+    const auto face = support::interface_of(c, 1);
+    constexpr double threshold = 5.0, beyond = 0.4;  // of this increment's energy
+    for (std::size_t j = 0; j < c.lambda.size(); ++j) {
+      const auto& at = face.condition(static_cast<int>(j));
+      c.before.energy_secondary[j] = threshold * c.setup.secondary.area[j] - (1.0 - beyond) * c.increment.jump * std::abs(at.lambda_t * at.slip);
+    }
+    c.setup.options.wear.threshold = threshold;
+  };
+  over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip, crossing);
+}
+
 // Sliding imposed as a number.
 TEST(linearisation, imposed_sliding) {
   auto options = frictional(0.2, {LawKind::archard, alpha, alpha});

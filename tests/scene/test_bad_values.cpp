@@ -113,6 +113,37 @@ TEST(BadScene, Values) {
        {{"[boundary]", "order = 3\n"
          "[boundary]"}},
        "scene.toml:20: body.flat.order = 3: must be 1 or 2"},
+      {"wear rate",
+       {{"primary_mm3_per_J = 2.111e-5", "primary_mm3_per_J = 2.111e-5, pressure_exponent = -1, pressure_ref_MPa = 0, "
+                                         "speed_exponent = -2, speed_ref_mm_per_s = -1, threshold_mJ_per_mm2 = -3"},
+        {"jump = 100 ", "period_s = 0\njump = 100 "}},
+       "scene.toml:30: contact.pad.wear.pressure_exponent = -1: must be > -1\n"
+       "scene.toml:30: contact.pad.wear.pressure_ref_MPa = 0: must be > 0\n"
+       "scene.toml:30: contact.pad.wear.speed_exponent = -2: must be > -1\n"
+       "scene.toml:30: contact.pad.wear.speed_ref_mm_per_s = -1: must be > 0\n"
+       "scene.toml:30: contact.pad.wear.threshold_mJ_per_mm2 = -3: must be >= 0\n"
+       "scene.toml:66: step[2].period_s = 0: must be > 0"},
+      {"friction over cycles",
+       {{"friction  = 0.9", "friction = { cycles = [0, 100, 100], value = [0.3, -0.1, 0.9] }"}},
+       "scene.toml:29: contact.pad.friction.value = [0.3, -0.1, 0.9]: must be >= 0\n"
+       "scene.toml:29: contact.pad.friction.cycles = [0, 100, 100]: must increase strictly"},
+      {"friction over cycles of another length",
+       {{"friction  = 0.9", "friction = { cycles = [0, 100], value = [0.3] }"}},
+       "scene.toml:29: contact.pad.friction.value = [0.3]: must hold as many numbers as cycles, 2"},
+      {"friction over cycles of another type",
+       {{"friction  = 0.9", R"(friction = { cycles = [], value = ["high"] })"}},
+       "scene.toml:29: contact.pad.friction.cycles = []: must be a list of numbers\n"
+       R"(scene.toml:29: contact.pad.friction.value = ["high"]: must be a list of numbers)"},
+      {"friction over nothing",
+       {{"friction  = 0.9", "friction = { value = [0.3], cycle = [0] }"}},
+       "scene.toml:29: contact.pad.friction.cycle = [0]: unknown key; did you mean cycles?\n"
+       "scene.toml:29: contact.pad.friction.cycles: missing"},
+      {"friction of another type",
+       {{"friction  = 0.9", R"(friction = "high")"}},
+       R"(scene.toml:29: contact.pad.friction = "high": must be a number, or a table of cycles, value)"},
+      {"friction zero at all cycles",
+       {{"friction  = 0.9", "friction = { cycles = [0, 5], value = [0, 0] }"}},
+       R"(scene.toml:30: contact.pad.wear.law = "energy": without friction no energy is dissipated; use friction > 0 or archard)"},
       {"missing keys",
        {{"nu    = 0.3", ""},
         {R"(secondary = "face")", "#"},

@@ -40,6 +40,37 @@ TEST(Grammar, Archard) {
   EXPECT_EQ(contact.c_tangential, 3.0);
 }
 
+/// Exponents with their references, threshold and period reach the law as written; without them the law is plain.
+TEST(Grammar, WearRate) {
+  const test::Folder folder;
+  auto text = test::replaced(test::example, "primary_mm3_per_J = 2.111e-5",
+                             "primary_mm3_per_J = 2.111e-5, pressure_exponent = 0.5, pressure_ref_MPa = 100, "
+                             "speed_exponent = -0.25, speed_ref_mm_per_s = 10, threshold_mJ_per_mm2 = 20");
+  text = test::replaced(text, "cycles = 18000", "period_s = 0.05\ncycles = 18000");
+  test::Folder::write("scene.toml", text);
+  test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+  const auto s = scene::read("scene.toml");
+  const auto& law = s.contacts.at(0).wear;
+  EXPECT_EQ(law.pressure_exponent, 0.5);
+  EXPECT_EQ(law.pressure_ref, 100.0);
+  EXPECT_EQ(law.speed_exponent, -0.25);
+  EXPECT_EQ(law.speed_ref, 10.0);
+  EXPECT_EQ(law.threshold, 20.0);
+  EXPECT_EQ(s.steps[2].period_s, 0.05);
+  const auto plain = changed("nu    = 0.3", "nu = 0.3").contacts.at(0).wear;
+  EXPECT_EQ(plain.pressure_exponent, 0.0);
+  EXPECT_EQ(plain.speed_exponent, 0.0);
+  EXPECT_EQ(plain.threshold, 0.0);
+}
+
+/// Friction over cycles is a table; its largest value stands for the contact.
+TEST(Grammar, FrictionOverCycles) {
+  const auto s = changed("friction  = 0.9", "friction = { cycles = [0, 1000, 5000], value = [0.3, 0.9, 0.6] }");
+  EXPECT_EQ(s.contacts[0].friction, 0.9);
+  EXPECT_EQ(s.contacts[0].friction_over_cycles, (scene::History{{0, 0.3}, {1000, 0.9}, {5000, 0.6}}));
+  EXPECT_TRUE(changed("friction  = 0.9", "friction = 0.9").contacts[0].friction_over_cycles.empty());
+}
+
 /// A point, an edge's own axes and turned axes.
 TEST(Grammar, Supports) {
   const auto s = with("[support.pin]\npoint_mm = [3.0, 6.0]\nbody = \"cylinder\"\nx = \"fixed\"\n"

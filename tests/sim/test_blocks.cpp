@@ -39,9 +39,9 @@ std::vector<double> numbers(const sim::State& s) {
   std::vector<double> all(s.solution.q.begin(), s.solution.q.end());
   for (const auto& c : s.solution.contacts) {
     for (const auto& l : c.lambda) all.insert(all.end(), {l.x(), l.y()});
-    for (const auto& v : {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip})
+    for (const auto& v : {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip, c.energy_secondary})
       all.insert(all.end(), v.begin(), v.end());
-    all.insert(all.end(), {c.frictional_work, c.worn_work, c.law_work, c.strip_secondary, c.strip_primary});
+    all.insert(all.end(), {c.friction, c.frictional_work, c.worn_work, c.law_work, c.strip_secondary, c.strip_primary});
   }
   for (const auto& [name, factor] : s.factors) all.push_back(factor);
   all.insert(all.end(), {s.cycle, static_cast<double>(s.counts.increments), static_cast<double>(s.counts.cutbacks)});

@@ -83,6 +83,32 @@ TEST(Drive, Controls) {
   EXPECT_FALSE(sim::controls_at(p, system, factors, p.scene.steps[0], 0.0, 1.0, 1.0).contacts[0].wear);
 }
 
+// An increment must last its part of the step's period.
+TEST(Drive, Duration) {
+  const auto p = test::problem_of(test::with(test::block_scene, {{"cycles = 40", "period_s = 2.0\ncycles = 40"}}));
+  sim::Cache cache;
+  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
+  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].duration_s, 1.0);
+}
+
+// Friction over cycles must be taken from its table, straight between its rows and constant outside.
+TEST(Drive, FrictionOverCycles) {
+  const auto p = test::problem_of(
+      test::with(test::block_scene, {{"friction  = 0.3", "friction = { cycles = [10, 20, 40], value = [0.3, 0.5, 0.4] }"}}));
+  EXPECT_EQ(p.contacts[0].options.friction, 0.5);
+  solver::Controls controls;
+  controls.contacts.resize(1);
+  for (const auto& [cycle, mu] : {std::pair{0.0, 0.3}, {10.0, 0.3}, {15.0, 0.4}, {20.0, 0.5}, {30.0, 0.45}, {50.0, 0.4}}) {
+    sim::set_friction(controls, p, cycle);
+    EXPECT_DOUBLE_EQ(controls.contacts[0].friction.value(), mu) << cycle;
+  }
+  const auto constant = test::problem_of(test::block_scene);
+  controls.contacts[0].friction.reset();
+  sim::set_friction(controls, constant, 15.0);
+  EXPECT_FALSE(controls.contacts[0].friction);
+}
+
 // Imposed sliding must be shared among the increments by their part of the play, and rest while a step does not wear.
 TEST(Drive, ImposedSliding) {
   const auto p = test::problem_of(

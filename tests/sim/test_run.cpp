@@ -40,6 +40,13 @@ TEST(Run, Plan) {
           "step \"press\": 1 increments, no wear",
           "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
       }));
+  const auto detailed = test::problem_of(test::with(
+      test::block_scene,
+      {{"friction  = 0.3", "friction = { cycles = [0, 20], value = [0.3, 0.5] }"},
+       {"law = \"energy\"", "law = \"energy\", threshold_mJ_per_mm2 = 2.5, pressure_exponent = 0.5, pressure_ref_MPa = 10"}}));
+  EXPECT_EQ(detailed.plan.lines[2],
+            "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction from 0.3 at cycle 0 to 0.5 at cycle "
+            "20 (2 values), wear by dissipated energy beyond 2.5 mJ/mm^2 x (pressure / 10 MPa)^0.5");
   EXPECT_EQ(problem.plan.skipped.size(), 2U);
   const auto off =
       test::problem_of("shape = \"off\"\n" + test::with(test::block_scene, {{", primary_mm3_per_J = 2.0e-5", ""}}));

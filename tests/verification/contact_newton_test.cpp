@@ -76,3 +76,14 @@ TEST(ContactNewton, QuadraticTail) {
     EXPECT_GE(tails, 2) << name;
   }
 }
+
+// The same with wear whose rate depends on pressure and speed, so that every increment is nonlinear in its pressure.
+TEST(ContactNewton, QuadraticTailWithRates) {
+  const auto rows = newton_rows(scene_text(
+      "column", {{"secondary_per_MPa = 1.0e-7", "secondary_per_MPa = 1.0e-6, pressure_exponent = 0.8, pressure_ref_MPa = 50, "
+                                                "speed_exponent = -0.5, speed_ref_mm_per_s = 1000"},
+                 {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
+  int tails = 0;
+  EXPECT_GT(smallest_order(rows, tails), 1.5);
+  EXPECT_GE(tails, 2);
+}

@@ -8,7 +8,10 @@ namespace {
 using namespace reye;
 using wear::Law;
 using wear::LawKind;
+using wear::Sliding;
+using wear::Start;
 using Two = base::Dual<2>;
+using Four = base::Dual<4>;
 
 // The energy law must count |shear x slip|, Archard's |pressure x slip|, none nothing; signs do not matter.
 TEST(law, work) {
@@ -36,6 +39,78 @@ TEST(law, derivative) {
   EXPECT_EQ(w.v, 1.5);
   EXPECT_EQ(w.d[0], -0.5);
   EXPECT_EQ(w.d[1], 3.0);
+}
+
+// Without exponents and threshold the whole law must be the plain one, bit by bit, whatever the increment is.
+TEST(law, plain_without_exponents_and_threshold) {
+  for (const auto kind : {LawKind::energy, LawKind::archard, LawKind::none}) {
+    const Law law{.kind = kind, .secondary = 1e-7, .pressure_ref = 3.0, .speed_ref = 7.0};
+    for (int i = 1; i < 50; ++i) {
+      const double n = 10.0 / i, t = 0.3 * n * std::cos(i), u = 0.01 * std::sin(i), D = 0.1 + 0.01 * i;
+      EXPECT_EQ(wear::work(law, Sliding<double>{n, t, u, D}, {3.0, 0.7, 0.1 * i, 0.2}), wear::work(law, n, t, u));
+    }
+  }
+}
+
+// The work must be multiplied by (p / p_ref)^m (v / v_ref)^n, v the slip over the duration of one play.
+TEST(law, factors_of_pressure_and_speed) {
+  Law law{.kind = LawKind::energy, .secondary = 1.0, .pressure_exponent = 0.5, .pressure_ref = 40.0};
+  const Start start{.jump = 100.0, .duration_s = 0.25};
+  const Sliding<double> s{10.0, -3.0, -0.6, 0.2};  // 3 mm in 0.25 s: 12 mm/s
+  EXPECT_NEAR(wear::work(law, s, start), 1.8 * 0.5, 1e-15);
+  law.speed_exponent = -2.0 / 3.0;
+  law.speed_ref = 1.5;
+  EXPECT_NEAR(wear::work(law, s, start), 1.8 * 0.5 * 0.25, 1e-15);
+  law.kind = LawKind::archard;
+  EXPECT_NEAR(wear::work(law, s, start), 6.0 * 0.5 * 0.25, 1e-15);
+}
+
+// Nothing must wear below the threshold, the part beyond it in the increment that crosses, all from then on.
+TEST(law, threshold) {
+  const Law law{.kind = LawKind::energy, .secondary = 1.0, .threshold = 20.0};
+  const Sliding<double> s{10.0, 3.0, 0.5, 0.2};  // work 1.5
+  const auto work = [&](double energy) { return wear::work(law, s, {.jump = 4.0, .duration_s = 0.0, .energy = energy, .area = 0.5}); };
+  EXPECT_EQ(work(0.0), 0.0);
+  EXPECT_EQ(work(10.0 - 4.0 * 1.5), 0.0);
+  EXPECT_NEAR(work(10.0 - 4.0 * 0.5), 1.0, 1e-15);
+  EXPECT_EQ(work(10.0), 1.5);
+  EXPECT_EQ(work(11.0), 1.5);
+}
+
+/// The work and its derivatives by pressure, shear, slip and covered length.
+Four differentiated(const Law& law, const std::array<double, 4>& x, const Start& start) {
+  return wear::work(law, Sliding<Four>{Four::variable(x[0], 0), Four::variable(x[1], 1), Four::variable(x[2], 2), Four::variable(x[3], 3)}, start);
+}
+
+// The derivative of the whole law must be met by central differences at second order, above and across the threshold.
+TEST(law, derivative_with_factors_and_threshold) {
+  const Law law{LawKind::energy, 1.0, 0.0, 0.7, 40.0, -0.3, 1.5, 20.0};
+  const std::array<double, 4> x{10.0, -3.0, -0.6, 0.2}, way{1.0, -0.4, 0.05, 0.02};
+  for (const double energy : {7.0, 12.0}) {
+    const Start start{3.0, 0.25, energy, 0.5};
+    const auto at = [&](double h) {
+      return wear::work(law, Sliding<double>{x[0] + h * way[0], x[1] + h * way[1], x[2] + h * way[2], x[3] + h * way[3]}, start);
+    };
+    const auto w = differentiated(law, x, start);
+    EXPECT_EQ(w.v, at(0.0));
+    double slope = 0.0;
+    for (int i = 0; i < 4; ++i) slope += w.d[i] * way[i];
+    const auto error = [&](double h) { return std::abs((at(h) - at(-h)) / (2.0 * h) - slope); };
+    EXPECT_NEAR(std::log2(error(0.02) / error(0.01)), 2.0, 0.01) << energy;
+  }
+}
+
+// Where pressure or slip vanishes, work must vanish with it and keep a finite slope, whatever the signs of the exponents.
+TEST(law, vanishes_with_the_traction) {
+  for (const double m : {-0.9, -0.5, 0.5, 2.0})
+    for (const double n : {-0.9, 0.5}) {
+      const Law law{LawKind::archard, 1.0, 0.0, m, 10.0, n, 1.0};
+      const Start start{1.0, 1.0, 0.0, 1.0};
+      EXPECT_EQ(differentiated(law, {0.0, 0.0, 0.1, 0.2}, start).v, 0.0);
+      EXPECT_EQ(differentiated(law, {5.0, 0.0, 0.0, 0.2}, start).v, 0.0);
+      for (const double p : {-1.0, 0.0, 1e-7})
+        for (const double d : differentiated(law, {p, 0.0, 0.0, 0.2}, start).d) EXPECT_TRUE(std::isfinite(d)) << m << ' ' << n;
+    }
 }
 
 // A law must wear only with a kind and a coefficient on some side.
