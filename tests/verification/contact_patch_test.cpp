@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "verification/contact_scene.hpp"
+#include "verification/turned.hpp"
 
 using namespace reye;
 using namespace reye::verification;
@@ -9,39 +10,6 @@ using namespace reye::verification;
 namespace {
 
 using base::Vec2;
-
-Vec2 turned(const Vec2& v, double degrees) {
-  const double t = degrees * std::numbers::pi / 180.0;
-  return {v.x() * std::cos(t) - v.y() * std::sin(t), v.x() * std::sin(t) + v.y() * std::cos(t)};
-}
-
-std::string pair_text(const Vec2& v) {
-  char text[80];
-  std::snprintf(text, sizeof text, "[%.17g, %.17g]", v.x(), v.y());
-  return text;
-}
-
-/// geo/patch's mesh with all its nodes turned, as a file of its own.
-std::string turned_mesh(double degrees) {
-  std::istringstream in(read_text(std::string(REYE_SOURCE_DIR) + "/geo/patch/two_blocks.msh"));
-  std::ostringstream out;
-  bool nodes = false;
-  for (std::string line; std::getline(in, line);) {
-    nodes = line == "$Nodes" || (nodes && line != "$EndNodes");
-    Vec2 x;
-    double z = 0.0, more = 0.0;
-    if (nodes && std::sscanf(line.c_str(), "%lf %lf %lf %lf", &x.x(), &x.y(), &z, &more) == 3) {
-      const Vec2 y = turned(x, degrees);
-      char text[80];
-      std::snprintf(text, sizeof text, "%.17g %.17g 0", y.x(), y.y());
-      line = text;
-    }
-    out << line << '\n';
-  }
-  const std::string path = testing::TempDir() + "patch_" + std::to_string(static_cast<int>(degrees)) + ".msh";
-  std::ofstream(path, std::ios::binary) << out.str();
-  return path;
-}
 
 /// C3 turned as a whole: mesh, supports, loads.
 std::string turned_patch(double degrees, const Replacements& more = {}) {
@@ -53,7 +21,7 @@ std::string turned_patch(double degrees, const Replacements& more = {}) {
     all.push_back({std::string("point_mm = ") + text, "point_mm = " + at(x, y) + angle});
   all.insert(all.end(), more.begin(), more.end());
   return replaced(read_text(std::string(REYE_SOURCE_DIR) + "/geo/patch/scene.toml"), [&] {
-    all.push_back({"\"two_blocks.msh\"", '"' + turned_mesh(degrees) + '"'});
+    all.push_back({"\"two_blocks.msh\"", '"' + turned_mesh("patch/two_blocks.msh", degrees) + '"'});
     return all;
   }());
 }

@@ -1,0 +1,132 @@
+#include "verification/contact_scene.hpp"
+#include "verification/turned.hpp"
+
+using namespace reye;
+using namespace reye::verification;
+
+namespace {
+
+using base::Vec2;
+
+/// Two pressed blocks (references C5) at finite strain, with friction, turned as a whole.
+std::string turned_blocks(double degrees, double friction) {
+  const std::string angle = "\nangle_deg = " + std::to_string(degrees);
+  std::string text = scene_text("two_blocks_dual", {{"E_MPa = 1.0e6", "law = \"hencky\"\nE_MPa = 1.0e6"},
+                                                    {"material = \"elastic\"", "material = \"elastic\"\nkinematics = \"finite\""},
+                                                    {"edge = \"left_left\"", "edge = \"left_left\"" + angle},
+                                                    {"edge = \"right_right\"", "edge = \"right_right\"" + angle}});
+  const auto from = text.find("geometry = [\""), to = text.find(']', from);
+  text.replace(from, to - from, "geometry = [\"" + turned_mesh("two_blocks_dual/two_blocks.msh", degrees) + "\"");
+  return replaced(text, {{"[support.push]", "friction = " + std::to_string(friction) + "\n\n[support.push]"}});
+}
+
+std::map<double, double> by_height(const sim::SurfaceRecord& s, const std::vector<double>& values) {
+  std::map<double, double> result;
+  for (std::size_t i = 0; i < s.node.size(); ++i) result[s.y_mm[i]] = values[i];
+  return result;
+}
+
+double largest_jump(const std::vector<double>& v, std::size_t from, std::size_t to) {
+  double largest = 0.0;
+  for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::abs(v[i] - 0.5 * (v[i - 1] + v[i + 1])) / std::abs(v[i]));
+  return largest;
+}
+
+}  // namespace
+
+// Finite strain: a scene turned by 30 degrees under load has the same pressures, and its forces turn with it.
+TEST(FiniteStrain, SceneTurnedUnderLoad) {
+  const auto upright = played(turned_blocks(0.0, 0.3)), turned_by_30 = played(turned_blocks(30.0, 0.3));
+  const auto &p = upright.surface(sim::Side::secondary).pressure_MPa, &q = turned_by_30.surface(sim::Side::secondary).pressure_MPa;
+  const double largest = *std::max_element(p.begin(), p.end());
+  ASSERT_EQ(p.size(), q.size());
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(p[i], q[i], 1e-10 * largest);
+  const auto &f = upright.records.back().support_forces, &g = turned_by_30.records.back().support_forces;
+  for (std::size_t k = 0; k < f.size(); ++k) EXPECT_LT((turned(f[k], 30.0) - g[k]).norm(), 1e-10 * f[k].norm());
+}
+
+// Two pressed blocks under log strain (references C5) carry the published multipliers, per current length, within 1 %.
+TEST(FiniteStrain, DualMultipliers) {
+  const auto run = played(turned_blocks(0.0, 0.0));
+  const auto& s = run.surface(sim::Side::secondary);
+  std::vector<double> p;
+  for (const auto& [y, value] : by_height(s, s.pressure_MPa)) p.push_back(value);
+  ASSERT_EQ(p.size(), 7U);
+  const double published[4] = {86628.75, 101873.31, 112298.40, 112799.85};
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(p[k] / published[k], 1.0, 0.01) << "node " << k;
+}
+
+// Ironing onset (references C6): at t = 0.1 the lowest node alone carries 47.731 and the shear is friction times that.
+TEST(FiniteStrain, IroningOnset) {
+  const auto run = played(scene_text("ironing", {{"[[0.0, 0.0], [0.125, 1.0], [1.0, 1.0]]", "[[0.0, 0.0], [1.0, 0.1]]"},
+                                                 {"draw  = [[0.0, 0.0], [1.0, 1.0]]", "draw  = [[0.0, 0.0], [1.0, 0.0125]]"},
+                                                 {"increments = 80 ", "increments = 1 "}}));
+  const auto& s = run.surface(sim::Side::secondary);
+  int loaded = 0;
+  for (double p : s.pressure_MPa) loaded += p > 0.0;
+  EXPECT_EQ(loaded, 1);
+  const auto peak = std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end()) - s.pressure_MPa.begin();
+  EXPECT_NEAR(s.pressure_MPa[peak], 47.731, 0.01 * 47.731);
+  EXPECT_NEAR(std::abs(s.shear_MPa[peak]), 0.5 * s.pressure_MPa[peak], 1e-9 * s.pressure_MPa[peak]);
+}
+
+// Ironing over 8 mm: every increment at its planned size, and reactions without jumps where nodes pass facet ends.
+TEST(FiniteStrain, IroningLongStroke) {
+  const auto run = played(scene_text("ironing"));
+  EXPECT_EQ(run.summary.counts.cutbacks, 0);
+  ASSERT_EQ(run.records.size(), 80U);
+  std::vector<double> x, y;
+  for (const auto& r : run.records) {
+    x.push_back(r.support_forces[0].x());
+    y.push_back(r.support_forces[0].y());
+  }
+  EXPECT_LT(largest_jump(x, 15, 75), 0.02);
+  EXPECT_LT(largest_jump(y, 15, 75), 0.02);
+}
+
+// A rolling ring moves along by what its tread measures there: its hub turns by 1.5, and nothing holds it along the road.
+TEST(FiniteStrain, RollingRing) {
+  const auto run = played(scene_text("rolling_ring"));
+  EXPECT_EQ(run.summary.counts.cutbacks, 0);
+  const auto& ring = run.frame.bodies[0];
+  double hub = 0.0;
+  int nodes = 0;
+  for (std::size_t i = 0; i < ring.mesh->X.size(); ++i)
+    if (std::abs((ring.mesh->X[i] - Vec2(0.0, 5.0)).norm() - 3.0) < 1e-6) {
+      hub += ring.u[i].x();
+      ++nodes;
+    }
+  ASSERT_GT(nodes, 10);
+  // The loaded tread is shortened: the rolling radius lies between the pressed-down height of the hub and the tread's radius.
+  EXPECT_GT(hub / nodes, 1.5 * 4.7);
+  EXPECT_LT(hub / nodes, 1.5 * 5.0);
+  for (const auto& r : run.records) EXPECT_NEAR(r.support_forces[0].x(), 0.0, 1e-9 * std::abs(r.support_forces[0].y()));
+}
+
+// Bodies of three kinds in a stack, the middle one held by its contacts alone: the ledger closes, forces balance.
+TEST(FiniteStrain, ThreeBodies) {
+  const auto run = played(scene_text("three_bodies"));
+  const auto& r = run.records.back();
+  EXPECT_LT((r.support_forces[0] + r.support_forces[1]).norm(), 1e-8 * r.support_forces[0].norm());
+  EXPECT_GT(run.summary.contacts[0].secondary.worn_area, 0.0);
+  EXPECT_LT(*run.summary.contacts[0].ledger_relative_error, 1e-9);
+}
+
+// Rubber-like strains: the removed volume is unstressed volume, and the ledger closes through shape steps and a remesh.
+TEST(FiniteStrain, RubberPinLedger) {
+  const auto run = played(scene_text("rubber_pin_wear", {{"cycles = 200", "cycles = 40"}}));
+  EXPECT_GT(run.summary.contacts[0].secondary.max_depth_mm, 0.01);
+  EXPECT_LT(*run.summary.contacts[0].ledger_relative_error, 1e-9);
+}
+
+// A ring pressed flat plastically: no more than one increment in twenty is cut, Newton stays bounded, the crown parts
+// from the die, and pressing needs ever more force.
+TEST(FiniteStrain, PressedRing) {
+  const auto run = played(scene_text("pressed_ring_plastic"));
+  EXPECT_LE(run.summary.counts.cutbacks, 2);
+  for (const auto& r : run.records) EXPECT_LE(r.newton, 40) << "progress " << r.progress;
+  const auto& s = run.surface(sim::Side::secondary);
+  const auto peak = std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end()) - s.pressure_MPa.begin();
+  EXPECT_GT(s.x_mm[peak], 1.0);
+  EXPECT_GT(std::abs(run.records.back().support_forces[2].y()), 1.3 * std::abs(run.records[5].support_forces[2].y()));
+}
