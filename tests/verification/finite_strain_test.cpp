@@ -1,3 +1,4 @@
+#include "mesh/measure.hpp"
 #include "verification/contact_scene.hpp"
 #include "verification/turned.hpp"
 
@@ -46,11 +47,25 @@ TEST(FiniteStrain, SceneTurnedUnderLoad) {
 }
 
 // Two pressed blocks under log strain (references C5) carry the published multipliers, per current length, within 1 %.
+// There the Cauchy stress is Hooke's law of log strain; Hencky's law has the Kirchhoff stress J sigma in its place.
 TEST(FiniteStrain, DualMultipliers) {
   const auto run = played(turned_blocks(0.0, 0.0));
   const auto& s = run.surface(sim::Side::secondary);
+  const auto& left = run.frame.bodies[0];
+  base::Points x = left.mesh->X;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += left.u[i];
+  std::vector<double> kirchhoff;
+  for (std::size_t i = 0; i < s.node.size(); ++i) {
+    double now = 0.0, before = 0.0;
+    for (const auto& cell : left.mesh->cells)
+      if (std::find(cell.begin(), cell.end(), s.node[i]) != cell.end()) {
+        now += mesh::cell_area(x, left.mesh->kind, cell);
+        before += mesh::cell_area(left.mesh->X, left.mesh->kind, cell);
+      }
+    kirchhoff.push_back(now / before * s.pressure_MPa[i]);
+  }
   std::vector<double> p;
-  for (const auto& [y, value] : by_height(s, s.pressure_MPa)) p.push_back(value);
+  for (const auto& [y, value] : by_height(s, kirchhoff)) p.push_back(value);
   ASSERT_EQ(p.size(), 7U);
   const double published[4] = {86628.75, 101873.31, 112298.40, 112799.85};
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(p[k] / published[k], 1.0, 0.01) << "node " << k;
@@ -97,9 +112,10 @@ TEST(FiniteStrain, RollingRing) {
       ++nodes;
     }
   ASSERT_GT(nodes, 10);
-  // The loaded tread is shortened: the rolling radius lies between the pressed-down height of the hub and the tread's radius.
-  EXPECT_GT(hub / nodes, 1.5 * 4.7);
-  EXPECT_LT(hub / nodes, 1.5 * 5.0);
+  // Nearly incompressible rubber squeezed against its hub runs longer than it is: such rollers roll on a radius that is
+  // some per cent above the free one.
+  EXPECT_GT(hub / nodes, 1.5 * 5.0);
+  EXPECT_LT(hub / nodes, 1.5 * 5.2);
   for (const auto& r : run.records) EXPECT_NEAR(r.support_forces[0].x(), 0.0, 1e-9 * std::abs(r.support_forces[0].y()));
 }
 
