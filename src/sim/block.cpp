@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/measure.hpp"
+#include "sim/thickness.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
@@ -54,6 +55,12 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   const auto factors = factors_at(problem.scene, *span.step, to, held);
   auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
   set_friction(controls, problem, state.cycle);
+  for (std::size_t c = 0; c < controls.contacts.size(); ++c)
+    if (controls.contacts[c].wear) {
+      auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
+      controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
+      controls.contacts[c].thickness_primary = std::move(thickness.primary);
+    }
   if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
   solver::SolveResult result;
   {

@@ -31,7 +31,7 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
   std::vector<contact::Setup> contacts;
   for (const auto& c : problem.contacts)
     contacts.push_back(contact::make_setup(c.options, problem.scene.analysis, c.secondary, c.primary, state.shapes,
-                                           bodies, c.modulus_MPa));
+                                           bodies, c.modulus_MPa, problem.inputs[c.secondary.body].kinematics));
   cache.system = solver::make_system(std::move(bodies), std::move(contacts));
   cache.shapes = state.shapes;
   cache.newton.reset();
