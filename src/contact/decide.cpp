@@ -15,7 +15,7 @@ double Interface::others_wear(int node) const {
     for (const auto& [k, T] : cover_[node])
       if (k == l && rows_[node].D > 0.0)
         others -= M * coefficient * T * condition_[node].work / (spread_[node] * setup_->primary.area[l]) *
-                  (options_.thickness_primary.empty() ? 1.0 : options_.thickness_primary[l]);
+                  thickness(options_.thickness_primary, l);
   }
   for (const auto& [k, share] : rows_[node].off) {
     if (!setup_->between(k)) continue;

@@ -18,8 +18,6 @@ void gather(std::vector<std::pair<int, double>>& list, int node, double value) {
   list.emplace_back(node, value);
 }
 
-double thickness(const std::vector<double>& factors, std::size_t node) { return factors.empty() ? 1.0 : factors[node]; }
-
 }  // namespace
 
 void Interface::begin(const Setup& setup, const ContactState& before, Points xs, Points xm,
@@ -40,30 +38,6 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   sign_.assign(setup.secondary.X.size(), 0.0);
   condition_.assign(setup.secondary.X.size(), {});
   begin_wear();
-}
-
-/// Depths at the start, in the gap's own measure, and which control points wear with a node.
-void Interface::begin_wear() {
-  const auto& s = setup_->secondary;
-  const auto depths = [](const std::vector<double>& volume, const mortar::Surface& surface, const std::vector<double>& factors) {
-    std::vector<double> depth(volume.size());
-    for (std::size_t k = 0; k < depth.size(); ++k) depth[k] = volume[k] / surface.area[k] * thickness(factors, k);
-    return depth;
-  };
-  primary_depth_ = primary_start_ = depths(before_->pending_primary, setup_->primary, options_.thickness_primary);
-  secondary_depth_ = secondary_start_ = depths(before_->pending_secondary, s, options_.thickness_secondary);
-  worn_length_ = s.area;
-  between_.assign(s.X.size(), {});
-  for (const auto& [a, b, c] : s.facets) {
-    if (c < 0 || !setup_->between(c)) continue;
-    for (int node : {a, b}) {
-      worn_length_[node] += 0.5 * s.area[c];
-      between_[node].emplace_back(c, 0.0);
-    }
-  }
-  for (std::size_t j = 0; j < between_.size(); ++j)
-    for (auto& [c, per_volume] : between_[j])
-      per_volume = 0.5 / worn_length_[j] * thickness(options_.thickness_secondary, static_cast<std::size_t>(c));
 }
 
 void Interface::integrate(const Points& xs, const Points& xm) {
@@ -150,7 +124,7 @@ void Interface::sum_start_of_increment() {
       if (st.nodes[i] >= 0) x[i] = {placement_.xs[st.nodes[i]].x(), placement_.xs[st.nodes[i]].y()};
     normal_[j] = plain(mortar::nodal_normal(st, x));
     worn_before_[j] = rows_[j].D * before_->pending_secondary[j] / setup_->secondary.area[j];
-    worn_before_[j] *= thickness(options_.thickness_secondary, static_cast<std::size_t>(j));
+    worn_before_[j] *= thickness(options_.thickness_secondary, j);
     for (const auto& [l, M] : rows_[j].M) worn_before_[j] += M * primary_start_[l];
     for (const auto& [k, share] : rows_[j].off)
       if (setup_->between(k)) worn_before_[j] += share * secondary_start_[k];
@@ -166,7 +140,8 @@ mortar::NormalStencil Interface::stencil(int node) const {
   return mortar::normal_stencil(setup_->secondary, node, cover(1) > cover(0) ? 1 : 0);
 }
 
-/// Where the covered length on X changed (on x stretch changes it too), the difference of D and M is no measure of slip; the motion itself is.
+/// Where the covered length on X changed (on x stretch changes it too), the difference of D and M is no measure of
+/// slip; the motion itself is.
 bool Interface::uses_drift(int node) const {
   if (options_.held) return true;  // the reference belongs to the shape before
   const auto& reference = before_->reference[node];
@@ -206,54 +181,13 @@ NodeConstants Interface::constants(int node) const {
   c.start = {options_.jump, options_.duration_s, own * before_->energy_secondary[node], worn};
   if (o.implicit_wear)
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
-                       thickness(options_.thickness_secondary, static_cast<std::size_t>(node));
+                       thickness(options_.thickness_secondary, node);
   c.imposed = o.imposed;
   c.imposed_slip = options_.imposed_slip;
   c.held = options_.held;
   c.anchor = node == options_.anchor;
   if (c.held) c.held_shear = options_.held_shear[node];
   return c;
-}
-
-/// True when work of this increment opens the gap of other nodes, too.
-bool Interface::wear_spreads() const {
-  const auto& o = setup_->options;
-  const bool linear = setup_->secondary.order == 2 && o.dual == DualOrder::linear;
-  return options_.wear && !options_.held && o.implicit_wear && (o.wear.primary > 0.0 || (linear && o.wear.secondary > 0.0));
-}
-
-/// Depth per node from the works of all slip nodes: on the primary side dw_l = coefficient / A_l sum_j T_jl E_j / D_j,
-/// at control points that wear with their neighbours the mean of theirs.
-void Interface::spread_wear() {
-  primary_depth_ = primary_start_;
-  secondary_depth_ = secondary_start_;
-  if (!wear_spreads()) return;
-  const double primary = setup_->options.wear.primary * options_.jump, secondary = setup_->options.wear.secondary * options_.jump;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const double work = condition_[j].work;
-    if (work == 0.0) continue;
-    for (const auto& [l, T] : cover_[j])
-      primary_depth_[l] += primary * T * work / (spread_[j] * setup_->primary.area[l]) *
-                           thickness(options_.thickness_primary, static_cast<std::size_t>(l));
-    for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
-  }
-}
-
-/// What the node's multiplier carries of control points that have none.
-double Interface::shares_between(int node) const {
-  double sum = 0.0;
-  for (const auto& [k, share] : rows_[node].off)
-    if (setup_->between(k)) sum += share;
-  return sum;
-}
-
-/// What the depths of other nodes open in the gap of this one.
-double Interface::worn_others(int node) const {
-  double worn = 0.0;
-  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
-  for (const auto& [k, share] : rows_[node].off)
-    if (setup_->between(k)) worn += share * secondary_depth_[k];
-  return worn;
 }
 
 void Interface::evaluate(const std::vector<Vec2>& lambda) {

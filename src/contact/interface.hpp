@@ -27,6 +27,9 @@ struct IncrementOptions {
   std::vector<double> thickness_secondary, thickness_primary;
 };
 
+/// The thickness factor of a node.
+inline double thickness(const std::vector<double>& factors, int node) { return factors.empty() ? 1.0 : factors[node]; }
+
 /// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
 struct Entry {
   int row = 0, col = 0;
@@ -130,8 +133,8 @@ class Interface {
   mortar::Placement placement_;
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;
-  std::vector<std::array<int, 2>> record_of_;       ///< per node: record of the facet before (its end 1), after (its end 0);
-                                                    ///< a control point: of its facet, -1
+  /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.
+  std::vector<std::array<int, 2>> record_of_;
   std::vector<char> differentiated_;
   std::vector<MortarRow> rows_;
   std::vector<std::vector<std::pair<int, double>>> cover_;

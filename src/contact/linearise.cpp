@@ -111,7 +111,8 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
     for (std::size_t i = 0; i < record.dofs.size(); ++i) {
       push(2 * node, record.row(record.D(e))[i], record.dofs[i]);
       for (int k = 0; k < record.count; ++k)
-        if (k != e && record.value.off[e][k] != 0.0) push(2 * facet[k], record.row(record.off(e, k))[i], record.dofs[i]);
+        if (k != e && record.value.off[e][k] != 0.0)
+          push(2 * facet[k], record.row(record.off(e, k))[i], record.dofs[i]);
       for (std::size_t l = 0; l < record.primaries.size(); ++l)
         push(shift + 2 * record.primaries[l], -record.row(record.M(e, static_cast<int>(l)))[i], record.dofs[i]);
     }
@@ -123,8 +124,7 @@ void Interface::collect_primary_wear(int node, const Eleven& work) {
   const double coefficient = setup_->options.wear.primary * options_.jump, D = spread_[node];
   const bool linear = setup_->secondary.order == 1;
   for (const auto& [l, T] : cover_[node]) {
-    const double thickness = options_.thickness_primary.empty() ? 1.0 : options_.thickness_primary[l];
-    const double factor = coefficient / setup_->primary.area[l] * thickness;
+    const double factor = coefficient / setup_->primary.area[l] * thickness(options_.thickness_primary, l);
     auto& slopes = primary_slope_[l];
     chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * T / D * value}); });
     for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {

@@ -8,7 +8,7 @@
 namespace reye::contact {
 
 /// Order of the multipliers on facets of second order (on facets of two nodes they are always linear). quadratic: one
-/// multiplier per node and control point. linear: at the nodes alone, each with a share of the control points beside it.
+/// per node and control point. linear: at the nodes alone, each with a share of the control points beside it.
 enum class DualOrder { linear, quadratic };
 
 /// A contact of the scene: one secondary boundary (carries the multipliers) against a list of primary ones.

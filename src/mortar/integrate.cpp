@@ -80,7 +80,9 @@ void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make
 double plain_value(double x, int) { return x; }
 
 /// How far a curve leaves its chord.
-double sag(const Points& x, const Facet& f) { return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm(); }
+double sag(const Points& x, const Facet& f) {
+  return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm();
+}
 
 }  // namespace
 

@@ -85,7 +85,9 @@ template <class T>
 void relative_motion(Workspace<T>& w, int j) {
   const auto& in = w.in;
   auto& out = w.out;
-  const auto moved = [](const Pair<T>& x, const Pair<double>& before) { return Pair<T>{x.x - before.x, x.y - before.y}; };
+  const auto moved = [](const Pair<T>& x, const Pair<double>& before) {
+    return Pair<T>{x.x - before.x, x.y - before.y};
+  };
   const Pair<T> dx = moved(in.x[j], in.x_before[j]);
   out.offset[j] = out.drift[j] = {};
   for (int k = 0; k < in.count; ++k) {

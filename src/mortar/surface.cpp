@@ -27,7 +27,8 @@ std::array<double, 3> curved_shares(const Vec2& a, const Vec2& b, const Vec2& c,
   for (std::size_t g = 0; g < gauss5.xi.size(); ++g) {
     const auto N = shape_functions(3, gauss5.xi[g]), d = bernstein_slopes(gauss5.xi[g]);
     const double length = (d[0] * a + d[1] * b + d[2] * c).norm();
-    const double weight = gauss5.weight[g] * length * base::out_of_plane(analysis, (N[0] * a + N[1] * b + N[2] * c).x());
+    const double r = N[0] * a.x() + N[1] * b.x() + N[2] * c.x();
+    const double weight = gauss5.weight[g] * length * base::out_of_plane(analysis, r);
     for (std::size_t j = 0; j < 3; ++j) shares[j] += weight * N[j];
   }
   return shares;
@@ -51,14 +52,16 @@ void add_facet(Surface& s, const Facet& facet, Analysis analysis) {
     s.X[c] = 2.0 * s.X[c] - 0.5 * (s.X[a] + s.X[b]);
   }
   s.facets.push_back(facet);
-  const auto share = c < 0 ? straight_shares(s.X[a], s.X[b], analysis) : curved_shares(s.X[a], s.X[b], s.X[c], analysis);
+  const auto share =
+      c < 0 ? straight_shares(s.X[a], s.X[b], analysis) : curved_shares(s.X[a], s.X[b], s.X[c], analysis);
   for (std::size_t j = 0; j < 3; ++j)
     if (facet[j] >= 0) s.area[facet[j]] += share[j];
 }
 
 }  // namespace
 
-Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis analysis, std::vector<int>& nodes, int order) {
+Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis analysis, std::vector<int>& nodes,
+                     int order) {
   nodes = mesh::nodes_of(boundary);
   std::unordered_map<int, int> local;
   Surface s;

@@ -1,0 +1,74 @@
+#include "contact/interface.hpp"
+
+/// Depths of both sides in the gap, and which nodes share them.
+namespace reye::contact {
+
+/// Depths at the start, in the gap's own measure, and which control points wear with a node.
+void Interface::begin_wear() {
+  const auto& s = setup_->secondary;
+  const auto depths = [](const std::vector<double>& volume, const mortar::Surface& on, const std::vector<double>& factors) {
+    std::vector<double> depth(volume.size());
+    for (std::size_t k = 0; k < depth.size(); ++k)
+      depth[k] = volume[k] / on.area[k] * thickness(factors, static_cast<int>(k));
+    return depth;
+  };
+  primary_depth_ = primary_start_ = depths(before_->pending_primary, setup_->primary, options_.thickness_primary);
+  secondary_depth_ = secondary_start_ = depths(before_->pending_secondary, s, options_.thickness_secondary);
+  worn_length_ = s.area;
+  between_.assign(s.X.size(), {});
+  for (const auto& [a, b, c] : s.facets) {
+    if (c < 0 || !setup_->between(c)) continue;
+    for (int node : {a, b}) {
+      worn_length_[node] += 0.5 * s.area[c];
+      between_[node].emplace_back(c, 0.0);
+    }
+  }
+  for (std::size_t j = 0; j < between_.size(); ++j)
+    for (auto& [c, per_volume] : between_[j])
+      per_volume = 0.5 / worn_length_[j] * thickness(options_.thickness_secondary, c);
+}
+
+/// True when work of this increment opens the gap of other nodes, too.
+bool Interface::wear_spreads() const {
+  const auto& o = setup_->options;
+  const bool linear = setup_->secondary.order == 2 && o.dual == DualOrder::linear;
+  const bool elsewhere = o.wear.primary > 0.0 || (linear && o.wear.secondary > 0.0);
+  return options_.wear && !options_.held && o.implicit_wear && elsewhere;
+}
+
+/// Depth per node from the works of all slip nodes: on the primary side dw_l = coefficient / A_l sum_j T_jl E_j / D_j,
+/// at control points that wear with their neighbours the mean of theirs.
+void Interface::spread_wear() {
+  primary_depth_ = primary_start_;
+  secondary_depth_ = secondary_start_;
+  if (!wear_spreads()) return;
+  const auto& law = setup_->options.wear;
+  const double primary = law.primary * options_.jump, secondary = law.secondary * options_.jump;
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    const double work = condition_[j].work;
+    if (work == 0.0) continue;
+    for (const auto& [l, T] : cover_[j])
+      primary_depth_[l] += primary * T * work / (spread_[j] * setup_->primary.area[l]) *
+                           thickness(options_.thickness_primary, l);
+    for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
+  }
+}
+
+/// What the node's multiplier carries of control points that have none.
+double Interface::shares_between(int node) const {
+  double sum = 0.0;
+  for (const auto& [k, share] : rows_[node].off)
+    if (setup_->between(k)) sum += share;
+  return sum;
+}
+
+/// What the depths of other nodes open in the gap of this one.
+double Interface::worn_others(int node) const {
+  double worn = 0.0;
+  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
+  for (const auto& [k, share] : rows_[node].off)
+    if (setup_->between(k)) worn += share * secondary_depth_[k];
+  return worn;
+}
+
+}  // namespace reye::contact
