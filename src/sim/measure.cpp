@@ -115,7 +115,7 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
     const int facet = setup.secondary.before[j] >= 0 ? setup.secondary.before[j] : setup.secondary.after[j];
     const auto [a, b, mid] = setup.secondary.facets[facet];
     const Vec2 normal = mesh::outward_normal(setup.secondary.X[a], setup.secondary.X[b]);
-    const Vec2 f = state.reference[j].D * state.lambda[j];
+    const Vec2 f = state.reference[j].carried() * state.lambda[j];
     force += f;
     direction += f.dot(normal) * normal;
   }

@@ -24,6 +24,7 @@ std::vector<Vec2> normals(const mortar::Surface& s) {
     const Vec2 own = mesh::outward_normal(s.X[a], s.X[b]);
     n[a] += own;
     n[b] += own;
+    if (mid >= 0) n[mid] = own;
   }
   for (auto& v : n) v.normalize();
   return n;
