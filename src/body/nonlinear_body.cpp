@@ -184,7 +184,7 @@ NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
 }
 
 Interior NonlinearBody::start() const {
-  return {Vector::Zero(impl_->interior()), fem::virgin(impl_->mesh(), impl_->solid)};
+  return {Vector::Zero(impl_->interior()), fem::virgin(impl_->mesh(), impl_->solid), {}};
 }
 
 void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
@@ -197,7 +197,7 @@ void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vec
   Linearised::Kept& kept = *out.kept;
   const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
   impl_->named([&] {
-    fem::tangent(impl_->mesh(), impl_->solid, u, before.history, impl_->pattern, kept.f, kept.K);
+    fem::tangent(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, impl_->pattern, kept.f, kept.K);
   });
   impl_->subtract_load_tangent(u, load_factors, kept.K);
   kept.B = impl_->expansion(unknowns);
@@ -221,14 +221,20 @@ Vector NonlinearBody::retained_residual(const Interior& before, const Vector& y,
                                         const Vector& load_factors) const {
   const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
   fem::InternalForce f;
-  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, before.history, f); });
+  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, f); });
   const Vector r = impl_->expansion(unknowns).transpose() * impl_->unbalanced(f, u, load_factors);
   return r.tail(dofs());
 }
 
 Interior NonlinearBody::accepted(const Interior& before, const Vector& y, const Vector& q) const {
   const Vector u = impl_->displacement(impl_->all(y, q));
-  return {y, impl_->named([&] { return fem::updated(impl_->mesh(), impl_->solid, u, before.history); })};
+  const auto history = [&] { return fem::updated(impl_->mesh(), impl_->solid, u, {before.history, before.F0}); };
+  return {y, impl_->named(history), before.F0};
+}
+
+std::vector<material::Gradient<double>> NonlinearBody::deformation(const Interior& now, const Vector& q) const {
+  const Vector u = impl_->displacement(impl_->all(now.y, q));
+  return impl_->named([&] { return fem::deformation(impl_->mesh(), impl_->solid, u, now.F0); });
 }
 
 std::vector<Vec2> NonlinearBody::recover(const Vector& q, const Vector& y) const {

@@ -11,6 +11,7 @@
 #include "body/supports.hpp"
 #include "fem/loads.hpp"
 #include "material/material.hpp"
+#include "material/tensor.hpp"
 
 /// The body operator: what contact and solver see of a body, whatever it is inside.
 namespace reye::body {
@@ -130,6 +131,7 @@ class RigidBody {
 struct Interior {
   Vector y;                                     ///< free dofs of the nodes not in contact
   std::vector<material::PlasticState> history;  ///< per Gauss point, cell by cell; empty for an elastic material
+  std::vector<material::Gradient<double>> F0;   ///< likewise, from unstressed to X; empty where X is unstressed
 };
 
 /// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but anew
@@ -150,7 +152,7 @@ class NonlinearBody {
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const;                                        ///< before condensation
 
-  /// No displacement, virgin material.
+  /// No displacement, virgin material, X unstressed.
   Interior start() const;
 
   /// The equations at one state, with the factorisation that `interior_step` needs. Reused from call to call: the
@@ -171,6 +173,8 @@ class NonlinearBody {
   Vector retained_residual(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors) const;
   /// y with the history that the deformation from `before` to (y, q) leaves.
   Interior accepted(const Interior& before, const Vector& y, const Vector& q) const;
+  /// What F0 becomes when x = X + u of an accepted state does become the new X (fem::deformation). Finite strain only.
+  std::vector<material::Gradient<double>> deformation(const Interior& now, const Vector& q) const;
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& y) const;
 

@@ -1,5 +1,6 @@
 #include "fem/finite.hpp"
 
+#include <cassert>
 #include <cstdio>
 #include <type_traits>
 
@@ -80,10 +81,13 @@ base::SolveError located(const Mesh& mesh, int cell, int point, const base::Solv
 /// For every cell: begin(), then for each Gauss point point(sample, its number in the cell, its number in the mesh),
 /// then end(cell, samples).
 template <class Strain, int n, class Begin, class Point, class End>
-void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, Begin begin, Point point, End end) {
+void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, Begin begin,
+                   Point point, End end) {
+  const size_t per_cell = F0.empty() ? 0 : stiffness_rule(mesh.kind).size();
   int number = 0;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto samples = Strain::template samples<n>(mesh, cell, solid, cell_state<n>(mesh, cell, u));
+    const auto samples = Strain::template samples<n>(mesh, cell, solid, cell_state<n>(mesh, cell, u),
+                                                     F0.subspan(cell * per_cell, per_cell));
     begin();
     for (int g = 0; g < samples.count; ++g) {
       try {
@@ -108,7 +112,7 @@ void with_types(const Mesh& mesh, const Solid& solid, Run run) {
     first ? run(FiniteStrain{}, four) : run(FiniteStrain{}, eight);
 }
 
-const PlasticState& state_of(const History& history, int number) {
+const PlasticState& state_of(std::span<const PlasticState> history, int number) {
   static const PlasticState none;
   return history.empty() ? none : history[number];
 }
@@ -137,22 +141,22 @@ History virgin(const Mesh& mesh, const Solid& solid) {
   return History(solid.has_history() ? mesh.cells.size() * stiffness_rule(mesh.kind).size() : 0);
 }
 
-void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const History& before, InternalForce& f) {
+void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, InternalForce& f) {
   clear(mesh, f);
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     Eigen::Matrix<double, 2 * n, 1> fe;
     for_each_cell<Strain, n>(
-        mesh, solid, u, [&] { fe.setZero(); },
+        mesh, solid, u, before.F0, [&] { fe.setZero(); },
         [&](const auto& p, int, int number) {
-          const auto s = stress_at<Strain>(solid, bar, p.x, state_of(before, number));
+          const auto s = stress_at<Strain>(solid, bar, p.x, state_of(before.history, number));
           fe.noalias() += p.dx.template topRows<Strain::stresses>().transpose() * (p.volume * s);
         },
         [&](int cell, const auto&) { add_force(mesh, cell, fe, f); });
   });
 }
 
-void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const History& before, const Pattern& pattern,
+void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, const Pattern& pattern,
              InternalForce& f, SparseMatrix& K) {
   clear(mesh, f);
   K.coeffs().setZero();
@@ -166,43 +170,59 @@ void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const Histor
       Ke.setZero();
     };
     const auto point = [&](const auto& p, int, int number) {
-      const auto slope = slope_at<Strain>(solid, bar, p.x, state_of(before, number));
+      const auto slope = slope_at<Strain>(solid, bar, p.x, state_of(before.history, number));
       const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * (slope.D * p.dx);
       const auto work = p.dx.template topRows<Strain::stresses>().transpose();
       fe.noalias() += work * (p.volume * slope.s);
       Ke.noalias() += work * ds;
     };
-    for_each_cell<Strain, n>(mesh, solid, u, begin, point, [&](int cell, const auto&) {
+    for_each_cell<Strain, n>(mesh, solid, u, before.F0, begin, point, [&](int cell, const auto&) {
       add_force(mesh, cell, fe, f);
       pattern.add_cell(Ke, mesh.cells[cell], count, K);
     });
   });
 }
 
-History updated(const Mesh& mesh, const Solid& solid, const Vector& u, const History& before) {
-  History after = before;
-  if (before.empty()) return after;
+History updated(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before) {
+  History after(before.history.begin(), before.history.end());
+  if (after.empty()) return after;
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     for_each_cell<Strain, n>(
-        mesh, solid, u, [] {},
-        [&](const auto& p, int, int number) { stress_at<Strain>(solid, bar, p.x, before[number], &after[number]); },
+        mesh, solid, u, before.F0, [] {},
+        [&](const auto& p, int, int number) {
+          stress_at<Strain>(solid, bar, p.x, before.history[number], &after[number]);
+        },
         [](int, const auto&) {});
   });
   return after;
 }
 
-NodalState nodal_state(const Mesh& mesh, const Solid& solid, const Vector& u, const History& history) {
+Prestrain deformation(const Mesh& mesh, const Solid& solid, const Vector& u, const Prestrain& F0) {
+  assert(solid.kinematics == base::Kinematics::finite);
+  Prestrain F;
+  const bool bar = barred(solid, mesh.kind);
+  const auto run = [&]<int n>(std::integral_constant<int, n>) {
+    for_each_cell<FiniteStrain, n>(
+        mesh, solid, u, F0, [] {},
+        [&](const auto& p, int, int) { F.push_back(FiniteStrain::seen(solid, bar, as_array<FiniteStrain>(p.x))); },
+        [](int, const auto&) {});
+  };
+  mesh::order(mesh.kind) == 1 ? run(std::integral_constant<int, 4>{}) : run(std::integral_constant<int, 8>{});
+  return F;
+}
+
+NodalState nodal_state(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& gauss) {
   NodalAverage<5> average(mesh);
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     Eigen::Matrix<double, 5, 4> values = Eigen::Matrix<double, 5, 4>::Zero();  // column: Gauss point
     const auto point = [&](const auto& p, int g, int number) {
-      const PlasticState& state = state_of(history, number);
+      const PlasticState& state = state_of(gauss.history, number);
       const Stress sigma = Strain::cauchy(solid, bar, as_array<Strain>(p.x), state);
       values.col(g) << sigma[0], sigma[1], sigma[2], sigma[3], state.accumulated;
     };
-    for_each_cell<Strain, n>(mesh, solid, u, [] {}, point, [&](int cell, const auto& samples) {
+    for_each_cell<Strain, n>(mesh, solid, u, gauss.F0, [] {}, point, [&](int cell, const auto& samples) {
       double volume = 0.0;
       for (int g = 0; g < samples.count; ++g) volume += samples.points[g].volume;
       average.add(cell, values, volume);

@@ -8,10 +8,12 @@
 #include "fem/pattern.hpp"
 #include "fem/stiffness.hpp"
 #include "material/material.hpp"
+#include "material/tensor.hpp"
 #include "mesh/mesh.hpp"
 
 /// Internal force and consistent tangent of a whole mesh on X, at small or finite strain, with plastic history.
 /// Displacements u and forces have dof = 2 * node + component [mm; N per mm; N on the whole ring in axisymmetry].
+/// X need not be unstressed: at finite strain each Gauss point may know the deformation F0 from unstressed to X.
 namespace reye::fem {
 
 /// What the cells of a mesh are made of and how they deform.
@@ -30,30 +32,48 @@ struct Solid {
 using History = std::vector<material::PlasticState>;
 History virgin(const mesh::Mesh& mesh, const Solid& solid);
 
+/// F0 = dX/d(unstressed) of every Gauss point in the same order, (11, 12, 21, 22, 33); empty: X is unstressed.
+using Prestrain = std::vector<material::Gradient<double>>;
+
+/// What the Gauss points know before an increment, as a view.
+struct GaussState {
+  std::span<const material::PlasticState> history;  ///< plastic metric of the unstressed material
+  std::span<const material::Gradient<double>> F0;   ///< empty at small strain; det F0 > 0; F0_33 = 1 in plane stress
+
+  GaussState() = default;
+  GaussState(const History& states, const Prestrain& deformations = {}) : history(states), F0(deformations) {}
+};
+
 /// Forces that the cells exert on their nodes.
 struct InternalForce {
   base::Vector total;
   double largest = 0.0;  ///< single entry of a single cell: the size against which the sum is in balance
 };
 
-/// f = sum int P : Grad v dV (finite) or int sigma : eps(v) dV (small), from the history before the increment.
+/// f = sum int P : Grad v dV (finite) or int sigma : eps(v) dV (small), from the state before the increment; with F0, P
+/// on X is 1/det(F0) P(F) F0^T at F = (I + Grad u) F0.
 /// Throws base::SolveError naming cell, Gauss point and its place on X where the material cannot take the deformation.
-void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const History& before,
+void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
                     InternalForce& f);
 
 /// The same with K = df/du, made by `pattern.zero()`; nothing is allocated.
-void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const History& before,
+void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
              const Pattern& pattern, InternalForce& f, base::SparseMatrix& K);
 
 /// History after the deformation u; errors as above.
-History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const History& before);
+History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);
+
+/// F from unstressed to x = X + u that the law sees, F-bar where that is the cure: what becomes F0 when x becomes the
+/// new X. On the same mesh that leaves every stress and nodal force as it is. Finite strain only; F33 = 1 in plane
+/// stress.
+Prestrain deformation(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const Prestrain& F0);
 
 /// Cauchy stress (11, 22, 12, 33) [MPa] and accumulated plastic strain at the nodes: extrapolated from the Gauss points
-/// of each cell, then averaged over the cells of a node with their volumes on X as weights.
+/// of each cell, then averaged over the cells of a node with their unstressed volumes as weights.
 struct NodalState {
   std::vector<Stress> stress;
   std::vector<double> plastic_strain;
 };
-NodalState nodal_state(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const History& history);
+NodalState nodal_state(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& state);
 
 }  // namespace reye::fem

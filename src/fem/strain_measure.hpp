@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "base/errors.hpp"
@@ -22,13 +23,17 @@ struct CellState {
   Eigen::Matrix<double, 2 * n, 1> u = Eigen::Matrix<double, 2 * n, 1>::Zero();
 };
 
-/// Inputs at a Gauss point, their derivative by the displacements of the cell, and weight * det J * (1 or 2 pi r).
+/// Inputs at a Gauss point, their derivative by the displacements of the cell, and weight * det J * (1 or 2 pi r), the
+/// content of unstressed material.
 template <int inputs, int n>
 struct Sample {
   Eigen::Matrix<double, inputs, 1> x;
   Eigen::Matrix<double, inputs, 2 * n> dx;
   double volume = 0.0;
 };
+
+/// F0 of the Gauss points of a cell, or none.
+using CellPrestrain = std::span<const material::Gradient<double>>;
 
 /// At most four Gauss points.
 template <int inputs, int n>
@@ -46,7 +51,8 @@ struct SmallStrain {
   static constexpr int inputs = 4, stresses = 4;
 
   template <int n>
-  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state) {
+  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+                                    CellPrestrain) {
     const CellStrains strains = strain_points(mesh, cell, solid.analysis, solid.cure);
     Samples<inputs, n> s;
     for (s.count = 0; s.count < strains.count; ++s.count) {
@@ -69,7 +75,9 @@ struct SmallStrain {
   }
 };
 
-/// x = (F11, F12, F21, F22, F33, J0), F33 = 1 or r/R, J0 = det F at the centre of the cell; stress P.
+/// x = (F11, F12, F21, F22, F33, J0), F from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of the
+/// cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X, and
+/// J0 is det(I + G u) at the centre times the growth of the cell from unstressed to X, (sum dV) / sum(dV / det F0).
 /// F-bar evaluates the law at F-bar = s F and does work on the true F over the true volume:
 ///   plane strain    s = (J0 / J)^(1/2), in the plane,   P = (J / J0) tau F^-T = P(F-bar) / s
 ///   axisymmetry     s = (J0 / J)^(1/3), F33 included,   P = P(F-bar) / s^2                    (5)
@@ -77,11 +85,20 @@ struct FiniteStrain {
   static constexpr int inputs = 6, stresses = 5;
 
   template <int n>
-  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state) {
+  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+                                    CellPrestrain F0) {
     Samples<inputs, n> s;
     for (const CellPoint& at : stiffness_rule(mesh.kind)) add_sample(mesh, cell, solid, state, at, s);
-    if (barred(solid, mesh.kind)) add_centre(mesh, cell, solid, state, s);
+    const double growth = F0.empty() ? 1.0 : start_unstressed(solid.analysis, F0, s);
+    if (barred(solid, mesh.kind)) add_centre(mesh, cell, solid, state, growth, s);
     return s;
+  }
+
+  /// What the law sees: F, or F-bar.
+  static material::Gradient<double> seen(const Solid& solid, bool bar, const std::array<double, 6>& x) {
+    material::Gradient<double> F{x[0], x[1], x[2], x[3], x[4]};
+    if (bar) stretch_by(stretch(solid.analysis, x), solid.analysis, F);
+    return F;
   }
 
   template <class T>
@@ -100,8 +117,7 @@ struct FiniteStrain {
   /// tau / J, at F-bar.
   static Stress cauchy(const Solid& solid, bool bar, const std::array<double, 6>& x,
                        const material::PlasticState& state) {
-    material::Gradient<double> F{x[0], x[1], x[2], x[3], x[4]};
-    if (bar) stretch_by(stretch(solid.analysis, x), solid.analysis, F);
+    const auto F = seen(solid, bar, x);
     Stress sigma = material::kirchhoff(solid.material, solid.analysis, F, state);
     const double J = material::plane_determinant(F) *
                      material::thickness_stretch(solid.material, solid.analysis, F, state);
@@ -149,9 +165,34 @@ struct FiniteStrain {
     p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
   }
 
+  /// Content per content of unstressed material; the thickness of plane stress is counted as it was unstressed.
+  static double content(Analysis analysis, const material::Gradient<double>& F0) {
+    return material::plane_determinant(F0) * (analysis == Analysis::plane_stress ? 1.0 : F0[4]);
+  }
+
+  /// Makes (I + G u) F0 of I + G u. Returns the growth of the cell from unstressed to X.
+  template <int n>
+  static double start_unstressed(Analysis analysis, CellPrestrain F0, Samples<inputs, n>& s) {
+    double on_X = 0.0, unstressed = 0.0;
+    for (int g = 0; g < s.count; ++g) {
+      const auto& F = F0[g];
+      Eigen::Matrix<double, 5, 5> right = Eigen::Matrix<double, 5, 5>::Zero();
+      right.block<2, 2>(0, 0) << F[0], F[2], F[1], F[3];
+      right.block<2, 2>(2, 2) = right.block<2, 2>(0, 0);
+      right(4, 4) = F[4];
+      auto& p = s.points[g];
+      p.x.template head<5>() = (right * p.x.template head<5>()).eval();
+      p.dx.template topRows<5>() = (right * p.dx.template topRows<5>()).eval();
+      on_X += p.volume;
+      p.volume /= content(analysis, F);
+      unstressed += p.volume;
+    }
+    return on_X / unstressed;
+  }
+
   /// J0 and its derivative, the same at all points.
   template <int n>
-  static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+  static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, double growth,
                          Samples<inputs, n>& s) {
     Eigen::Matrix<double, 5, 2 * n> G;
     gradient(mesh, cell, solid.analysis, state, {{0.0, 0.0}, 1.0}, G);
@@ -161,8 +202,8 @@ struct FiniteStrain {
     cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], plane;
     const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor * G;
     for (int g = 0; g < s.count; ++g) {
-      s.points[g].x[5] = plane * F[4];
-      s.points[g].dx.row(5) = dJ;
+      s.points[g].x[5] = growth * plane * F[4];
+      s.points[g].dx.row(5) = growth * dJ;
     }
   }
 

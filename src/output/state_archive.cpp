@@ -30,7 +30,7 @@ namespace reye::body {
 
 template <class Archive>
 void serialize(Archive& archive, Interior& s) {
-  archive(s.y, s.history);
+  archive(s.y, s.history, s.F0);
 }
 
 }  // namespace reye::body

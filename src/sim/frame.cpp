@@ -11,7 +11,7 @@ namespace reye::sim {
 namespace {
 
 /// Stress of a body at its nodes, and accumulated plastic strain where it has any.
-void paint_material(const body::BodyInput& input, const fem::History& history, bool rigid, BodyFrame& body) {
+void paint_material(const body::BodyInput& input, const body::Interior& interior, bool rigid, BodyFrame& body) {
   if (rigid) return;
   if (!is_nonlinear(input)) {
     body.stress_MPa = fem::nodal_stress(*body.mesh, input.material, input.analysis, input.b_bar, body.u);
@@ -20,7 +20,7 @@ void paint_material(const body::BodyInput& input, const fem::History& history, b
   Vector u(2 * static_cast<Eigen::Index>(body.u.size()));
   for (std::size_t i = 0; i < body.u.size(); ++i) u.segment<2>(2 * static_cast<Eigen::Index>(i)) = body.u[i];
   const fem::Solid solid{input.material, input.analysis, input.kinematics, input.b_bar};
-  auto nodal = fem::nodal_state(*body.mesh, solid, u, history);
+  auto nodal = fem::nodal_state(*body.mesh, solid, u, {interior.history, interior.F0});
   body.stress_MPa = std::move(nodal.stress);
   if (solid.has_history()) body.plastic_strain = std::move(nodal.plastic_strain);
 }
@@ -48,7 +48,7 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
     body.mesh = std::shared_ptr<const mesh::Mesh>(state.shapes[b], &state.shapes[b]->mesh);
     const Vector q = system.part(state.solution.q, b);
     body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
-    paint_material(problem.inputs[b], state.solution.interiors[b].history, problem.rigid[b], body);
+    paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
     body.wear_depth_mm.assign(body.u.size(), 0.0);
     frame.bodies.push_back(std::move(body));
   }

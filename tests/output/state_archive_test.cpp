@@ -1,0 +1,23 @@
+#include "output/state_archive.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace reye;
+
+// What the Gauss points of a nonlinear body know must come back from a checkpoint bit by bit.
+TEST(StateArchive, InteriorsReadBack) {
+  sim::State state;
+  body::Interior interior;
+  interior.y = base::Vector::LinSpaced(5, 0.1, 0.9);
+  interior.history = {{{0.1, -0.2, 1.0 / 3.0, 0.1}, 0.25}};
+  interior.F0 = {{1.1, 0.2, -0.3, 0.9, 1.0 / 3.0}};
+  state.solution.interiors = {interior, {}};
+  const auto again = output::state_from_bytes(output::state_to_bytes(state)).solution.interiors;
+  ASSERT_EQ(again.size(), 2u);
+  EXPECT_EQ(again[0].y, interior.y);
+  ASSERT_EQ(again[0].history.size(), 1u);
+  EXPECT_EQ(again[0].history[0].strain, interior.history[0].strain);
+  EXPECT_EQ(again[0].history[0].accumulated, 0.25);
+  EXPECT_EQ(again[0].F0, interior.F0);
+  EXPECT_TRUE(again[1].F0.empty());
+}
