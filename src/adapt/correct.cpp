@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "adapt/locate.hpp"
+#include "adapt/strip.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::adapt {
 
@@ -46,9 +48,9 @@ Points moved(const Points& p, const Points& d, double by) {
 }
 
 /// Length by which points are to be moved along d to gain `volume`.
-double gain(Analysis analysis, const Points& p, const Points& d, double volume) {
+double gain(Analysis analysis, const Points& p, const Points& d, double volume, int order) {
   if (volume == 0.0) return 0.0;
-  const double start = fan_volume(analysis, p), target = start + volume;
+  const double start = fan_volume(analysis, p, order), target = start + volume;
   double radius = 1.0;
   if (analysis == Analysis::axisymmetric) {
     radius = 0.0;
@@ -56,7 +58,7 @@ double gain(Analysis analysis, const Points& p, const Points& d, double volume) 
   }
   double by = 0.0, excess = -volume, next = volume / (length(p) * radius);
   for (int i = 0; i < 30; ++i) {
-    const double f = fan_volume(analysis, moved(p, d, next)) - target;
+    const double f = fan_volume(analysis, moved(p, d, next), order) - target;
     if (!(std::abs(f) < std::abs(excess))) break;  // round-off reached
     const double slope = (f - excess) / (next - by);
     by = next;
@@ -130,9 +132,56 @@ std::vector<double> local_shifts(const Points& old, const Points& fresh) {
   return shift;
 }
 
+constexpr std::size_t chords = 8;  ///< that stand for a quadratic edge where heights are measured
+
+/// Points along a chain of quadratic edges, `chords` for each.
+Points sampled(const Points& p) {
+  Points points{p.front()};
+  for (std::size_t i = 0; i + 2 < p.size(); i += 2)
+    for (std::size_t k = 1; k <= chords; ++k)
+      points.push_back(mesh::QuadraticEdge{p[i], p[i + 1], p[i + 2]}.at(2.0 * static_cast<double>(k) / chords - 1.0));
+  return points;
+}
+
+/// The same for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
+/// give at each node.
+std::vector<double> curved_shifts(const Points& old, const Points& fresh) {
+  const std::size_t n = fresh.size();
+  const Points line = sampled(fresh);
+  std::vector<double> arc{0.0}, content(n, 0.0), length(n, 0.0);
+  for (std::size_t k = 1; k < line.size(); ++k) arc.push_back(arc.back() + (line[k] - line[k - 1]).norm());
+  const auto h = heights(sampled(old), line, arc);
+  std::size_t k = 0;  // the chord; i0: the first node of its edge
+  for (std::size_t i = 0; i + 1 < h.size(); ++i) {
+    const auto& [s0, h0] = h[i];
+    const auto& [s1, h1] = h[i + 1];
+    const double middle = 0.5 * (s0 + s1), width = s1 - s0;
+    while (k + 2 < line.size() && middle > arc[k + 1]) ++k;
+    const std::size_t i0 = 2 * (k / chords);
+    const auto add = [&](double s, double height, double weight) {
+      const double t = (static_cast<double>(k % chords) + (s - arc[k]) / (arc[k + 1] - arc[k])) / chords;
+      const std::array<double, 3> B{(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t};
+      for (std::size_t j = 0; j < 3; ++j) {
+        content[i0 + j] += weight * width * B[j] * height;
+        length[i0 + j] += weight * width * B[j];
+      }
+    };
+    add(s0, h0, 1.0 / 6.0);  // Simpson: exact
+    add(middle, 0.5 * (h0 + h1), 4.0 / 6.0);
+    add(s1, h1, 1.0 / 6.0);
+  }
+  content[1] += content[0];
+  content[n - 2] += content[n - 1];
+  std::vector<double> W(n, 0.0);
+  for (std::size_t j = 1; j + 1 < n; ++j) W[j] = content[j] / length[j];
+  std::vector<double> shift = W;
+  for (std::size_t j = 1; j + 1 < n; j += 2) shift[j] = 0.25 * (W[j - 1] + 2.0 * W[j] + W[j + 1]);
+  return shift;
+}
+
 /// The points of a worn edge moved by their local shifts.
-Points placed(const Points& old, const Points& fresh) {
-  const std::vector<double> shift = local_shifts(old, fresh);
+Points placed(const Points& old, const Points& fresh, int order) {
+  const std::vector<double> shift = order == 1 ? local_shifts(old, fresh) : curved_shifts(old, fresh);
   Points p = fresh;
   for (std::size_t i = 1; i + 1 < fresh.size(); ++i) {
     const Vec2 in = fresh[i] - fresh[i - 1], out = fresh[i + 1] - fresh[i];
@@ -141,30 +190,42 @@ Points placed(const Points& old, const Points& fresh) {
   return p;
 }
 
+/// Content between a quadratic edge and its chord: what is lost when the one becomes the other.
+double under_curve(Analysis analysis, const Vec2& a, const Vec2& mid, const Vec2& b) {
+  const Vec2 control = 2.0 * mid - 0.5 * (a + b);
+  const std::array<Vec2, 3> onto_chord{Vec2::Zero(), Vec2::Zero(), 0.5 * (a + b) - control};
+  return swept_volume(analysis, std::array{a, b, control}, onto_chord);
+}
+
 }  // namespace
 
-double fan_volume(Analysis analysis, const Points& p) {
+double fan_volume(Analysis analysis, const Points& p, int order) {
   const bool ring = analysis == Analysis::axisymmetric;
+  const auto step = static_cast<std::size_t>(order);
   double sum = 0.0;
-  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-    const double area = 0.5 * base::cross(p[i] - p[0], p[i + 1] - p[i]);
-    sum += ring ? 2.0 * std::numbers::pi / 3.0 * area * (p[0].x() + p[i].x() + p[i + 1].x()) : area;
+  for (std::size_t i = step; i + step < p.size(); i += step) {
+    const double area = 0.5 * base::cross(p[i] - p[0], p[i + step] - p[i]);
+    sum += ring ? 2.0 * std::numbers::pi / 3.0 * area * (p[0].x() + p[i].x() + p[i + step].x()) : area;
   }
+  for (std::size_t i = 0; order == 2 && i + 2 < p.size(); i += 2)
+    sum += under_curve(analysis, p[i], p[i + 1], p[i + 2]);
   return sum;
 }
 
-Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges) {
+Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges,
+                   int order) {
   Correction c{Points(after.size(), Vec2::Zero())};
   std::vector<Points> fresh;
   std::vector<double> missing;
   std::size_t longest = edges.size();
-  const auto correctable = [&](std::size_t k) { return edges[k].worn && edges[k].after.size() > 2; };
+  const std::size_t shortest = 1 + static_cast<std::size_t>(order);  // an edge of one facet has no inner vertex
+  const auto correctable = [&](std::size_t k) { return edges[k].worn && edges[k].after.size() > shortest; };
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const Points old = at(before, edges[k].before), made = at(after, edges[k].after);
-    fresh.push_back(correctable(k) ? placed(old, made) : made);
-    const double content = fan_volume(analysis, old);
-    c.residue += fan_volume(analysis, made) - content;
-    missing.push_back(content - fan_volume(analysis, fresh[k]));
+    fresh.push_back(correctable(k) ? placed(old, made, order) : made);
+    const double content = fan_volume(analysis, old, order);
+    c.residue += fan_volume(analysis, made, order) - content;
+    missing.push_back(content - fan_volume(analysis, fresh[k], order));
     if (correctable(k) && (longest == edges.size() || length(fresh[k]) > length(fresh[longest]))) longest = k;
   }
   for (std::size_t k = 0; k < edges.size(); ++k)
@@ -175,7 +236,7 @@ Correction correct(Analysis analysis, const Points& before, const Points& after,
   for (std::size_t k = 0; k < edges.size(); ++k) {
     if (!correctable(k)) continue;
     const Points d = directions(fresh[k]);
-    const double by = gain(analysis, fresh[k], d, missing[k]);
+    const double by = gain(analysis, fresh[k], d, missing[k], order);
     for (std::size_t i = 1; i + 1 < fresh[k].size(); ++i) {
       const int node = edges[k].after[i];
       c.shift[node] = fresh[k][i] + by * d[i] - after[node];

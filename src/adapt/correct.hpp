@@ -24,14 +24,17 @@ struct Correction {
 };
 
 /// Content between the polygon of `points` and its closing chord, body on the left: 1/2 sum (x_i - x_0) cross (x_(i+1) - x_i);
-/// in axisymmetry of the solid of revolution.
-double fan_volume(Analysis analysis, const Points& points);
+/// in axisymmetry of the solid of revolution. In second order every second point is the middle node of a quadratic
+/// edge, whose curve bounds the content.
+double fan_volume(Analysis analysis, const Points& points, int order = 1);
 
 /// Shifts the inner nodes of every worn edge along their normals: first each by the mean height of the old outline over
 /// the new one round it, int N_k h ds / int N_k ds, so that content is kept where it was; then all by one length, less
 /// within two facets of the ends, that gives the edge its whole content, found by the secant method down to round-off.
 /// Edges are measured one by one from their own first point, so that no digits go into the size of the body. What
-/// straight edges and worn edges without inner nodes have too much goes to the longest worn edge.
-Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges);
+/// straight edges and worn edges without inner nodes have too much goes to the longest worn edge. In second order edges
+/// list middle nodes between vertices, and N_k are the Bernstein functions of vertices and control points.
+Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges,
+                   int order = 1);
 
 }  // namespace reye::adapt

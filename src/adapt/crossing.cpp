@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapt/strip.hpp"
+#include "mesh/quadratic_edge.hpp"
 
 namespace reye::adapt {
 
@@ -21,11 +22,38 @@ using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
 
 Point point(const base::Vec2& x) { return {x.x(), x.y()}; }
 
-std::vector<Facet> facets_of(const mesh::Mesh& mesh) {
-  std::vector<Facet> facets;
+/// The outline as straight pieces: its points, the pieces, and the outline nodes each lies between.
+struct Pieces {
+  base::Points X;
+  std::vector<Facet> facets, between;
+};
+
+/// Points on half a quadratic edge, from outline place k to the next one, both included.
+std::vector<int> points_along(const mesh::Mesh& mesh, const mesh::Chain& loop, std::size_t k, base::Points& X) {
+  constexpr int pieces = 4;
+  const std::size_t first = k - k % 2;
+  const mesh::QuadraticEdge edge{mesh.X[loop[first]], mesh.X[loop[first + 1]], mesh.X[loop[first + 2]]};
+  std::vector<int> points{loop[k]};
+  for (int i = 1; i < pieces; ++i) {
+    points.push_back(static_cast<int>(X.size()));
+    X.push_back(edge.at((k == first ? -1.0 : 0.0) + static_cast<double>(i) / pieces));
+  }
+  points.push_back(loop[k + 1]);
+  return points;
+}
+
+Pieces pieces_of(const mesh::Mesh& mesh) {
+  Pieces p{mesh.X, {}, {}};
+  const bool straight = mesh::order(mesh.kind) == 1;
   for (const auto& loop : mesh.outline)
-    for (std::size_t k = 0; k + 1 < loop.size(); ++k) facets.push_back({loop[k], loop[k + 1]});
-  return facets;
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
+      const auto points = straight ? std::vector<int>{loop[k], loop[k + 1]} : points_along(mesh, loop, k, p.X);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        p.facets.push_back({points[i], points[i + 1]});
+        p.between.push_back({loop[k], loop[k + 1]});
+      }
+    }
+  return p;
 }
 
 /// Neighbours p -> q -> r share q; they clash only when r lies back on the line of p -> q.
@@ -33,8 +61,8 @@ bool folded(const Point& p, const Point& q, const Point& r) {
   return CGAL::orientation(p, q, r) == CGAL::COLLINEAR && CGAL::angle(p, q, r) == CGAL::ACUTE;
 }
 
-bool clash(const mesh::Mesh& mesh, const Facet& f, const Facet& g) {
-  const auto at = [&](int node) { return point(mesh.X[node]); };
+bool clash(const base::Points& X, const Facet& f, const Facet& g) {
+  const auto at = [&](int node) { return point(X[node]); };
   if (f.b == g.a) return folded(at(f.a), at(f.b), at(g.b));
   if (g.b == f.a) return folded(at(g.a), at(g.b), at(f.b));
   return CGAL::do_intersect(Kernel::Segment_2(at(f.a), at(f.b)), Kernel::Segment_2(at(g.a), at(g.b)));
@@ -100,18 +128,18 @@ std::string meaning(const Crossing& c, const mesh::Mesh& now, const mesh::Mesh& 
 }
 
 std::optional<Crossing> find_crossing(const mesh::Mesh& mesh) {
-  const auto facets = facets_of(mesh);
+  const auto [X, facets, between] = pieces_of(mesh);
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(facets.size()); ++i)
-    boxes.emplace_back(point(mesh.X[facets[i].a]).bbox() + point(mesh.X[facets[i].b]).bbox(), i);
+    boxes.emplace_back(point(X[facets[i].a]).bbox() + point(X[facets[i].b]).bbox(), i);
   std::optional<std::pair<int, int>> first;  // the smallest pair, so that the answer does not hang on box order
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
     const std::pair pair{std::min(x.info(), y.info()), std::max(x.info(), y.info())};
-    if (!clash(mesh, facets[pair.first], facets[pair.second])) return;
+    if (!clash(X, facets[pair.first], facets[pair.second])) return;
     if (!first || pair < *first) first = pair;
   });
   if (!first) return std::nullopt;
-  const auto &f = facets[first->first], &g = facets[first->second];
+  const auto &f = between[first->first], &g = between[first->second];
   return Crossing{{f.a, f.b}, {g.a, g.b}, 0.5 * (mesh.X[f.a] + mesh.X[f.b])};
 }
 

@@ -14,7 +14,9 @@ struct Crossing {
   base::Vec2 at{0.0, 0.0};               ///< middle of the first
 };
 
-/// The first place where the loops of an outline cross or touch themselves or each other; n log^2 n, exact.
+/// The first place where the loops of an outline cross or touch themselves or each other; n log^2 n, exact. Curved
+/// edges count as the eight chords between points on them, which leave them by 1/64 of their height over the whole
+/// chord.
 std::optional<Crossing> find_crossing(const mesh::Mesh& mesh);
 
 /// What a crossing means for the body: "worn through to boundary 'bottom'" (or "the unworn outline") when only one of

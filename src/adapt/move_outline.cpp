@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "adapt/outline.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double max_advance = 0.2, max_correction = 1e-2;
 constexpr int max_parts = 1024;
 
+/// Where along its chord a middle node may be.
+constexpr double first_middle = 0.4, last_middle = 0.6;
+
 struct Motion {
   Analysis analysis;
   const Outline& outline;
@@ -21,6 +25,30 @@ struct Motion {
   const std::vector<Facet> facets;
   const double volume;
 };
+
+/// Steps of all nodes and control points for a share of the wear.
+Points steps(const Motion& m, const Points& P, double share) {
+  Points step(P.size(), Vec2::Zero());
+  std::vector<double> volume(P.size(), 0.0);
+  for (const auto& worn : m.nodes)
+    if (m.outline.middle[worn.node])
+      volume[worn.node] = share * worn.total();
+    else
+      step[worn.node] = share * nodal_step(m.analysis, P, m.outline, worn);
+  for (const auto& [a, b, c] : m.facets)
+    if (c >= 0) step[c] = control_step(m.analysis, {P[a], P[b], P[c]}, {step[a], step[b]}, volume[c]);
+  return step;
+}
+
+/// Keeps middle nodes away from the ends of their edges: they go along the new chord, which in the plane costs no area.
+void centre(const Motion& m, const Points& P, Points& step) {
+  for (const auto& [a, b, c] : m.facets) {
+    if (c < 0) continue;
+    const Vec2 first = P[a] + step[a], chord = P[b] + step[b] - first;
+    const double s = 0.25 + 0.5 * (P[c] + step[c] - first).dot(chord) / chord.squaredNorm();
+    step[c] += 2.0 * (std::clamp(s, first_middle, last_middle) - s) * chord;
+  }
+}
 
 /// A node that went too far in one part, -1 if none did.
 struct Overshoot {
@@ -50,28 +78,32 @@ std::string too_far(const Vec2& at, double ratio) {
   return text.str();
 }
 
-/// One part of the motion in place; empty failure when it kept within the limits.
+/// One part of the motion of nodes and control points in place; empty failure when it kept within the limits.
 void move_part(const Motion& m, int parts, MovedOutline& moved) {
   const double share = 1.0 / parts;
-  Points step(moved.X.size(), Vec2::Zero());
-  for (const auto& worn : m.nodes) step[worn.node] = share * nodal_step(m.analysis, moved.X, m.outline, worn);
+  Points step = steps(m, moved.X, share);
   const auto worst = overshoot(m, moved.X, step);
   if (worst.node >= 0) {
     moved.failure = too_far(moved.X[worst.node], worst.ratio);
     return;
   }
+  centre(m, moved.X, step);
   const double theta = exact_factor(m.analysis, moved.X, m.facets, step, share * m.volume);
   if (!(std::abs(theta - 1.0) <= max_correction)) {
     moved.failure = too_far(moved.X[m.nodes.front().node], std::numeric_limits<double>::quiet_NaN());
     return;
   }
   if (std::abs(theta - 1.0) > std::abs(moved.theta - 1.0)) moved.theta = theta;
-  for (const auto& worn : m.nodes) moved.X[worn.node] += theta * step[worn.node];
+  for (const auto& worn : m.nodes)
+    if (!m.outline.middle[worn.node]) moved.X[worn.node] += theta * step[worn.node];
+  for (const auto& facet : m.facets)
+    if (facet.c >= 0) moved.X[facet.c] += theta * step[facet.c];
 }
 
 MovedOutline move_in(const Motion& m, const Points& X, int parts) {
-  MovedOutline moved{X, 1.0, parts, {}};
+  MovedOutline moved{control_points(m.facets, X), 1.0, parts, {}};
   for (int part = 0; part < parts && moved.failure.empty(); ++part) move_part(m, parts, moved);
+  moved.X = middle_nodes(m.facets, std::move(moved.X));
   return moved;
 }
 

@@ -65,16 +65,21 @@ double largest_size(const mesh::Mesh& mesh) {
   std::vector<double> size;
   for (const auto& cell : mesh.cells)
     size.push_back(std::sqrt((mesh::corners(mesh.kind) == 3 ? 2.0 : 1.0) * mesh::cell_area(mesh.X, mesh.kind, cell)));
+  const auto edge = static_cast<std::size_t>(mesh::order(mesh.kind));
   for (std::size_t l = 0; mesh.cells.empty() && l < mesh.outline.size(); ++l)
-    for (std::size_t i = 0; i + 1 < mesh.outline[l].size(); ++i)
-      size.push_back((mesh.X[mesh.outline[l][i + 1]] - mesh.X[mesh.outline[l][i]]).norm());
+    for (std::size_t i = 0; i + edge < mesh.outline[l].size(); i += edge)
+      size.push_back((mesh.X[mesh.outline[l][i + edge]] - mesh.X[mesh.outline[l][i]]).norm());
   const std::size_t at = size.size() * 19 / 20;
   std::nth_element(size.begin(), size.begin() + static_cast<std::ptrdiff_t>(at), size.end());
   return size[at];
 }
 
 /// The zone that keeps the fine facets of an edge fine: from its smallest facet to those twice as long.
-std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, const std::vector<int>& nodes, double far) {
+std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, std::vector<int> nodes, double far) {
+  if (mesh::order(mesh.kind) == 2) {
+    for (std::size_t i = 1; 2 * i < nodes.size(); ++i) nodes[i] = nodes[2 * i];  // vertices
+    nodes.resize(nodes.size() / 2 + 1);
+  }
   std::vector<double> facet;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) facet.push_back((mesh.X[nodes[i + 1]] - mesh.X[nodes[i]]).norm());
   const double smallest = *std::min_element(facet.begin(), facet.end());

@@ -63,12 +63,17 @@ bool drawn_corner(const Source& s, const Segment& before, const Segment& after) 
 std::vector<Segment> segments_of(const Source& s) {
   std::vector<Segment> segments;
   const auto& loop = s.shape.mesh.outline[s.loop];
+  const auto step = static_cast<std::size_t>(mesh::order(s.shape.mesh.kind));
   for (int k = 0; k < static_cast<int>(s.drawing.part.loops[s.loop].size()); ++k) {
     const auto nodes = nodes_on(loop, s.traced.start[s.loop], static_cast<std::size_t>(k));
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      Segment segment{nodes[i], nodes[i + 1], k, i == 0, i + 2 == nodes.size()};
+    for (std::size_t i = 0; i + step < nodes.size(); i += step) {
+      Segment segment{nodes[i], nodes[i + step], k, i == 0, i + step + 1 == nodes.size()};
       segment.length = (s.now(segment.b) - s.now(segment.a)).norm();
       segment.worn = worn_here(s, k, segment.a) || worn_here(s, k, segment.b);
+      if (step == 2) {
+        segment.mid = nodes[i + 1];
+        segment.worn = segment.worn || worn_here(s, k, segment.mid);
+      }
       segments.push_back(segment);
     }
   }
@@ -94,7 +99,10 @@ double tolerance_of(const Source& s, const std::vector<Segment>& run) {
 
 Points places(const Source& s, const std::vector<Segment>& run) {
   Points points{s.now(run.front().a)};
-  for (const Segment& segment : run) points.push_back(s.now(segment.b));
+  for (const Segment& segment : run) {
+    if (segment.mid >= 0) points.push_back(s.now(segment.mid));
+    points.push_back(s.now(segment.b));
+  }
   return points;
 }
 

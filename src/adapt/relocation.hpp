@@ -11,7 +11,9 @@ using base::Points;
 
 /// Carries a motion of the outline into the interior of the mesh a shape was born on.
 /// Energy: sum over cells of 1/area int |Grad v|^2, an elastic body that is stiff where its cells are small, so
-/// that small cells move nearly rigidly and large ones give way; both components share one factor.   (README, 4)
+/// that small cells move nearly rigidly and large ones give way; both components share one factor.
+/// In second order it is that of the vertices, and inner middle nodes follow the ends of their edges by halves.
+/// (README, 4)
 class InteriorMotion {
  public:
   explicit InteriorMotion(const mesh::Mesh& born);

@@ -94,7 +94,7 @@ std::shared_ptr<const body::Shape> mesh_of(const cad::Drawing& drawing, const me
   mesh::Mesh fresh = cad::remesh(drawing, most_nodes);
   const auto pairs = pairs_of(drawing, worn, fresh, result.failure);
   if (!result.failure.empty()) return {};
-  const auto correction = correct(analysis, worn.X, fresh.X, pairs);
+  const auto correction = correct(analysis, worn.X, fresh.X, pairs, mesh::order(fresh.kind));
   result.area_residue = correction.residue;
   result.largest_correction_mm = correction.largest_mm;
   if (correction.largest_mm > 0.0) apply(fresh, correction.shift);

@@ -92,7 +92,8 @@ std::vector<Range> stretches(const std::vector<Segment>& loop) {
 
 double turning_at(const std::vector<Segment>& loop, std::size_t i, const Points& X) {
   const Segment &before = loop[(i + loop.size() - 1) % loop.size()], &after = loop[i];
-  const base::Vec2 in = X[before.b] - X[before.a], out = X[after.b] - X[after.a];
+  const base::Vec2 in = X[before.b] - X[before.mid < 0 ? before.a : before.mid];
+  const base::Vec2 out = X[after.mid < 0 ? after.b : after.mid] - X[after.a];
   return std::abs(std::atan2(base::cross(in, out), in.dot(out)));
 }
 

@@ -19,6 +19,7 @@ struct Segment {
   bool worn = false;        ///< to be drawn through its nodes
   bool hard = false;        ///< nothing is drawn across its node a: a corner, or names change
   double length = 0.0;      ///< now [mm]
+  int mid = -1;             ///< in second order the node in the middle
 };
 
 /// Angle by which the outline turns at the node where segment i of a closed loop starts, without sign [rad].

@@ -47,7 +47,7 @@ void relocate(mesh::Mesh& mesh, const std::shared_ptr<const mesh::Mesh>& born, c
 double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets) {
   Points moved(before.size());
   for (std::size_t j = 0; j < before.size(); ++j) moved[j] = after[j] - before[j];
-  return strip_volume(analysis, before, facets, moved);
+  return strip_volume(analysis, control_points(facets, before), facets, control_points(facets, std::move(moved)));
 }
 
 /// The mesh after the outline has moved: refused when that crosses itself; `poor` where an element is.

@@ -20,9 +20,12 @@ Marks marks_of(const mesh::Mesh& born, const std::vector<WornNode>& worn) {
       if (chain.front() != chain.back()) marks.stop[chain.front()] = marks.stop[chain.back()] = 1;
   for (const auto& loop : born.outline)
     for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
-      const Vec2& p = born.X[loop[k == 0 ? loop.size() - 2 : k - 1]];
-      const Vec2 in = born.X[loop[k]] - p, out = born.X[loop[k + 1]] - born.X[loop[k]];
-      if (std::abs(base::cross(in, out)) > 1e-9 * in.norm() * out.norm()) marks.stop[loop[k]] = 1;
+      const int before = loop[k == 0 ? loop.size() - 2 : k - 1];
+      const Vec2 in = born.X[loop[k]] - born.X[before], out = born.X[loop[k + 1]] - born.X[loop[k]];
+      if (std::abs(base::cross(in, out)) > 1e-9 * in.norm() * out.norm()) {
+        marks.stop[loop[k]] = 1;
+        if (mesh::order(born.kind) == 2 && k % 2 == 1) marks.stop[before] = marks.stop[loop[k + 1]] = 1;  // a curve
+      }
       marks.slack = std::max(marks.slack, 1e-14 * born.X[loop[k]].cwiseAbs().maxCoeff());
     }
   for (const auto& node : worn) marks.worn[node.node] = 1;

@@ -31,37 +31,101 @@ bool runs_along(const Surface& s, int node, const Vec2& way) {
   return false;
 }
 
-SegmentTree facets_of(const Surface& surface) {
-  std::vector<SegmentTree::Segment> segments;
-  for (const auto& [a, b, mid] : surface.facets) segments.push_back({surface.X[a], surface.X[b]});
-  return SegmentTree(std::move(segments));
+/// Values of the nodes of a facet at t in [0, 1]: linear, or by Bernstein functions.
+template <class T>
+T at(const mortar::Facet& facet, double t, const std::vector<T>& values) {
+  const auto [a, b, c] = facet;
+  if (t == 0.0) return values[a];
+  if (t == 1.0) return values[b];
+  if (c < 0) return (1.0 - t) * values[a] + t * values[b];
+  return (1.0 - t) * (1.0 - t) * values[a] + t * t * values[b] + 2.0 * t * (1.0 - t) * values[c];
 }
 
-/// The closest point of `on` (its facets in `tree`) for every node of `nodes`.
-std::vector<Foot> feet(const Surface& on, const SegmentTree& tree, const Surface& nodes) {
+/// Where a node is on the surface: a control point in the middle of its curve.
+Vec2 place(const Surface& s, int node) {
+  return s.is_control_point(node) ? at(s.facets[s.before[node]], 0.5, s.X) : s.X[node];
+}
+
+/// Facets as chords to be searched: curved ones in pieces.
+struct Line {
+  struct Piece {
+    int facet = -1;
+    double from = 0.0, to = 1.0;
+  };
+  std::vector<Piece> pieces;
+  SegmentTree tree;
+};
+
+Line line_of(const Surface& surface) {
+  constexpr int chords = 4;  // of a curved facet
+  std::vector<Line::Piece> pieces;
+  std::vector<SegmentTree::Segment> segments;
+  for (int f = 0; f < surface.facet_count(); ++f) {
+    const auto& facet = surface.facets[f];
+    const int n = facet[2] < 0 ? 1 : chords;
+    for (int i = 0; i < n; ++i) {
+      pieces.push_back({f, static_cast<double>(i) / n, static_cast<double>(i + 1) / n});
+      segments.push_back({at(facet, pieces.back().from, surface.X), at(facet, pieces.back().to, surface.X)});
+    }
+  }
+  return {std::move(pieces), SegmentTree(std::move(segments))};
+}
+
+/// The point of a curved facet closest to p: Newton for (x(t) - p) . x'(t) = 0 from t on, clamped to the facet.
+Foot on_curve(const Surface& s, int facet, double t, const Vec2& p) {
+  const auto [a, b, c] = s.facets[facet];
+  const Vec2 start = 2.0 * (s.X[c] - s.X[a]), bend = 2.0 * (s.X[a] + s.X[b] - 2.0 * s.X[c]);  // x' = start + t bend
+  for (int step = 0; step < 20; ++step) {
+    const Vec2 tangent = start + t * bend, off = at(s.facets[facet], t, s.X) - p;
+    const double slope = std::max(tangent.squaredNorm() + off.dot(bend), 0.1 * tangent.squaredNorm());
+    const double next = std::clamp(t - off.dot(tangent) / slope, 0.0, 1.0);
+    if (std::abs(next - t) < 1e-15) break;
+    t = next;
+  }
+  return {facet, t, (at(s.facets[facet], t, s.X) - p).norm()};
+}
+
+/// The point of the surface beside the foot on a chord; past the end of a curved facet that of the next one.
+Foot refined(const Surface& s, const Line& line, const Foot& on_chord, const Vec2& p) {
+  const auto& [facet, from, to] = line.pieces[on_chord.segment];
+  if (s.facets[facet][2] < 0) return {facet, on_chord.s, on_chord.distance};
+  const Foot own = on_curve(s, facet, from + on_chord.s * (to - from), p);
+  const bool first = own.s == 0.0;
+  if (!first && own.s < 1.0) return own;
+  const int next = first ? s.before[s.facets[facet][0]] : s.after[s.facets[facet][1]];
+  if (next < 0 || s.facets[next][2] < 0) return own;
+  const Foot beside = on_curve(s, next, first ? 1.0 : 0.0, p);
+  return beside.distance < own.distance ? beside : own;
+}
+
+/// The closest point of `on` (its facets in `line`) for every node of `nodes`.
+std::vector<Foot> feet(const Surface& on, const Line& line, const Surface& nodes) {
   const double same = round_off * largest_coordinate(on);
   std::vector<Foot> result;
   for (int k = 0; k < nodes.node_count(); ++k) {
-    const Foot any = tree.nearest(nodes.X[k]);
-    const auto fits = [&](int facet) { return runs_along(nodes, k, direction(on, facet)); };
-    const Foot own = fits(any.segment) ? any : tree.nearest(nodes.X[k], fits, any.distance + same);
-    result.push_back(own.segment < 0 ? any : own);
+    const Vec2 x = place(nodes, k);
+    const Foot any = line.tree.nearest(x);
+    const auto fits = [&](int piece) { return runs_along(nodes, k, direction(on, line.pieces[piece].facet)); };
+    const Foot own = fits(any.segment) ? any : line.tree.nearest(x, fits, any.distance + same);
+    result.push_back(refined(on, line, own.segment < 0 ? any : own, x));
   }
   return result;
 }
 
-Values interpolated(const Surface& from, const Values& values, const std::vector<Foot>& feet) {
+Values interpolated(const Surface& from, const Values& values, const Surface& to, const std::vector<Foot>& feet) {
   Values result;
-  for (const auto& [facet, s, distance] : feet) {
-    const auto [a, b, mid] = from.facets[facet];
-    result.push_back(s == 0.0 ? values[a] : s == 1.0 ? values[b] : (1.0 - s) * values[a] + s * values[b]);
-  }
+  for (const auto& [facet, s, distance] : feet) result.push_back(at(from.facets[facet], s, values));
+  for (const auto& [a, b, c] : to.facets)
+    if (c >= 0) result[c] = 2.0 * result[c] - 0.5 * (result[a] + result[b]);
   return result;
 }
 
 Values nearest(const Surface& from, const Values& values, const std::vector<Foot>& feet) {
   Values result;
-  for (const auto& foot : feet) result.push_back(values[from.facets[foot.segment][foot.s > 0.5 ? 1 : 0]]);
+  for (const auto& [facet, s, distance] : feet) {
+    const auto [a, b, c] = from.facets[facet];
+    result.push_back(values[c >= 0 && std::abs(s - 0.5) <= 0.25 ? c : s > 0.5 ? b : a]);
+  }
   return result;
 }
 
@@ -79,14 +143,16 @@ long double magnitude(const Values& values) {
 
 /// Each old share given to the new facet it lies on, split by area: for fields the new nodes are too coarse to see.
 Values landed(const Surface& from, const Values& values, const Surface& to) {
-  const auto tree = facets_of(to);
-  const auto places = feet(to, tree, from);
+  const auto places = feet(to, line_of(to), from);
   Values result(to.X.size(), 0.0);
   for (std::size_t j = 0; j < values.size(); ++j) {
-    const auto [a, b, mid] = to.facets[places[j].segment];
+    const auto [a, b, c] = to.facets[places[j].segment];
+    const double middle = c < 0 ? 0.0 : to.area[c] / (to.area[a] + to.area[b] + to.area[c]);
     const double share = to.area[a] / (to.area[a] + to.area[b]);
-    result[a] += share * values[j];
-    result[b] += (1.0 - share) * values[j];
+    if (c >= 0) result[c] += middle * values[j];
+    const double rest = (1.0 - middle) * values[j];
+    result[a] += share * rest;
+    result[b] += (1.0 - share) * rest;
   }
   return result;
 }
@@ -101,7 +167,12 @@ Values summed(const Surface& from, const Values& values, const Surface& to, cons
   Values density(values.size(), 0.0);
   for (std::size_t j = 0; j < values.size(); ++j)
     if (from.area[j] > 0.0) density[j] = values[j] / from.area[j];
-  Values result = interpolated(from, density, feet);
+  Values result = interpolated(from, density, to, feet);
+  const auto [least, most] = std::minmax_element(density.begin(), density.end());
+  for (double& d : result) {  // the coefficient of a control point may overshoot
+    if (*least >= 0.0) d = std::max(d, 0.0);
+    if (*most <= 0.0) d = std::min(d, 0.0);
+  }
   for (std::size_t k = 0; k < result.size(); ++k) result[k] *= to.area[k];
   if (std::abs(sum(values) - sum(result)) > magnitude(result)) result = landed(from, values, to);
   if (magnitude(result) > 0.0L) keep_sum(result, sum(values));
@@ -114,15 +185,14 @@ SurfaceTransfer carry(const Surface& from, const std::vector<SurfaceField>& fiel
   SurfaceTransfer result;
   if (fields.empty()) return result;
   assert(from.facet_count() > 0 && to.facet_count() > 0);
-  const auto tree = facets_of(from);
-  const auto places = feet(from, tree, to);
+  const auto places = feet(from, line_of(from), to);
   for (const auto& place : places) result.largest_distance = std::max(result.largest_distance, place.distance);
   for (const auto& [name, kind, values] : fields) {
     assert(values.size() == from.X.size());
     result.fields.push_back({name, kind,
                              kind == SurfaceKind::summed    ? summed(from, values, to, places)
                              : kind == SurfaceKind::nearest ? nearest(from, values, places)
-                                                            : interpolated(from, values, places)});
+                                                            : interpolated(from, values, to, places)});
   }
   return result;
 }

@@ -9,12 +9,12 @@ namespace reye::adapt {
 
 /// What a nodal value of a surface is, hence how it is carried (README, 6).
 enum class SurfaceKind {
-  interpolated,  ///< value at a point: linear along the old polyline
+  interpolated,  ///< value at a point: linear along the old polyline, quadratic along curved facets
   summed,        ///< nodal share of an integral: its density is interpolated, its sum kept
   nearest        ///< label: that of the nearest old node
 };
 
-/// values: one per node of the surface.
+/// values: one per node of the surface; at control points the coefficient of their Bernstein function.
 struct SurfaceField {
   std::string name;
   SurfaceKind kind = SurfaceKind::interpolated;
@@ -27,8 +27,9 @@ struct SurfaceTransfer {
 };
 
 /// The fields of `from` on the nodes of `to`, both made of the same named boundary of the old and the new mesh, each
-/// with at least one facet. A new node belongs to the closest point of the old polyline; of facets that are equally
-/// near to round-off, one that runs its own way. Identical surfaces: identical values to round-off.
+/// with at least one facet. A new node, or the middle of the curve of a new control point, belongs to the closest point
+/// of the old line; of facets that are equally near to round-off, one that runs its own way. A new control point gets
+/// the coefficient that makes the value in the middle right. Identical surfaces: identical values to round-off.
 SurfaceTransfer carry(const mortar::Surface& from, const std::vector<SurfaceField>& fields, const mortar::Surface& to);
 
 }  // namespace reye::adapt

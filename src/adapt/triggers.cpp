@@ -36,12 +36,13 @@ Measured poorest_changed(const body::Shape& shape, const Points& x, double best,
 
 Measured largest_size_ratio(const body::Shape& shape, const Points& x) {
   Measured largest{1.0};
+  const auto edge = static_cast<std::size_t>(mesh::order(shape.mesh.kind));  // from vertex to vertex
   for (const auto& loop : shape.mesh.outline)
-    for (std::size_t i = 0; i + 1 < loop.size(); ++i) {
-      const double now = (x[loop[i + 1]] - x[loop[i]]).norm();
-      const double born = (shape.born->X[loop[i + 1]] - shape.born->X[loop[i]]).norm();
+    for (std::size_t i = 0; i + edge < loop.size(); i += edge) {
+      const double now = (x[loop[i + edge]] - x[loop[i]]).norm();
+      const double born = (shape.born->X[loop[i + edge]] - shape.born->X[loop[i]]).norm();
       const double ratio = std::max(now / born, born / now);
-      if (ratio > largest.value) largest = {ratio, 0.5 * (shape.mesh.X[loop[i]] + shape.mesh.X[loop[i + 1]])};
+      if (ratio > largest.value) largest = {ratio, 0.5 * (shape.mesh.X[loop[i]] + shape.mesh.X[loop[i + edge]])};
     }
   return largest;
 }
