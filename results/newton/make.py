@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Residuals of every Newton iteration of the Hertz and Cattaneo-Mindlin scenes, from the library (its verification test writes them)."""
+"""Residuals of every Newton iteration of four scenes, from the library (its verification test writes them)."""
 import csv
 import math
 import os
@@ -39,12 +39,21 @@ def main():
         measured[f"{name}_smallest_order"] = min(orders)
         measured[f"{name}_most_iterations"] = max(r["iteration"] for r in rows)
         pairs += [[name, a, b] for a, b in found]
+    for name in ("ironing", "pressed_ring_plastic"):   # a row is a renewal of the nonlinear bodies
+        rows = rows_of(name)
+        found = tails(rows)
+        orders = sorted(math.log(b) / math.log(a) for a, b in found)
+        measured[f"{name}_median_order"] = orders[len(orders) // 2]
+        measured[f"{name}_most_iterations"] = max(r["iteration"] for r in rows)
+        pairs += [[name, a, b] for a, b in found]
     write_csv("tails.csv", ["scene", "residual", "next_residual"], pairs)
     write_measured(measured)
     figure("set logscale xy\nset format '%.0e'\nset xlabel 'residual'\nset ylabel 'next residual'\nset key top left notitle\n"
            "set title 'settled active set: the next residual is the square'\n"
            "plot '< grep ^hertz tails.csv' using 2:3 pt 7 title 'Hertz', "
-           "'< grep ^cattaneo tails.csv' using 2:3 pt 6 title 'Cattaneo-Mindlin', x**2 with lines lc 'black' title 'r^2'\n")
+           "'< grep ^cattaneo tails.csv' using 2:3 pt 6 title 'Cattaneo-Mindlin', "
+           "'< grep ^ironing tails.csv' using 2:3 pt 1 title 'ironing', "
+           "'< grep ^pressed tails.csv' using 2:3 pt 2 title 'pressed ring, plastic', x**2 with lines lc 'black' title 'r^2'\n")
 
 
 if __name__ == "__main__":

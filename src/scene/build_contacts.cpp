@@ -103,6 +103,7 @@ contact::ContactOptions contact_of(const Entry& entry, Issues& issues) {
   contact.imposed = entry.given("imposed_sliding_mm");
   contact.imposed_sliding_mm = entry.number("imposed_sliding_mm");
   contact.implicit_wear = entry.flag("implicit");
+  contact.dual = entry.text("dual") == "linear" ? contact::DualOrder::linear : contact::DualOrder::quadratic;
   contact.search_mm = entry.number("search_mm");
   contact.c_normal = entry.number("c_normal");
   contact.c_tangential = entry.number("c_tangential");

@@ -101,7 +101,6 @@ std::string choice_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   const auto value = key.type == Type::whole ? shown(node.number) : node.text;
   if (listed(key.range.choices, value)) return {};
-  if (listed(key.range.later, value)) return "only " + choices_of(key) + " is built in this version";
   return rule_of(key) + or_a_table(place);
 }
 

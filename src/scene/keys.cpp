@@ -7,9 +7,7 @@ namespace {
 constexpr Range any{};
 constexpr Range positive{.low = 0.0, .low_open = true};
 constexpr Range at_least(double low) { return {.low = low}; }
-constexpr Range one_of(std::string_view choices, std::string_view later = {}) {
-  return {.choices = choices, .later = later};
-}
+constexpr Range one_of(std::string_view choices) { return {.choices = choices}; }
 
 constexpr Key table[] = {
     {"title", Type::text, "", "", any, "headline of the results; without it the scene's name"},
@@ -79,7 +77,8 @@ constexpr Key table[] = {
      "cycles, increasing; a block takes the coefficient at the cycle it begins with"},
     {"contact.*.friction.value", Type::numbers, "", "required", at_least(0.0),
      "coefficient at each of them, straight lines between, constant before and after"},
-    {"contact.*.dual", Type::text, "", "linear", one_of("linear", "quadratic"), "basis of the multipliers"},
+    {"contact.*.dual", Type::text, "", "quadratic", one_of("linear|quadratic"),
+     "basis of the multipliers where the secondary body is of order 2; on order 1 it is linear"},
     {"contact.*.implicit", Type::flag, "", "true", any, "an increment's own wear stands inside its equations"},
     {"contact.*.imposed_sliding_mm", Type::number, "mm", "", any,
      "slip as a number per play of a step; without it slip comes from the motion"},

@@ -22,7 +22,6 @@ struct Range {
   bool low_open = false;
   bool high_open = false;
   std::string_view choices = {};
-  std::string_view later = {};  ///< choices that the grammar knows and this version does not build
 
   bool holds(double value) const;
 };
