@@ -99,7 +99,7 @@ TEST(ContactNewton, QuadraticTailWithRates) {
       "column", {{"secondary_per_MPa = 1.0e-7", "secondary_per_MPa = 1.0e-6, pressure_exponent = 0.8, pressure_ref_MPa = 50, "
                                                 "speed_exponent = -0.5, speed_ref_mm_per_s = 1000"},
                  {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
-  int tails = 0;
-  EXPECT_GT(smallest_order(rows, tails), 1.5);
-  EXPECT_GE(tails, 2);
+  const auto found = orders(rows);
+  ASSERT_GE(found.size(), 2U);
+  EXPECT_GT(found.front(), 1.5);
 }
