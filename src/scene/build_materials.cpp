@@ -65,8 +65,10 @@ material::Material material_of(const Entry& entry, Issues& issues) {
   if (law == "st_venant_kirchhoff") return material::StVenantKirchhoff{.E_MPa = E, .nu = nu};
   if (law == "hencky") return material::Hencky{.E_MPa = E, .nu = nu};
   if (law == "hencky_j2") {
+    const auto hardening = entry.at("hardening");
+    if (hardening.is_table())
+      return material::HenckyJ2{.E_MPa = E, .nu = nu, .hardening = hardening_of(hardening, issues)};
     if (!entry.given("hardening")) issues.push_back({entry.key("hardening"), "", "missing; hencky_j2 needs a table of it"});
-    return material::HenckyJ2{.E_MPa = E, .nu = nu, .hardening = hardening_of(entry.at("hardening"), issues)};
   }
   if (law == "neo_hookean") {
     const auto volumetric = volumetric_of(entry.text("volumetric"));

@@ -91,16 +91,16 @@ TEST(BadScene, Values) {
       {"laws that do not take a key",
        {{"nu    = 0.3", "nu = 0.3\nvolumetric = \"mixed\"\nhardening = { law = \"linear\", yield_MPa = 1 }"}},
        R"(scene.toml:9: material.steel.volumetric = "mixed": only neo_hookean takes one)" "\n"
-       R"(scene.toml:10: material.steel.hardening = { law = "linear", yield_MPa = 1 }: only hencky_j2 takes one)"},
+       "scene.toml:10: material.steel.hardening: only hencky_j2 takes one"},
       {"hardening missing",
        {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\""}, {"law   = \"linear_elastic\"", ""}},
-       "scene.toml:6: material.steel.hardening: missing; hencky_j2 needs a table of it"},
+       "scene.toml:5: material.steel.hardening: missing; hencky_j2 needs a table of it"},
       {"hardening parameters",
        {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\"\nhardening = { law = \"voce\", yield_MPa = 300, saturation_MPa = 200, exponent = 0.2 }"},
         {"law   = \"linear_elastic\"", ""}},
+       "scene.toml:10: material.steel.hardening.rate: missing; hardening by voce needs it\n"
        "scene.toml:10: material.steel.hardening.exponent = 0.2: hardening by voce takes none\n"
-       "scene.toml:10: material.steel.hardening.saturation_MPa = 200: must be >= yield_MPa\n"
-       "scene.toml:10: material.steel.hardening.rate: missing; hardening by voce needs it"},
+       "scene.toml:10: material.steel.hardening.saturation_MPa = 200: must be >= yield_MPa"},
       {"hardening table",
        {{"nu    = 0.3", "nu = 0.3\nlaw = \"hencky_j2\"\nhardening = { law = \"table\", points = [[0.1, 300], [0.2, 200]] }"},
         {"law   = \"linear_elastic\"", ""}},

