@@ -115,4 +115,10 @@ std::string why_remesh(const body::Shape& shape, const Points* current, const Tr
   return worst.text;
 }
 
+std::string why_renew(const body::Shape& shape, const Points& current, const Triggers& triggers) {
+  Reason worst;
+  judge(worst, measure(shape, current), triggers, " when deformed");
+  return worst.text;
+}
+
 }  // namespace reye::adapt

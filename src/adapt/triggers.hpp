@@ -36,4 +36,7 @@ MeshState measure(const body::Shape& shape, const base::Points& x);
 /// would ever do.
 std::string why_remesh(const body::Shape& shape, const base::Points* current, const Triggers& triggers);
 
+/// Why the current shape should become X on a fresh mesh: the same of the elements and facets of the current shape alone.
+std::string why_renew(const body::Shape& shape, const base::Points& current, const Triggers& triggers);
+
 }  // namespace reye::adapt

@@ -66,7 +66,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
-  archive(s.cycle, s.step, s.block, s.factors, s.solution, s.approached, s.life_cycles, s.limit_measure, s.counts,
+  archive(s.cycle, s.step, s.block, s.factors, s.solution, s.renewed_at, s.approached, s.life_cycles, s.limit_measure, s.counts,
           s.cutback_reasons);
 }
 

@@ -61,6 +61,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
       controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
       controls.contacts[c].thickness_primary = std::move(thickness.primary);
     }
+  count_from_renewal(controls, problem, system, state);
   if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
   solver::SolveResult result;
   {
@@ -80,13 +81,16 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     const std::string first = play(problem, state, cache, block, from, middle, depth - 1);
     return first.empty() ? play(problem, state, cache, block, middle, to, depth - 1) : first;
   }
-  Timer timer(cache, "sim");
-  state.solution = std::move(result.state);
-  state.factors = factors;
-  block.last_length = to - from;
-  ++state.counts.increments;
-  if (observer.increment)
-    observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
+  {
+    Timer timer(cache, "sim");
+    state.solution = std::move(result.state);
+    state.factors = factors;
+    block.last_length = to - from;
+    ++state.counts.increments;
+    if (observer.increment)
+      observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
+  }
+  if (renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
   return {};
 }
 

@@ -32,16 +32,27 @@ bool held_along(const Problem& problem, const solver::System& system, int body, 
 /// All increments of one block, with cut-backs.
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
-/// Why a body is to be meshed anew, empty: it is not; and whether its outline wants other facets, too.
+/// Why a body is to be meshed anew, empty: it is not; whether its outline wants other facets, too; and whether the
+/// current shape becomes X.
 struct RemeshReason {
   std::string text;
   bool divide = false;
+  bool renew = false;
 };
 
 /// Shape evolution of all worn bodies, fresh meshes where a trigger, or `asked` (per body, or none), wants them, then
 /// re-equilibration with the shear as history.
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked = {});
+
+/// Whether the current shape of a body may become its X: it is finitely strained, does not wear (removed volumes are
+/// unstressed), and nothing of it is counted on X but edges held or moved along fixed axes and pressures on whole edges.
+bool can_renew(const Problem& problem, int body);
+
+/// Bodies whose elements deformation has made poor: the current shape becomes X, meshed anew; Gauss points keep F0 and
+/// plastic state, contacts their tractions; then re-equilibration with the shear as history. Waits while wear waits in
+/// the gap. False: nothing was done, because there was no reason or, as the log then says, because it failed.
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
 /// Displacement of all mesh nodes of a body.
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,

@@ -4,15 +4,15 @@
 
 namespace reye::sim {
 
-namespace {
-
-using adapt::SurfaceKind;
-
 mortar::Surface surface_of(const contact::BoundaryRef& ref, base::Analysis analysis, const std::vector<body::ShapePtr>& shapes) {
   const auto& mesh = shapes[ref.body]->mesh;
   std::vector<int> nodes;
   return mortar::make_surface(mesh.X, mesh.boundaries.at(ref.boundary), analysis, nodes, mesh::order(mesh.kind));
 }
+
+namespace {
+
+using adapt::SurfaceKind;
 
 template <class Get>
 std::vector<double> column(std::size_t count, Get get) {

@@ -93,6 +93,16 @@ void set_friction(solver::Controls& controls, const Problem& problem, double cyc
       controls.contacts[c].friction = factor_at(table, cycle);
 }
 
+void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
+                        const State& state) {
+  if (state.renewed_at.empty()) return;
+  std::map<int, double> from;
+  for (int b = 0; b < problem.body_count(); ++b)
+    for (const auto& column : columns(system.bodies[b]))
+      from[system.offset[b] + column.column] = state.renewed_at[problem.support_of[b][column.support]][column.motion];
+  for (auto& [column, value] : controls.prescribed) value -= from.at(column);
+}
+
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {
   std::vector<Vec2> forces(problem.supports.size(), Vec2::Zero());
   for (int b = 0; b < problem.body_count(); ++b)

@@ -22,6 +22,10 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
 /// Coefficients of friction at a cycle, in contacts that have a table of them: constant before and after it.
 void set_friction(solver::Controls& controls, const Problem& problem, double cycle);
 
+/// Prescribed motions counted from where the references of their bodies were renewed.
+void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
+                        const State& state);
+
 /// Force on the body of each support of the scene, in x and y.
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);
 

@@ -50,6 +50,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
                            const std::vector<HeldTraction>& held) {
   const auto& system = timed_system(problem, state, cache);
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
+  count_from_renewal(controls, problem, system, state);
   std::vector<std::vector<contact::ContactStatus>> status;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     auto& o = controls.contacts[c];

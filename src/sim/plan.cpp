@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "material/parameters.hpp"
+#include "sim/block.hpp"
 
 namespace reye::sim {
 
@@ -35,6 +36,9 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
     plan.lines.push_back(text("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration", name.c_str(),
                               law_name(p.inputs[b].material), finite ? "finite" : "small", mesh.cell_count(),
                               cell_name(mesh.kind), body->full_dofs(), body->dofs()));
+    if (finite && !can_renew(p, b))
+      plan.skipped.push_back("body " + name + " keeps its reference however poor deformation makes its elements: it wears, or loads or "
+                             "supports are counted on the shape it started from");
     if (!material::has_history(p.inputs[b].material)) plan.skipped.push_back("body " + name + " is elastic: no history");
     return;
   }

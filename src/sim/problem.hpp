@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ struct State {
   std::map<std::string, double> factors;         ///< of every history
   std::vector<body::ShapePtr> shapes;
   solver::SolverState solution;
+  /// Per support of the scene: its x, y and rotation when the reference of its body was last renewed, from where its
+  /// columns count since. Empty: no body's ever was.
+  std::vector<std::array<double, 3>> renewed_at;
   bool approached = false;                       ///< bodies apart have been moved until they touch
   std::map<std::string, double> life_cycles;     ///< limits reached so far
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end

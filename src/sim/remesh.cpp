@@ -21,19 +21,14 @@ const std::vector<body::SupportColumn>& support_columns(const body::Operator& op
   return std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
-base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
-  const scene::Step none;
-  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
-                       controls.load_factors[body]);
-}
-
-/// A body's displacement as it was before its mesh was made anew.
+/// A body as it was before its mesh was made anew.
 struct Displaced {
-  base::Points u;   ///< of all nodes
+  body::ShapePtr on;  ///< X that all of this is counted on
+  base::Points u;     ///< of all nodes
   Vector q;
   std::vector<body::SupportColumn> supports;
   fem::History history;
+  fem::Prestrain F0;
 };
 
 /// Farther outside than half of this no node of a sound remesh can lie: chords of coarse facets cut off less.
@@ -59,10 +54,37 @@ std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, con
   return {};
 }
 
+fem::Prestrain carry_prestrain(const mesh::Mesh& old, const fem::Prestrain& F0, const mesh::Mesh& fresh,
+                               const adapt::GaussOptions& gauss) {
+  base::Matrix rows(static_cast<Eigen::Index>(F0.size()), 5);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    for (int k = 0; k < 5; ++k) rows(i, k) = F0[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  rows = adapt::transfer_deformation(old, rows, fresh, gauss);
+  fem::Prestrain carried;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) carried.push_back({rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3), rows(i, 4)});
+  return carried;
+}
+
+/// The body on the shape before wear moved it; or, when the current shape becomes X, undisplaced on that.
+Displaced displaced_body(const Problem& problem, const State& state, const solver::System& system, int b, bool renew,
+                         const body::ShapePtr& current) {
+  const auto& interior = state.solution.interiors[b];
+  const Vector q = system.part(state.solution.q, b);
+  Displaced body{state.shapes[b], recovered(problem, state, system, b), q, support_columns(system.bodies[b]),
+                 interior.history, interior.F0};
+  if (!renew) return body;
+  body.on = current;
+  body.u.assign(body.u.size(), Vec2::Zero());
+  body.q.setZero();
+  body.F0 = std::get<body::NonlinearBody>(system.bodies[b]).deformation(interior, q);
+  return body;
+}
+
 /// Start values of q on a fresh mesh: supports as they were, nodes displaced as the old mesh is at their place. A linear
 /// body has no other state, a nonlinear one its interior.
-std::string start_values(const mesh::Mesh& old, const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
+std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
                          const adapt::GaussOptions& gauss, Vector& q, body::Interior& interior, double& projection) {
+  const mesh::Mesh& old = before.on->mesh;
   for (const auto& now : support_columns(op))
     for (const auto& then : before.supports)
       if (then.support == now.support && then.motion == now.motion) q[now.column] = before.q[then.column];
@@ -80,6 +102,7 @@ std::string start_values(const mesh::Mesh& old, const Displaced& before, const m
   if (!failure.empty()) return failure;
   nonlinear.seat(u, q, interior.y);
   if (!before.history.empty()) interior.history = adapt::transfer_plastic(old, before.history, fresh, gauss);
+  if (!before.F0.empty()) interior.F0 = carry_prestrain(old, before.F0, fresh, gauss);
   return {};
 }
 
@@ -114,6 +137,13 @@ RemeshRecord record_of(const Problem& problem, const State& next, int body, cons
 
 }  // namespace
 
+base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
+  const scene::Step none;
+  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
+  return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
+                       controls.load_factors[body]);
+}
+
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
                                          const std::vector<Moved>& moved) {
   const auto& options = problem.scene.remesh;
@@ -134,15 +164,16 @@ std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& st
       base::Points x = recovered(problem, state, system, b);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape->mesh.X[i];
       reason.divide = adapt::measure(*shape, x).size_ratio.value > options.triggers.size_ratio;
-      if (reason.text.empty()) reason.text = adapt::why_remesh(*shape, &x, options.triggers);
+      if (reason.text.empty()) reason.text = adapt::why_remesh(*shape, can_renew(problem, b) ? nullptr : &x, options.triggers);
     }
     if (due && reason.text.empty()) reason = {"every " + std::to_string(options.every_blocks) + " blocks, as asked for", false};
   }
   return reasons;
 }
 
-std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<RemeshReason>& reasons, State& next,
-                          Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
+std::string remesh_bodies(const Problem& problem, const State& state, Change& change, Cache& cache,
+                          std::vector<RemeshRecord>& records) {
+  auto& [next, reasons, held] = change;
   const auto& old = cache.system;
   auto shapes = next.shapes;
   std::map<int, Displaced> displaced;
@@ -156,8 +187,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, const std:
     const auto made =
         adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]), options);
     if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
-    displaced[b] = {recovered(problem, state, old, b), parts[b], support_columns(old.bodies[b]),
-                    state.solution.interiors[b].history};
+    displaced[b] = displaced_body(problem, state, old, b, reasons[b].renew, next.shapes[b]);
     records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
     shapes[b] = made.shape;
     ++next.counts.remeshes;
@@ -176,7 +206,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, const std:
       parts[b] = Vector::Zero(std::visit([](const auto& o) { return o.dofs(); }, system.bodies[b]));
       const auto& fresh = next.shapes[b]->mesh;
       const adapt::GaussOptions gauss{problem.scene.remesh.state_transfer, problem.scene.analysis};
-      const std::string failure = start_values(state.shapes[b]->mesh, found->second, fresh, system.bodies[b], gauss, parts[b],
+      const std::string failure = start_values(found->second, fresh, system.bodies[b], gauss, parts[b],
                                                next.solution.interiors[b], records[r++].projection_mm);
       if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
     }

@@ -125,6 +125,8 @@ class Runner {
       moved.interrupted = false;
       outcome = std::move(moved);
     }
+    if (outcome.failure.empty() && !outcome.interrupted)
+      renew_references(p_, outcome.state, cache_, span, observer_);
     state_ = std::move(outcome.state);
     if (!outcome.failure.empty()) return fail(outcome.failure);
     if (outcome.interrupted) {

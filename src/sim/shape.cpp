@@ -119,33 +119,38 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
 
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked) {
-  const auto start = std::chrono::steady_clock::now();
   const auto& system = timed_system(problem, state, cache);
-  auto held = held_tractions(system, state);
   std::vector<double> ratio(state.shapes.size(), 1.0);
   std::vector<Moved> moved;
   if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
     return {std::move(state), failure, false};
-  State next = state;
+  Change change{state, remesh_reasons(problem, state, system, moved), held_tractions(system, state)};
   for (std::size_t b = 0; b < moved.size(); ++b)
-    next.shapes[b] = moved[b].shape;
-  book_strips(problem, next, ratio);
-  auto reasons = remesh_reasons(problem, state, system, moved);
+    change.next.shapes[b] = moved[b].shape;
+  book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
-    if (!asked[b].text.empty()) reasons[b] = asked[b];
+    if (!asked[b].text.empty()) change.reasons[b] = asked[b];
+  return settle(problem, std::move(state), std::move(change), cache, span, observer);
+}
+
+Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
+               const Observer& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  auto& next = change.next;
   std::vector<RemeshRecord> records;
   Balance before;
-  if (std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); })) {
-    before = balance_of(problem, state, system);
-    const std::string failure = remesh_bodies(problem, state, reasons, next, cache, held, records);
+  const auto asks = [](const RemeshReason& reason) { return !reason.text.empty(); };
+  if (std::any_of(change.reasons.begin(), change.reasons.end(), asks)) {
+    before = balance_of(problem, state, timed_system(problem, state, cache));
+    const std::string failure = remesh_bodies(problem, state, change, cache, records);
     if (!failure.empty()) return {std::move(state), failure, false};
   }
   if (next.shapes == state.shapes) return {std::move(state), {}, false};
   for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
-  const std::string failure = re_equilibrate(problem, next, cache, span, held);
+  const std::string failure = re_equilibrate(problem, next, cache, span, change.held);
   if (!failure.empty()) return {std::move(state), failure, false};
   if (!records.empty()) {
-    fill_jumps(problem, next, system_of(problem, next, cache), before, held, records);
+    fill_jumps(problem, next, system_of(problem, next, cache), before, change.held, records);
     for (auto& r : records) {
       r.step = span.step->name;
       r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -24,15 +24,29 @@ struct Moved {
   std::string poor;  ///< why its mesh can not be used; empty when it can
 };
 
+/// Displacement of all nodes of a body.
+base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body);
+
+/// Shapes that have changed and what goes with them, on the way to a new equilibrium.
+struct Change {
+  State next;
+  std::vector<RemeshReason> reasons;  ///< per body
+  std::vector<HeldTraction> held;     ///< per contact, on the nodes of `next`
+};
+
+/// Fresh meshes where asked for and re-equilibration; the state before it where that fails.
+Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
+               const Observer& observer);
+
 /// What the triggers say of every body.
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
                                         const std::vector<Moved>& moved);
 
-/// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shape step;
-/// `next`: its shapes moved, its wear booked. `held` becomes that of the new nodes. Returns a failure in words;
-/// `records` tells what was done, jumps still open.
-std::string remesh_bodies(const Problem& problem, const State& state, const std::vector<RemeshReason>& reasons, State& next,
-                          Cache& cache, std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records);
+/// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shapes moved;
+/// `change.next`: its shapes moved, its wear booked. `change.held` becomes that of the new nodes. Returns a failure in
+/// words; `records` tells what was done, jumps still open.
+std::string remesh_bodies(const Problem& problem, const State& state, Change& change, Cache& cache,
+                          std::vector<RemeshRecord>& records);
 
 /// What the equilibria before and after a remesh are compared by.
 struct Balance {

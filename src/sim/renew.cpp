@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <numeric>
+
+#include "adapt/triggers.hpp"
+#include "sim/carry.hpp"
+#include "sim/shape.hpp"
+#include "sim/timer.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+bool wear_waits(const State& state) {
+  const auto any = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) > 0.0; };
+  return std::any_of(state.solution.contacts.begin(), state.solution.contacts.end(),
+                     [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
+}
+
+/// The shape with its nodes where they are now. It still knows the mesh it was born with, so that its outline is drawn
+/// through the nodes.
+body::ShapePtr current_shape(const Problem& problem, const State& state, const solver::System& system, int b) {
+  auto shape = std::make_shared<body::Shape>(*state.shapes[b]);
+  const auto u = recovered(problem, state, system, b);
+  for (std::size_t i = 0; i < u.size(); ++i) shape->mesh.X[i] += u[i];
+  return shape;
+}
+
+/// Why the current shape is to become X.
+RemeshReason reason_of(const Problem& problem, const body::Shape& before, const body::Shape& current) {
+  const auto& triggers = problem.scene.remesh.triggers;
+  const std::string why = adapt::why_renew(before, current.mesh.X, triggers);
+  if (why.empty()) return {};
+  const bool divide = adapt::measure(before, current.mesh.X).size_ratio.value > triggers.size_ratio;
+  return {"deformation: " + why, divide, true};
+}
+
+/// Where the supports of a body are when its reference is renewed.
+void note_supports(const Problem& problem, const State& state, const solver::System& system, int b, State& next) {
+  next.renewed_at.resize(problem.supports.size());
+  const Vector q = system.part(state.solution.q, b);
+  for (const auto& column : std::get<body::NonlinearBody>(system.bodies[b]).support_columns())
+    next.renewed_at[problem.support_of[b][column.support]][column.motion] += q[column.column];
+}
+
+/// Tractions that are counted on x stay what they are when x becomes X: their forces are those of the areas on x.
+void count_on_current(const Problem& problem, const solver::System& system, Change& change) {
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& ref = problem.contacts[c].secondary;
+    if (setup.measure == base::Kinematics::small || !change.reasons[ref.body].renew) continue;
+    const auto now = surface_of(ref, problem.scene.analysis, change.next.shapes).area;
+    for (std::size_t j = 0; j < now.size(); ++j) {
+      const double ratio = now[j] / setup.secondary.area[j];
+      change.held[c].normal[j] *= ratio;
+      change.held[c].tangential[j] *= ratio;
+    }
+  }
+}
+
+}  // namespace
+
+bool can_renew(const Problem& problem, int body) {
+  const auto& input = problem.inputs[body];
+  const auto wears = [&](const PlacedContact& contact) {
+    const auto here = [&](const contact::BoundaryRef& ref) { return ref.body == body; };
+    return contact.options.wear.wears() &&
+           (here(contact.secondary) || std::any_of(contact.primary.begin(), contact.primary.end(), here));
+  };
+  const auto on_X = [](const fem::BoundaryLoad& load) { return load.traction_MPa != Vec2::Zero() || load.interval_mm; };
+  const auto on_nodes = [](const body::Support& support) { return support.point_mm || support.edge_axes; };
+  return !problem.rigid[body] && input.kinematics == base::Kinematics::finite && input.point_loads.empty() &&
+         input.body_forces.empty() &&
+         std::none_of(problem.contacts.begin(), problem.contacts.end(), wears) &&
+         std::none_of(input.boundary_loads.begin(), input.boundary_loads.end(), on_X) &&
+         std::none_of(input.supports.begin(), input.supports.end(), on_nodes);
+}
+
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
+  const auto& system = timed_system(problem, state, cache);
+  Change change{state, std::vector<RemeshReason>(state.shapes.size()), {}};
+  bool any = false;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (!can_renew(problem, b)) continue;
+    auto current = current_shape(problem, state, system, b);
+    change.reasons[b] = reason_of(problem, *state.shapes[b], *current);
+    if (!change.reasons[b].renew) continue;
+    any = true;
+    change.next.shapes[b] = std::move(current);
+    note_supports(problem, state, system, b, change.next);
+  }
+  if (!any) return false;
+  change.held = held_tractions(system, state);
+  count_on_current(problem, system, change);
+  Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+  if (!outcome.failure.empty()) {
+    if (observer.log) observer.log("the reference is kept: " + outcome.failure);
+    return false;
+  }
+  state = std::move(outcome.state);
+  return true;
+}
+
+}  // namespace reye::sim
