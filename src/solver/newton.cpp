@@ -14,13 +14,7 @@ namespace {
 
 constexpr int reach_margin = 6;  ///< nodes beyond the contact that are kept
 constexpr double tiny = std::numeric_limits<double>::min();
-constexpr int most_halvings = 5;  ///< of one step of nonlinear bodies that turns an element inside out
-constexpr int most_shortened = 3;  ///< of one that makes the imbalance grow
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
-
-const body::NonlinearBody* nonlinear(const System& system, std::size_t body) {
-  return std::get_if<body::NonlinearBody>(&system.bodies[body]);
-}
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
@@ -28,11 +22,6 @@ std::string no_convergence(const Iteration& last, int iterations) {
   return "no convergence in " + std::to_string(iterations) + " iterations: unbalanced force " + std::to_string(last.force) +
          ", unmet condition " + std::to_string(last.condition) + " (relative), " + std::to_string(last.changes) +
          " nodes still change status";
-}
-
-bool in_nonlinear(const System& system, int column) {
-  const auto next = std::upper_bound(system.offset.begin(), system.offset.end(), column);
-  return nonlinear(system, static_cast<std::size_t>(next - system.offset.begin()) - 1) != nullptr;
 }
 
 /// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
@@ -49,7 +38,7 @@ double extent(const System& system) {
 void Newton::reset() {
   reach_chosen_ = false;
   last_step_.resize(0);
-  last_interior_step_.clear();
+  nonlinear_.forget();
 }
 
 void Newton::choose_reach(const System& system, const SolverState& before, bool everything) {
@@ -75,55 +64,6 @@ void Newton::begin(const System& system, const SolverState& before, const Contro
   }
   loads_ = reduction_.loads(system, controls.load_factors);
   for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
-  interior_.assign(system.bodies.size(), {});
-  linearised_.resize(system.bodies.size());
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (nonlinear(system, b)) interior_[b] = before.interiors[b].y;
-}
-
-/// Tangent and residual of the nonlinear bodies at q and their interiors. Throws base::SolveError when an element
-/// has turned inside out or a stress can not be found.
-void Newton::linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q) {
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (const auto* body = nonlinear(system, b))
-      body->linearise(before.interiors[b], interior_[b], q.segment(reduction_.first(static_cast<int>(b)), body->dofs()),
-                      controls.load_factors[b], linearised_[b]);
-  anchor_ = {q, lambda_};
-}
-
-double Newton::inside_imbalance() const {
-  double largest = 0.0;
-  for (const auto& body : linearised_) largest = std::max(largest, body.interior_residual);
-  return largest;
-}
-
-/// Takes the interiors to where q has gone since the anchor and linearises the nonlinear bodies there; where they can
-/// not be, or are far worse balanced there, half the way is tried, and so on. Returns why it can not be done at all.
-std::string Newton::renew(const System& system, const SolverState& before, const Controls& controls, Vector& q) {
-  Vector way = q - anchor_.q;
-  std::vector<Vector> inside(system.bodies.size());
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (const auto* body = nonlinear(system, b)) {
-      inside[b] = body->interior_step(linearised_[b], way.segment(reduction_.first(static_cast<int>(b)), body->dofs()));
-      interior_[b] += inside[b];
-    }
-  const auto start = anchor_.lambda;
-  const double imbalance = inside_imbalance();
-  for (int halvings = 0;; ++halvings) {
-    try {
-      linearise(system, before, controls, q);
-      // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
-      if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
-    } catch (const base::SolveError& error) {
-      if (halvings == most_halvings) return error.what();
-    }
-    way *= 0.5;
-    q -= way;
-    for (std::size_t b = 0; b < inside.size(); ++b)
-      if (inside[b].size() > 0) interior_[b] -= (inside[b] *= 0.5);
-    for (std::size_t c = 0; c < lambda_.size(); ++c)
-      for (std::size_t j = 0; j < lambda_[c].size(); ++j) lambda_[c][j] = 0.5 * (lambda_[c][j] + start[c][j]);
-  }
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
@@ -153,6 +93,12 @@ void Newton::place(const System& system, const Vector& q, bool everything) {
   }
 }
 
+/// Tangent of a deformable body on its reduced columns; empty for a rigid one.
+const Matrix& Newton::stiffness(std::size_t body) const {
+  const auto* tangent = nonlinear_.tangent(static_cast<int>(body));
+  return tangent ? *tangent : reduction_.stiffness(static_cast<int>(body));
+}
+
 /// S' q - f' of all bodies on the reduced columns; of nonlinear ones r + S (q - q_anchor).
 Vector Newton::residual(const System& system, const Controls& controls, const Vector& q) const {
   Vector r = -loads_;
@@ -161,10 +107,8 @@ Vector Newton::residual(const System& system, const Controls& controls, const Ve
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {
       const Vector part = q.segment(at, rigid->dofs());
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
-    } else if (nonlinear(system, b)) {
-      const auto n = linearised_[b].r.size();
-      r.segment(at, n) += linearised_[b].r;
-      r.segment(at, n).noalias() += linearised_[b].S * (q - anchor_.q).segment(at, n);
+    } else if (nonlinear_.tangent(static_cast<int>(b))) {
+      nonlinear_.add_residual(static_cast<int>(b), q, r);
     } else {
       const Matrix& S = reduction_.stiffness(static_cast<int>(b));
       r.segment(at, S.rows()).noalias() += S * q.segment(at, S.rows());
@@ -178,7 +122,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   Iteration row;
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
-  double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0, inside = 0.0;
+  double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
     face.evaluate(lambda_[c]);
@@ -203,12 +147,11 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   }
   for (const auto& [column, value] : controls.prescribed) balance[reduction_.index(column)] = 0.0;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const Matrix& S = nonlinear(system, b) ? linearised_[b].S : reduction_.stiffness(static_cast<int>(b));
+    const Matrix& S = this->stiffness(b);
     if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
-    if (!nonlinear(system, b)) continue;
-    if (fresh) inside = std::max(inside, linearised_[b].interior_residual);
-    largest = std::max(largest, linearised_[b].force_scale);
   }
+  largest = std::max(largest, nonlinear_.force_scale());
+  const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
   row.force = std::max(0.0, std::max(largest_of(balance), inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
@@ -254,9 +197,8 @@ bool Newton::inside_reach(const System& system, int c) const {
 }
 
 /// Solves back what was out of reach, looks whether contact stayed inside, and takes the state over.
-Newton::Fit Newton::accept(const System& system, const SolverState& before, const Vector& q, SolveResult& result) {
+Newton::Fit Newton::accept(const System& system, const Vector& q, SolveResult& result) {
   result.state.q = reduction_.expand(q);
-  result.state.interiors.resize(system.bodies.size());
   place(system, result.state.q, true);
   result.state.contacts.clear();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
@@ -264,11 +206,31 @@ Newton::Fit Newton::accept(const System& system, const SolverState& before, cons
     interfaces_[c].evaluate(lambda_[c]);
     result.state.contacts.push_back(interfaces_[c].accepted(lambda_[c]));
   }
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (const auto* body = nonlinear(system, b))
-      result.state.interiors[b] =
-          body->accepted(before.interiors[b], interior_[b], system.part(result.state.q, static_cast<int>(b)));
+  result.state.interiors = nonlinear_.accepted(result.state.q);
   return Fit::good;
+}
+
+/// One semi-smooth Newton step about (q, lambda): returns dq and takes lambda over. Throws base::SolveError when the
+/// matrix is singular.
+Vector Newton::step(const System& system, const Controls& controls, const Vector& q) {
+  condenser_.start(system, -structural_);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int at = reduction_.first(static_cast<int>(b));
+    if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
+      condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
+    else
+      condenser_.add_body(at, stiffness(b));
+  }
+  for (std::size_t c = 0; c < interfaces_.size(); ++c)
+    condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
+  for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c], lambda_[c]);
+  for (const auto& [column, value] : controls.prescribed) {
+    const int at = reduction_.index(column);
+    condenser_.fix(at, value - q[at]);
+  }
+  const Vector dq = condenser_.solve();
+  for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
+  return dq;
 }
 
 SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted) {
@@ -276,18 +238,13 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   auto& report = result.report;
   begin(system, before, controls);
   Vector q = reduction_.restrict_to(before.q);
-  if (predicted) {
-    q += controls.continues * reduction_.restrict_to(last_step_);
-    for (std::size_t b = 0; b < last_interior_step_.size(); ++b)
-      if (interior_[b].size() > 0) interior_[b] += controls.continues * last_interior_step_[b];
-  }
+  if (predicted) q += controls.continues * reduction_.restrict_to(last_step_);
+  nonlinear_.begin(system, before, controls, reduction_, predicted ? controls.continues : 0.0);
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)
-    if (!in_nonlinear(system, column)) q[reduction_.index(column)] = value;
-  const bool renews = std::any_of(system.bodies.begin(), system.bodies.end(),
-                                  [](const auto& b) { return std::holds_alternative<body::NonlinearBody>(b); });
+    if (!nonlinear_.own(column)) q[reduction_.index(column)] = value;
   try {
-    linearise(system, before, controls, q);
+    nonlinear_.linearise(q, lambda_);
   } catch (const base::SolveError& error) {
     report.reason = error.what();
     return result;
@@ -295,7 +252,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   bool late = false;
   int renewals = 0;
   for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
-    const bool fresh = !renews || since == 0;  // what is measured is the truth, not a linear body's
+    const bool fresh = !nonlinear_.any() || since == 0;  // what is measured is the truth, not a linear body's
     place(system, reduction_.scatter(q), false);
     const int changes = decide(late ? options_.max_iterations : iteration, predicted);
     Iteration row = measure(system, controls, q, fresh);
@@ -314,39 +271,23 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     }
     if (met && fresh) {
       report.converged = true;
-      if (accept(system, before, q, result) == Fit::good) return result;
+      if (accept(system, q, result) == Fit::good) return result;
       choose_reach(system, before, true);
       return iterate(system, before, controls, predicted);
     }
     // Contact has settled on the bodies as they were linearised: these anew, there.
-    if (renews && (met || since == most_on_one_tangent)) {
+    if (nonlinear_.any() && (met || since == most_on_one_tangent)) {
       if (renewals++ == options_.max_iterations) break;
-      report.reason = renew(system, before, controls, q);
+      report.reason = nonlinear_.renew(q, lambda_);
       if (!report.reason.empty()) return result;
       iteration = 0;
       since = -1;
       continue;
     }
     if (iteration == options_.max_iterations) break;
-    condenser_.start(system, -structural_);
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-      const int at = reduction_.first(static_cast<int>(b));
-      if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-        condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
-      else
-        condenser_.add_body(at, nonlinear(system, b) ? linearised_[b].S : reduction_.stiffness(static_cast<int>(b)));
-    }
-    for (std::size_t c = 0; c < interfaces_.size(); ++c)
-      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
-    for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c], lambda_[c]);
-    for (const auto& [column, value] : controls.prescribed) {
-      const int at = reduction_.index(column);
-      condenser_.fix(at, value - q[at]);
-    }
     try {
-      const Vector dq = condenser_.solve();
+      const Vector dq = step(system, controls, q);
       ++report.solves;
-      for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
       q += dq;
       // Far out the rounding of S q hides that nothing is in balance any more.
       if (const double way = largest_of(dq), bound = 1e3 * extent(system); !system.contacts.empty() && !(way < bound)) {
@@ -373,9 +314,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   }
   if (!result.report.converged) return result;
   last_step_ = result.state.q - before.q;
-  last_interior_step_.assign(system.bodies.size(), {});
-  for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (nonlinear(system, b)) last_interior_step_[b] = result.state.interiors[b].y - before.interiors[b].y;
+  nonlinear_.remember(result.state);
   return result;
 }
 

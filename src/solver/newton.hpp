@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/condense.hpp"
+#include "solver/nonlinear_bodies.hpp"
 #include "solver/reduction.hpp"
 
 namespace reye::solver {
@@ -53,31 +54,22 @@ class Newton {
   SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted);
   void begin(const System& system, const SolverState& before, const Controls& controls);
   void place(const System& system, const Vector& q, bool everything);
-  void linearise(const System& system, const SolverState& before, const Controls& controls, const Vector& q);
-  double inside_imbalance() const;
-  std::string renew(const System& system, const SolverState& before, const Controls& controls, Vector& q);
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
+  const Matrix& stiffness(std::size_t body) const;
   Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
   int decide(int iteration, bool predicted);
-  Fit accept(const System& system, const SolverState& before, const Vector& q, SolveResult& result);
+  Vector step(const System& system, const Controls& controls, const Vector& q);
+  Fit accept(const System& system, const Vector& q, SolveResult& result);
   bool inside_reach(const System& system, int contact) const;
 
   NewtonOptions options_;
   Reach reach_;
   Reduction reduction_;
   bool reach_chosen_ = false;
-  Vector last_step_;                       ///< dq of the last accepted increment
-  std::vector<Vector> last_interior_step_; ///< and of the interior of each nonlinear body
-  std::vector<Vector> interior_;           ///< y of each nonlinear body in this iteration
-  std::vector<body::NonlinearBody::Linearised> linearised_;  ///< about it
-  /// Where that was.
-  struct Anchor {
-    Vector q;
-    std::vector<std::vector<Vec2>> lambda;
-  };
-  Anchor anchor_;
+  Vector last_step_;                            ///< dq of the last accepted increment
+  NonlinearBodies nonlinear_;
   std::vector<contact::Interface> interfaces_;
-  std::vector<std::vector<Vec2>> lambda_;
+  Multipliers lambda_;
   std::vector<Sides> sides_;
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;

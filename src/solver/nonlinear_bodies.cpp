@@ -1,0 +1,111 @@
+#include "solver/nonlinear_bodies.hpp"
+
+#include <algorithm>
+
+#include "base/errors.hpp"
+
+namespace reye::solver {
+
+namespace {
+
+constexpr int most_halvings = 5;   ///< of a step that turns an element inside out
+constexpr int most_shortened = 3;  ///< of one that makes the imbalance grow
+
+}  // namespace
+
+void NonlinearBodies::begin(const System& system, const SolverState& before, const Controls& controls,
+                            const Reduction& reduction, double share) {
+  system_ = &system;
+  before_ = &before;
+  controls_ = &controls;
+  reduction_ = &reduction;
+  any_ = false;
+  interior_.assign(system.bodies.size(), {});
+  linearised_.resize(system.bodies.size());
+  for (std::size_t b = 0; b < interior_.size(); ++b) {
+    if (!body(b)) continue;
+    any_ = true;
+    interior_[b] = before.interiors[b].y;
+    if (share > 0.0) interior_[b] += share * last_step_[b];
+  }
+}
+
+bool NonlinearBodies::own(int column) const {
+  const auto next = std::upper_bound(system_->offset.begin(), system_->offset.end(), column);
+  return body(static_cast<std::size_t>(next - system_->offset.begin()) - 1) != nullptr;
+}
+
+void NonlinearBodies::linearise(const Vector& q, const Multipliers& lambda) {
+  for (std::size_t b = 0; b < interior_.size(); ++b)
+    if (const auto* own = body(b))
+      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b]);
+  anchor_ = q;
+  anchor_lambda_ = lambda;
+}
+
+std::string NonlinearBodies::renew(Vector& q, Multipliers& lambda) {
+  Vector way = q - anchor_;
+  std::vector<Vector> inside(interior_.size());
+  for (std::size_t b = 0; b < inside.size(); ++b)
+    if (const auto* own = body(b)) {
+      inside[b] = own->interior_step(linearised_[b], part(*own, b, way));
+      interior_[b] += inside[b];
+    }
+  const Multipliers start = anchor_lambda_;
+  const double imbalance = inside_imbalance();
+  for (int halvings = 0;; ++halvings) {
+    try {
+      linearise(q, lambda);
+      // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
+      if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
+    } catch (const base::SolveError& error) {
+      if (halvings == most_halvings) return error.what();
+    }
+    way *= 0.5;
+    q -= way;
+    for (std::size_t b = 0; b < inside.size(); ++b)
+      if (inside[b].size() > 0) interior_[b] -= (inside[b] *= 0.5);
+    for (std::size_t c = 0; c < lambda.size(); ++c)
+      for (std::size_t j = 0; j < lambda[c].size(); ++j) lambda[c][j] = 0.5 * (lambda[c][j] + start[c][j]);
+  }
+}
+
+const Matrix* NonlinearBodies::tangent(int b) const {
+  return body(static_cast<std::size_t>(b)) ? &linearised_[static_cast<std::size_t>(b)].S : nullptr;
+}
+
+void NonlinearBodies::add_residual(int b, const Vector& q, Vector& r) const {
+  const auto& at = linearised_[static_cast<std::size_t>(b)];
+  const int first = reduction_->first(b);
+  const auto n = at.r.size();
+  r.segment(first, n) += at.r;
+  r.segment(first, n).noalias() += at.S * (q.segment(first, n) - anchor_.segment(first, n));
+}
+
+double NonlinearBodies::inside_imbalance() const {
+  double largest = 0.0;
+  for (const auto& at : linearised_) largest = std::max(largest, at.interior_residual);
+  return largest;
+}
+
+double NonlinearBodies::force_scale() const {
+  double largest = 0.0;
+  for (const auto& at : linearised_) largest = std::max(largest, at.force_scale);
+  return largest;
+}
+
+std::vector<body::Interior> NonlinearBodies::accepted(const Vector& q) const {
+  std::vector<body::Interior> interiors(interior_.size());
+  for (std::size_t b = 0; b < interiors.size(); ++b)
+    if (const auto* own = body(b))
+      interiors[b] = own->accepted(before_->interiors[b], interior_[b], system_->part(q, static_cast<int>(b)));
+  return interiors;
+}
+
+void NonlinearBodies::remember(const SolverState& after) {
+  last_step_.assign(interior_.size(), {});
+  for (std::size_t b = 0; b < last_step_.size(); ++b)
+    if (body(b)) last_step_[b] = after.interiors[b].y - before_->interiors[b].y;
+}
+
+}  // namespace reye::solver

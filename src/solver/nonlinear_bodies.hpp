@@ -1,0 +1,63 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/reduction.hpp"
+
+namespace reye::solver {
+
+/// Multipliers per contact and secondary node.
+using Multipliers = std::vector<std::vector<Vec2>>;
+
+/// The nonlinear bodies of a system while one increment is solved: linear ones that are renewed.   [README (4)]
+/// Holds their interiors and their last linearisation, about an anchor. All calls but `begin` and `any` speak of the
+/// increment that `begin` started; what it was given must live as long.
+class NonlinearBodies {
+ public:
+  /// From the accepted state; `share` > 0 goes on from there by that share of the last increment.
+  void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction, double share);
+
+  bool any() const { return any_; }
+  /// Whether a global column belongs to one of them.
+  bool own(int column) const;
+
+  /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
+  /// out or a stress can not be found.
+  void linearise(const Vector& q, const Multipliers& lambda);
+  /// Takes the interiors to where q has gone since the anchor and linearises there; where that can not be done, or is far
+  /// worse balanced, half the way is tried, and so on. Returns why it can not be done at all.
+  std::string renew(Vector& q, Multipliers& lambda);
+
+  /// S of a body; null when it is not nonlinear.
+  const Matrix* tangent(int body) const;
+  /// Adds r + S (q - q_anchor) of a body.
+  void add_residual(int body, const Vector& q, Vector& r) const;
+  double inside_imbalance() const;  ///< largest r_i at the anchor
+  double force_scale() const;       ///< largest force of a cell at the anchor
+
+  /// Interiors after the increment that led to the global q, per body.
+  std::vector<body::Interior> accepted(const Vector& q) const;
+  /// Keeps the step of the interiors for the next `begin`.
+  void remember(const SolverState& after);
+  void forget() { last_step_.clear(); }
+
+ private:
+  using Linearised = body::NonlinearBody::Linearised;
+  const body::NonlinearBody* body(std::size_t b) const { return std::get_if<body::NonlinearBody>(&system_->bodies[b]); }
+  auto part(const body::NonlinearBody& body, std::size_t b, const Vector& q) const {
+    return q.segment(reduction_->first(static_cast<int>(b)), body.dofs());
+  }
+
+  const System* system_ = nullptr;
+  const SolverState* before_ = nullptr;
+  const Controls* controls_ = nullptr;
+  const Reduction* reduction_ = nullptr;
+  bool any_ = false;
+  std::vector<Vector> interior_;        ///< y per body, empty but for nonlinear ones
+  std::vector<Vector> last_step_;       ///< of the interiors in the last accepted increment
+  std::vector<Linearised> linearised_;  ///< about the anchor
+  Vector anchor_;
+  Multipliers anchor_lambda_;
+};
+
+}  // namespace reye::solver
