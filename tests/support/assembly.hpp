@@ -43,12 +43,15 @@ inline solver::System system_of(Assembly a) {
     shapes.push_back(body::make_shape(a.meshes[b]));
     if (a.is_rigid(b))
       bodies.emplace_back(body::RigidBody(shapes[b], a.inputs[b]));
+    else if (a.inputs[b].kinematics == base::Kinematics::finite)
+      bodies.emplace_back(body::NonlinearBody(shapes[b], a.inputs[b]));
     else
       bodies.emplace_back(body::LinearBody(shapes[b], a.inputs[b]));
   }
   std::vector<contact::Setup> contacts;
   for (const auto& t : a.touches)
-    contacts.push_back(contact::make_setup(t.options, a.analysis, t.secondary, t.primary, shapes, bodies, a.modulus_MPa));
+    contacts.push_back(contact::make_setup(t.options, a.analysis, t.secondary, t.primary, shapes, bodies, a.modulus_MPa,
+                                           a.inputs[t.secondary.body].kinematics));
   return solver::make_system(std::move(bodies), std::move(contacts));
 }
 
