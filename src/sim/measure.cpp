@@ -10,10 +10,16 @@ namespace reye::sim {
 
 using contact::ContactStatus;
 
+std::vector<double> at_nodes(const mortar::Surface& surface, std::vector<double> coefficients) {
+  for (const auto& [a, b, c] : surface.facets)
+    if (c >= 0) coefficients[c] = 0.25 * (coefficients[a] + 2.0 * coefficients[c] + coefficients[b]);
+  return coefficients;
+}
+
 std::vector<double> depths(const mortar::Surface& surface, const std::vector<double>& removed) {
   std::vector<double> depth(removed.size());
   for (std::size_t j = 0; j < depth.size(); ++j) depth[j] = removed[j] / surface.area[j];
-  return depth;
+  return at_nodes(surface, std::move(depth));
 }
 
 wear::Ledger ledger(const contact::ContactState& state) {

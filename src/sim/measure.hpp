@@ -8,7 +8,9 @@
 namespace reye::sim {
 
 /// Both sides of a contact as tables along the boundary, from its end with smaller x.
-/// Pressure is force per length on X; a node covered by less than half reports lambda D / A.
+/// Pressure is force per length on X; a node covered by less than half reports lambda D / A. Slip and depth are the values
+/// at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h that is off by
+/// h^2 p'' / 40, and what these means interpolate by h^2 p'' / 10.
 /// Shear is the traction on the secondary body along increasing arc length; the primary repeats M^T lambda / A.
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
@@ -24,7 +26,10 @@ std::optional<double> stick_half_width(const SurfaceRecord& surface, double fric
 /// Arc length where depth exceeds 0.5 % of its largest value, ends by linear interpolation.
 double scar_width(const SurfaceRecord& surface);
 
-/// Depth per surface node [mm]: removed volume over full nodal length on X.
+/// What Bernstein coefficients per node and control point are at the nodes: (a + 2c + b) / 4 in the middle of a curve.
+std::vector<double> at_nodes(const mortar::Surface& surface, std::vector<double> coefficients);
+
+/// Depth at each surface node [mm]; its coefficients are removed volume over full nodal length on X.
 std::vector<double> depths(const mortar::Surface& surface, const std::vector<double>& removed);
 
 wear::Ledger ledger(const contact::ContactState& state);

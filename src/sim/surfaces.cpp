@@ -20,11 +20,11 @@ struct NodalValues {
 /// Averaged outward normals on X.
 std::vector<Vec2> normals(const mortar::Surface& s) {
   std::vector<Vec2> n(s.X.size(), Vec2::Zero());
-  for (const auto& [a, b, mid] : s.facets) {
-    const Vec2 own = mesh::outward_normal(s.X[a], s.X[b]);
-    n[a] += own;
-    n[b] += own;
-    if (mid >= 0) n[mid] = own;
+  for (int f = 0; f < s.facet_count(); ++f) {
+    const auto [a, b, mid] = s.facets[f];
+    n[a] += mesh::outward_normal(s.X[a], s.X[s.beside(f, 0)]);
+    n[b] += mesh::outward_normal(s.X[s.beside(f, 1)], s.X[b]);
+    if (mid >= 0) n[mid] = mesh::outward_normal(s.X[a], s.X[b]);
   }
   for (auto& v : n) v.normalize();
   return n;
@@ -42,6 +42,15 @@ std::vector<double> direction(const mesh::Boundary& boundary, const base::Points
   return sign;
 }
 
+/// Where multipliers are linear, what lies between two nodes: the mean of both, open where one of them is.
+void fill_between(const contact::Setup& setup, NodalValues& v) {
+  for (const auto& [a, b, c] : setup.secondary.facets) {
+    if (c < 0 || !setup.between(c)) continue;
+    for (auto* values : {&v.pressure, &v.shear, &v.slip}) (*values)[c] = 0.5 * ((*values)[a] + (*values)[b]);
+    v.status[c] = std::min(v.status[a], v.status[b]) == 0 ? 0 : std::max(v.status[a], v.status[b]);
+  }
+}
+
 NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
   NodalValues v;
   const auto& n = state.normal;  // those that the friction law saw
@@ -55,6 +64,8 @@ NodalValues secondary_values(const contact::Setup& setup, const contact::Contact
     v.slip.push_back(state.slip[j]);
     v.status.push_back(static_cast<int>(state.status[j]));
   }
+  fill_between(setup, v);
+  v.slip = at_nodes(setup.secondary, std::move(v.slip));
   return v;
 }
 
@@ -89,7 +100,7 @@ NodalValues primary_values(const contact::Setup& setup, const contact::ContactSt
 void append(SurfaceRecord& record, const mesh::Mesh& mesh, const mesh::Boundary& boundary, std::size_t first,
             const NodalValues& v, const std::vector<double>& depth) {
   const auto nodes = mesh::nodes_of(boundary);
-  const auto arc = mesh::arc_lengths(mesh.X, boundary);
+  const auto arc = mesh::arc_lengths(mesh.X, boundary, mesh::order(mesh.kind));
   std::vector<std::size_t> order(nodes.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return arc[a] < arc[b]; });

@@ -107,3 +107,11 @@ TEST(Widths, DepthAndLedger) {
   EXPECT_EQ(book.removed_secondary, 7.0);
   EXPECT_EQ(book.removed_primary, 0.75);
 }
+
+// In the middle of a quadratic facet depth must be the value there, not the coefficient of the control point.
+TEST(Widths, DepthInTheMiddleOfAFacet) {
+  mortar::Surface surface;
+  surface.area = {0.5, 0.5, 0.25};
+  surface.facets = {{0, 1, 2}};
+  EXPECT_EQ(sim::depths(surface, {1.0, 2.0, 1.0}), (std::vector{2.0, 4.0, 0.25 * (2.0 + 2.0 * 4.0 + 4.0)}));
+}

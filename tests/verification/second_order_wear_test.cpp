@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "wear_scene.hpp"
+#include "contact_scene.hpp"
 
 /// Wear of bodies of second order: quadratic edges, multipliers and depths in Bernstein functions.
 namespace reye::verification {
@@ -24,7 +24,39 @@ Played block_on_ring(bool quadratic) {
   return played(scene_text("block_on_ring", words));
 }
 
+constexpr double low_a = 0.2, low_p0 = 109.89011;  // references B1, low load
+
+/// Root of the mean square error of Hertz's pressure at middle nodes with |x| < 0.7 a, over two positions of the mesh
+/// with facets of the given length.
+double middle_error(double size, const std::string& dual) {
+  double sum = 0.0;
+  int count = 0;
+  for (const double shift : {0.0, 0.4}) {
+    Replacements words = second_order("steel");
+    words.insert(words.end(), {{"centre_mm = [0.0, 0.0]", "centre_mm = [" + std::to_string(shift * size) + ", 0.0]"},
+                               {"size_mm = 0.010", "size_mm = " + std::to_string(size)},
+                               {"increments = 5", "increments = 1"},
+                               {"secondary = \"face\"", "secondary = \"face\"\ndual = \"" + dual + '"'}});
+    const auto run = played(scene_text("hertz_halfplane", words));
+    const auto p = profile(run.surface(Side::secondary), run.surface(Side::secondary).pressure_MPa);
+    for (std::size_t i = 1; i < p.x.size(); i += 2) {
+      if (std::abs(p.x[i]) > 0.7 * low_a) continue;
+      sum += std::pow(p.value[i] / low_p0 - hertz(p.x[i], low_a, 1.0), 2);
+      ++count;
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
 }  // namespace
+
+/// The tables' pressure at middle nodes converges to Hertz's, faster than with h, with multipliers of either kind.
+TEST(SecondOrderTables, PressureAtMiddleNodes) {
+  for (const std::string dual : {"quadratic", "linear"}) {
+    const double coarse = middle_error(0.08, dual), fine = middle_error(0.02, dual);
+    EXPECT_GT(0.5 * std::log2(coarse / fine), 1.5) << dual << ": " << coarse << ' ' << fine;
+  }
+}
 
 /// Blocks of equal width whose meshes of second order do not match wear by coefficient times energy, everywhere.
 TEST(SecondOrderWear, SlidingBlock) {
@@ -46,6 +78,15 @@ TEST(SecondOrderWear, BlockOnRing) {
   const auto &one = linear.contact().secondary, &two = quadratic.contact().secondary;
   EXPECT_NEAR(two.max_depth_mm / one.max_depth_mm, 1.0, 0.01);
   EXPECT_NEAR(two.worn_area / one.worn_area, 1.0, 0.01);
+  // The tables' depth is how far the outline has moved, at middle nodes, too.
+  const auto& table = quadratic.surface(Side::secondary);
+  int nodes = 0;
+  for (std::size_t i = 0; i < table.node.size(); ++i) {
+    if (std::abs(table.x_mm[i]) > 0.2) continue;
+    EXPECT_NEAR(table.wear_depth_mm[i] / -table.y_mm[i], 1.0, 5e-4) << table.x_mm[i];
+    ++nodes;
+  }
+  EXPECT_GT(nodes, 10);
 }
 
 }  // namespace reye::verification
