@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "mesh/measure.hpp"
 #include "verification/contact_scene.hpp"
 #include "verification/turned.hpp"
@@ -19,6 +21,55 @@ std::string turned_blocks(double degrees, double friction) {
   const auto from = text.find("geometry = [\""), to = text.find(']', from);
   text.replace(from, to - from, "geometry = [\"" + turned_mesh("two_blocks_dual/two_blocks.msh", degrees) + "\"");
   return replaced(text, {{"[support.push]", "friction = " + std::to_string(friction) + "\n\n[support.push]"}});
+}
+
+/// One step of equal increments: the upper of two blocks is pressed down, drawn back and forth a little, and then both
+/// holders turn about the origin. Every motion is a history in mm or rad, exact at the end of each increment.
+struct Turning {
+  std::vector<Vec2> upper;     ///< of the upper block's top after each increment
+  std::vector<double> angle;   ///< of both [rad]
+
+  static constexpr int increments = 14;
+  const Vec2 top{2.5, 3.0}, bottom{2.0, 0.0};  ///< middles of the two edges
+
+  explicit Turning(double end) {
+    for (int k = 0; k <= increments; ++k) {
+      const double press = std::min(k, 4) / 4.0, draw = k <= 4 ? 0.0 : std::min(k - 4, 3) - 0.7 * std::clamp(k - 7, 0, 1);
+      angle.push_back(end * std::max(k - 8, 0) / (increments - 8));
+      upper.push_back(base::Vec2(0.02 * draw, -0.15 * press));
+    }
+  }
+
+  std::string history(const std::string& name, const std::function<double(int)>& at) const {
+    std::string text = name + " = [";
+    for (int k = 0; k <= increments; ++k) text += (k ? ", " : "") + pair_text({static_cast<double>(k) / increments, at(k)});
+    return text + "]\n";
+  }
+
+  /// Where a point that has moved by u is after the turn, less where it was.
+  Vec2 moved(const Vec2& X, const Vec2& u, int k) const { return Eigen::Rotation2Dd(angle[k]) * (X + u) - X; }
+
+  std::string histories() const {
+    const auto up = [&](int k) { return moved(top, upper[k], k); };
+    const auto low = [&](int k) { return moved(bottom, {0.0, 0.0}, k); };
+    return history("up_x", [&](int k) { return up(k).x(); }) + history("up_y", [&](int k) { return up(k).y(); }) +
+           history("low_x", [&](int k) { return low(k).x(); }) + history("low_y", [&](int k) { return low(k).y(); }) +
+           history("turn", [&](int k) { return angle[k]; });
+  }
+};
+
+std::string turning_scene(double angle, const std::string& order) {
+  const auto support = [](const std::string& edge, const std::string& name) {
+    return "[support." + name + "]\nedge = \"" + edge + "\"\nx = { motion_mm = 1.0, history = \"" + name + "_x\" }\ny = { motion_mm = 1.0, history = \"" +
+           name + "_y\" }\nrotation = { motion_rad = 1.0, history = \"turn\" }\n";
+  };
+  std::string text = scene_text("two_blocks_finite", {{"far_size_mm = 0.15", "far_size_mm = 0.3"},
+                                                      {"far_size_mm = 0.125", "far_size_mm = 0.25"},
+                                                      {"kinematics = \"finite\"", "kinematics = \"finite\"\n" + order}});
+  text.resize(text.find("[support.bottom]"));
+  return text + support("upper_top", "up") + support("lower_bottom", "low") + "[history]\n" + Turning(angle).histories() +
+         "[[step]]\nname = \"all\"\nplay = [\"up_x\", \"up_y\", \"low_x\", \"low_y\", \"turn\"]\nincrements = " +
+         std::to_string(Turning::increments) + "\n";
 }
 
 std::map<double, double> by_height(const sim::SurfaceRecord& s, const std::vector<double>& values) {
@@ -44,6 +95,26 @@ TEST(FiniteStrain, SceneTurnedUnderLoad) {
   for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(p[i], q[i], 1e-10 * largest);
   const auto &f = upright.records.back().support_forces, &g = turned_by_30.records.back().support_forces;
   for (std::size_t k = 0; k < f.size(); ++k) EXPECT_LT((turned(f[k], 30.0) - g[k]).norm(), 1e-10 * f[k].norm());
+}
+
+// A loaded scene that turns under load by a right angle: pressure, shear and slip stay what they are, partly in stick and
+// partly in slip, and the forces turn with it.
+TEST(FiniteStrain, LoadedSceneTurns) {
+  for (const std::string order : {"", "order = 2"}) {
+    const double angle = 90.0;
+    const auto rest = played(turning_scene(0.0, order)), turning = played(turning_scene(angle * std::numbers::pi / 180.0, order));
+    const auto &p = rest.surface(sim::Side::secondary), &q = turning.surface(sim::Side::secondary);
+    const double largest = *std::max_element(p.pressure_MPa.begin(), p.pressure_MPa.end());
+    EXPECT_GT(std::count(p.status.begin(), p.status.end(), 1), 2);
+    EXPECT_GT(*std::max_element(p.slip_mm.begin(), p.slip_mm.end()), 1e-3);
+    for (std::size_t i = 0; i < p.node.size(); ++i) {
+      EXPECT_NEAR(p.pressure_MPa[i], q.pressure_MPa[i], 1e-10 * largest) << "node " << i;
+      EXPECT_NEAR(p.shear_MPa[i], q.shear_MPa[i], 1e-10 * largest) << "node " << i;
+      EXPECT_NEAR(p.slip_mm[i], q.slip_mm[i], 1e-10) << "node " << i;
+    }
+    const auto &f = rest.records.back().support_forces, &g = turning.records.back().support_forces;
+    for (std::size_t k = 0; k < f.size(); ++k) EXPECT_LT((turned(f[k], angle) - g[k]).norm(), 1e-10 * f[k].norm());
+  }
 }
 
 // Two pressed blocks under log strain (references C5) carry the published multipliers, per current length, within 1 %.
