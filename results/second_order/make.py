@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Hertz at a low load (references B1) with first and second order, linear and quadratic multipliers: error and time."""
+"""Hertz at a low load and Cattaneo-Mindlin (references B1, B2) with first and second order, linear and quadratic
+multipliers: error against h and against run time."""
 import pathlib
 import sys
 
@@ -8,46 +9,77 @@ import contact_case as cc  # noqa: E402
 from wear_case import figure, half_width, run, write_csv, write_measured  # noqa: E402
 
 LOW_A, LOW_P0 = 0.2, 109.89011    # p0 / E* = 1e-3
+A, C, MU_P0 = 0.0913360, 0.0645843, 0.6 * 836.410
 INTERVALS = (10, 20, 40, 80)      # between neighbouring nodes across the contact; a facet of order 2 spans two
-KINDS = {"linear": [], "quadratic": [('material = "steel"', 'material = "steel"\norder = 2')],
-         "quadratic_linear_dual": [('material = "steel"', 'material = "steel"\norder = 2'),
-                                   ('secondary = "face"', 'secondary = "face"\ndual = "linear"')]}
+SECOND = ('material = "steel"', 'material = "steel"\norder = 2')
+KINDS = {"linear": [], "quadratic": [SECOND],
+         "quadratic_linear_dual": [SECOND, ('secondary = "face"', 'secondary = "face"\ndual = "linear"')]}
+ONLY_LOADING = [('[[step]]\nname = "unload"\nplay = ["unload"]\nincrements = 20\n', ""),
+                ('[[step]]\nname = "reverse"\nplay = ["reverse"]\nincrements = 20\n', ""),
+                ("every_increment = true", "every_cycles = 1"), ("increments = 10", "increments = 5")]
 
 
-def one(kind, intervals, shift):
-    """Errors of one mesh at one position: h between nodes, L2, inner, half width, all relative; seconds of CPU."""
-    size = 2.0 * LOW_A / intervals * (1 if kind == "linear" else 2)
-    done = run("hertz_halfplane", f"{kind}_{intervals}_{shift}",
-               cc.zone("0.010", size, shift * size / cc.SHIFTS) + [("increments = 5", "increments = 1")] + KINDS[kind])
+def played(scene, kind, intervals, shift, half, old_size, words):
+    """A run and the rows of the nodes that carry multipliers; nodes 2 half / intervals apart."""
+    size = 2.0 * half / intervals * (1 if kind == "linear" else 2)
+    done = run(scene, f"{scene}_{kind}_{intervals}_{shift}", cc.zone(old_size, size, shift * size / cc.SHIFTS) + words + KINDS[kind])
     rows = done.last("secondary")
-    if kind == "quadratic_linear_dual":
-        rows = rows[::2]   # mid nodes carry no multiplier
+    return done, rows[::2] if kind == "quadratic_linear_dual" else rows
+
+
+def hertz(kind, intervals, shift):
+    """Relative errors of one mesh at one position: L2, inner, half width; seconds of CPU."""
+    done, rows = played("hertz_halfplane", kind, intervals, shift, LOW_A, "0.010", [("increments = 5", "increments = 1")])
     points = cc.profile(rows, "pressure_MPa")
     def exact(x):
         return cc.hertz(x, LOW_A, LOW_P0)
     l2 = cc.l2_error(points, exact) / (LOW_P0 * (4.0 * LOW_A / 3.0) ** 0.5)
     inner = cc.largest_error(points, exact, 0.8 * LOW_A) / LOW_P0
-    return 2.0 * LOW_A / intervals, l2, inner, half_width([(x, p * p) for x, p in points if p > 0.0]) / LOW_A - 1.0, done.summary["cpu_s"]
+    return l2, inner, half_width([(x, p * p) for x, p in points if p > 0.0]) / LOW_A - 1.0, done.summary["cpu_s"]
 
 
-def main():
-    measured, table = {}, []
+def cattaneo_mindlin(kind, intervals, shift):
+    """The same of the shear at Q = mu P / 2 and of the stick half width."""
+    done, rows = played("cattaneo_mindlin", kind, intervals, shift, A, "0.0045", ONLY_LOADING)
+    points = cc.profile(rows, "shear_MPa")
+    def exact(x):
+        return cc.mindlin(x, A, C, MU_P0)
+    l2 = cc.l2_error(points, exact) / (MU_P0 * (4.0 * A / 3.0) ** 0.5)
+    inner = cc.largest_error(points, exact, 0.8 * C) / MU_P0
+    return l2, inner, done.contact["stick_half_width_mm"] / C - 1.0, done.summary["cpu_s"]
+
+
+def study(case, half, measured):
+    """Means over the positions per kind and mesh, the median of the time."""
+    table = []
     for kind in KINDS:
         means = []
         for intervals in INTERVALS:
-            errors = [one(kind, intervals, k) for k in range(cc.SHIFTS)]
-            means.append([errors[0][0]] + [cc.mean_square([e[i] for e in errors]) for i in (1, 2, 3)]
-                         + [sorted(e[4] for e in errors)[len(errors) // 2]])
+            errors = [case(kind, intervals, k) for k in range(cc.SHIFTS)]
+            means.append([2.0 * half / intervals] + [cc.mean_square([e[i] for e in errors]) for i in (0, 1, 2)]
+                         + [sorted(e[3] for e in errors)[len(errors) // 2]])
             table.append([kind, *means[-1]])
-        measured[f"{kind}_l2_slope"] = cc.slope([(m[0], m[1]) for m in means])
-        measured[f"{kind}_l2_80"], measured[f"{kind}_inner_80"] = means[-1][1], means[-1][2]
-        measured[f"{kind}_half_width_80"] = means[-1][3]
-    write_csv("study.csv", ["kind", "h_mm", "l2_error", "inner_error", "half_width_error", "cpu_s"], table)
+        name = f"{case.__name__}_{kind}"
+        measured[f"{name}_l2_slope"] = cc.slope([(m[0], m[1]) for m in means])
+        for key, value in zip(("l2", "inner", "width", "cpu_s"), means[-1][1:]):
+            measured[f"{name}_{key}_80"] = value
+    write_csv(f"{case.__name__}.csv", ["kind", "h_mm", "l2_error", "inner_error", "width_error", "cpu_s"], table)
+
+
+def plots(name, half, title):
+    lines = ", ".join(f"'< grep ^{k}, {name}.csv' using {{x}}:{{y}} with linespoints title '{k.replace('_', ', ')}'" for k in KINDS)
+    text = f"set title '{title}'\nset ylabel 'L2 error'\nset xlabel 'distance of nodes / a'\nset key top left notitle\n"
+    text += "plot " + lines.format(x=f"($2/{half})", y=3) + "\n"
+    return text + "set xlabel 'seconds of CPU'\nset key bottom left\nplot " + lines.format(x=6, y=3) + "\n"
+
+
+def main():
+    measured = {}
+    study(hertz, LOW_A, measured)
+    study(cattaneo_mindlin, A, measured)
     write_measured(measured)
-    lines = ", ".join(f"'< grep ^{k}, study.csv' using {{x}}:3 with linespoints title '{k.replace('_', ', ')}'" for k in KINDS)
-    figure("set multiplot layout 1,2\nset logscale xy\nset format y '%.0e'\nset ylabel 'L2 error of p'\nset key top left notitle\n"
-           "set xlabel 'distance of nodes / a'\nplot " + lines.replace("{x}", f"($2/{LOW_A})") +
-           "\nset xlabel 'seconds of CPU'\nset key bottom left\nplot " + lines.replace("{x}", "6") + "\nunset multiplot\n")
+    figure("set terminal svg size 720,840 dynamic background '#ffffff'\nset multiplot layout 2,2\nset logscale xy\nset format y '%.0e'\n"
+           + plots("hertz", LOW_A, "Hertz, pressure") + plots("cattaneo_mindlin", A, "Cattaneo-Mindlin, shear") + "unset multiplot\n")
 
 
 if __name__ == "__main__":
