@@ -14,27 +14,40 @@ LOG = -math.log(1.0 - STRAIN) / STRAIN
 STICKING = [('[material.elastic]\nE_MPa = 1.0e6', '[material.hard]\nE_MPa = 1.0e8\nnu    = 0.3\n\n[material.elastic]\nE_MPa = 1.0e4'),
             ('[body.right]\nmaterial = "elastic"', '[body.right]\nmaterial = "hard"'),
             ('primary   = ["right_left"]', 'primary   = ["right_left"]\nfriction  = 1.0')]
+FINITE = [("E_MPa = ", 'law   = "hencky_cauchy"\nE_MPa = '), ("[body.left]\n", '[body.left]\nkinematics = "finite"\n'),
+          ("[body.right]\n", '[body.right]\nkinematics = "finite"\n')]
+
+
+def upwards(name, words):
+    return sorted(run("two_blocks_dual", name, words).last("secondary"), key=lambda r: r["y_mm"])
 
 
 def main():
-    rows = sorted(run("two_blocks_dual", "frictionless").last("secondary"), key=lambda r: r["y_mm"])
-    stick = sorted(run("two_blocks_dual", "sticking", STICKING).last("secondary"), key=lambda r: r["y_mm"])
+    rows, stick = upwards("frictionless", []), upwards("sticking", STICKING)
+    finite, finite_stick = upwards("finite", FINITE), upwards("finite_sticking", STICKING + FINITE)
     measured, table = {"log_strain_factor": LOG}, []
     for k, published in enumerate(PUBLISHED):
         p = rows[k]["pressure_MPa"]
-        table.append([rows[k]["y_mm"], p, p * LOG, published, p / published - 1.0, p * LOG / published - 1.0])
+        now = finite[k]["pressure_MPa"]
+        table.append([rows[k]["y_mm"], p, p * LOG, published, p / published - 1.0, p * LOG / published - 1.0, now])
+        measured[f"finite_gap_to_published_{k}"] = now / published - 1.0
         measured[f"gap_to_published_{k}"] = p / published - 1.0
         measured[f"shape_{k}"] = p / rows[3]["pressure_MPa"]
         measured[f"symmetry_{k}"] = p / rows[6 - k]["pressure_MPa"] - 1.0
     measured["middle_with_log_strain"] = rows[3]["pressure_MPa"] * LOG
     for k, published in enumerate(SHEAR):
         measured[f"sticking_shear_{k}"] = stick[k]["shear_MPa"]
+        measured[f"finite_sticking_shear_{k}"] = finite_stick[k]["shear_MPa"]
     measured["sticking_shear_middle"] = stick[3]["shear_MPa"]
-    write_csv("multipliers.csv", ["y_mm", "small_strain_MPa", "times_log_factor_MPa", "published_MPa", "gap", "gap_with_factor"], table)
-    write_csv("sticking.csv", ["y_mm", "shear_MPa", "published_MPa"], [[stick[k]["y_mm"], stick[k]["shear_MPa"], s] for k, s in enumerate(SHEAR)])
+    measured["finite_sticking_shear_middle"] = finite_stick[3]["shear_MPa"]
+    write_csv("multipliers.csv", ["y_mm", "small_strain_MPa", "times_log_factor_MPa", "published_MPa", "gap", "gap_with_factor",
+                                "finite_MPa"], table)
+    write_csv("sticking.csv", ["y_mm", "shear_MPa", "published_MPa", "finite_MPa"],
+              [[stick[k]["y_mm"], stick[k]["shear_MPa"], s, finite_stick[k]["shear_MPa"]] for k, s in enumerate(SHEAR)])
     write_measured(measured)
     figure("set xlabel 'y [mm]'\nset ylabel 'multiplier [MPa]'\nset key bottom right notitle\nset title 'two pressed blocks'\n"
            "plot 'multipliers.csv' skip 1 using 1:4 with linespoints lc 'black' title 'published, log strain', "
+           "'' skip 1 using 1:7 with points pt 6 ps 1.5 title 'here, finite strain', "
            "'' skip 1 using 1:2 with linespoints pt 7 title 'here, small strain', "
            "'' skip 1 using 1:3 with linespoints pt 9 dt 2 title 'here times ln(1-e)/(-e)'\n")
 

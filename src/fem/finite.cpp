@@ -134,7 +134,8 @@ void clear(const Mesh& mesh, InternalForce& f) {
 bool Solid::has_history() const { return std::holds_alternative<material::HenckyJ2>(material); }
 
 bool Solid::symmetric(mesh::CellKind kind) const {
-  return kinematics == base::Kinematics::small || !barred(*this, kind);
+  const auto* hencky = std::get_if<material::Hencky>(&material);
+  return kinematics == base::Kinematics::small || !(barred(*this, kind) || (hencky && hencky->cauchy));
 }
 
 History virgin(const Mesh& mesh, const Solid& solid) {
@@ -205,7 +206,7 @@ Prestrain deformation(const Mesh& mesh, const Solid& solid, const Vector& u, con
   const auto run = [&]<int n>(std::integral_constant<int, n>) {
     for_each_cell<FiniteStrain, n>(
         mesh, solid, u, F0, [] {},
-        [&](const auto& p, int, int) { F.push_back(FiniteStrain::seen(solid, bar, as_array<FiniteStrain>(p.x))); },
+        [&](const auto& p, int, int) { F.push_back(FiniteStrain::seen(bar, as_array<FiniteStrain>(p.x))); },
         [](int, const auto&) {});
   };
   mesh::order(mesh.kind) == 1 ? run(std::integral_constant<int, 4>{}) : run(std::integral_constant<int, 8>{});

@@ -78,9 +78,8 @@ struct SmallStrain {
 /// x = (F11, F12, F21, F22, F33, J0), F from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of the
 /// cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X, and
 /// J0 is det(I + G u) at the centre times the growth of the cell from unstressed to X, (sum dV) / sum(dV / det F0).
-/// F-bar evaluates the law at F-bar = s F and does work on the true F over the true volume:
-///   plane strain    s = (J0 / J)^(1/2), in the plane,   P = (J / J0) tau F^-T = P(F-bar) / s
-///   axisymmetry     s = (J0 / J)^(1/3), F33 included,   P = P(F-bar) / s^2                    (5)
+/// F-bar evaluates the law at F-bar = s F, s = (J0 / J)^(1/3), F33 included, and does work on the true F over the true
+/// volume: P = (J / J0) tau F^-T = P(F-bar) / s^2. At small strain that is B-bar with its value at the centre.   (5)
 struct FiniteStrain {
   static constexpr int inputs = 6, stresses = 5;
 
@@ -95,9 +94,9 @@ struct FiniteStrain {
   }
 
   /// What the law sees: F, or F-bar.
-  static material::Gradient<double> seen(const Solid& solid, bool bar, const std::array<double, 6>& x) {
+  static material::Gradient<double> seen(bool bar, const std::array<double, 6>& x) {
     material::Gradient<double> F{x[0], x[1], x[2], x[3], x[4]};
-    if (bar) stretch_by(stretch(solid.analysis, x), solid.analysis, F);
+    if (bar) stretch_by(stretch(x), F);
     return F;
   }
 
@@ -106,10 +105,10 @@ struct FiniteStrain {
                                  const material::PlasticState& before, material::PlasticState* after) {
     material::Gradient<T> F{x[0], x[1], x[2], x[3], x[4]};
     if (!bar) return material::first_piola(solid.material, solid.analysis, F, before, after);
-    const T s = stretch(solid.analysis, x);
-    stretch_by(s, solid.analysis, F);
+    const T s = stretch(x);
+    stretch_by(s, F);
     auto P = material::first_piola(solid.material, solid.analysis, F, before, after);
-    const T back = 1.0 / (ring(solid.analysis) ? s * s : s);
+    const T back = 1.0 / (s * s);
     for (T& p : P) p *= back;
     return P;
   }
@@ -117,7 +116,7 @@ struct FiniteStrain {
   /// tau / J, at F-bar.
   static Stress cauchy(const Solid& solid, bool bar, const std::array<double, 6>& x,
                        const material::PlasticState& state) {
-    const auto F = seen(solid, bar, x);
+    const auto F = seen(bar, x);
     Stress sigma = material::kirchhoff(solid.material, solid.analysis, F, state);
     const double J = material::plane_determinant(F) *
                      material::thickness_stretch(solid.material, solid.analysis, F, state);
@@ -126,8 +125,6 @@ struct FiniteStrain {
   }
 
  private:
-  static bool ring(Analysis analysis) { return analysis == Analysis::axisymmetric; }
-
   /// Gradient operator (H11, H12, H21, H22, H33) = G u and the volume weight.
   template <int n>
   static double gradient(const Mesh& mesh, int cell, Analysis analysis, const CellState<n>& state, const CellPoint& at,
@@ -143,7 +140,7 @@ struct FiniteStrain {
     for (int a = 0; a < n; ++a) {
       G(0, 2 * a) = G(2, 2 * a + 1) = dN(a, 0);
       G(1, 2 * a) = G(3, 2 * a + 1) = dN(a, 1);
-      if (ring(analysis)) G(4, 2 * a) = N[a] / R;
+      if (analysis == Analysis::axisymmetric) G(4, 2 * a) = N[a] / R;
     }
     return at.weight * det * base::out_of_plane(analysis, R);
   }
@@ -208,19 +205,18 @@ struct FiniteStrain {
   }
 
   template <class T>
-  static T stretch(Analysis analysis, const std::array<T, 6>& x) {
-    using std::exp, std::log, std::sqrt;
+  static T stretch(const std::array<T, 6>& x) {
+    using std::exp, std::log;
     const T J = (x[0] * x[3] - x[1] * x[2]) * x[4];
     if (!(base::value(J) > 0.0) || !(base::value(x[5]) > 0.0))
       throw base::SolveError("det F is " + std::to_string(base::value(J)) + ", at the centre of the cell " +
                              std::to_string(base::value(x[5])));
-    const T ratio = x[5] / J;
-    return ring(analysis) ? T(exp(log(ratio) * (1.0 / 3.0))) : T(sqrt(ratio));
+    return exp(log(x[5] / J) * (1.0 / 3.0));
   }
 
   template <class T>
-  static void stretch_by(const T& s, Analysis analysis, material::Gradient<T>& F) {
-    for (int i = 0; i < (ring(analysis) ? 5 : 4); ++i) F[i] *= s;
+  static void stretch_by(const T& s, material::Gradient<T>& F) {
+    for (T& f : F) f *= s;
   }
 };
 

@@ -44,12 +44,13 @@ Symmetric<T> elastic(const NeoHookean& m, const Symmetric<T>& b, const T& J) {
   return combined(b, T(shear_modulus(m)), spherical(m, J));
 }
 
-/// Hencky: tau = lambda tr(eps) I + 2 mu eps, eps = 1/2 ln b.      (5)
+/// Hencky: tau, or sigma = tau / J, = lambda tr(eps) I + 2 mu eps, eps = 1/2 ln b.      (5)
 template <class T>
-Symmetric<T> elastic(const Hencky& m, const Symmetric<T>& b, const T&) {
+Symmetric<T> elastic(const Hencky& m, const Symmetric<T>& b, const T& J) {
   const Symmetric<T> twice = logarithm(b);
+  const T scale = m.cauchy ? J : T(1.0);
   const T pressure = (twice[0] + twice[1] + twice[3]) * (0.5 * lame_lambda(m));
-  return combined(twice, T(shear_modulus(m)), pressure);
+  return combined(twice, scale * shear_modulus(m), scale * pressure);
 }
 
 /// tau of an elastic law at a whole F.

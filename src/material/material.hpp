@@ -30,10 +30,11 @@ struct NeoHookean {
   Volumetric volumetric = Volumetric::log_squared;
 };
 
-/// tau = lambda tr(eps) I + 2 mu eps on the logarithmic strain eps = 1/2 ln b.
+/// tau = lambda tr(eps) I + 2 mu eps on the logarithmic strain eps = 1/2 ln b; or sigma, which has no energy.
 struct Hencky {
   double E_MPa = 0.0;
   double nu = 0.0;
+  bool cauchy = false;  ///< the law gives sigma
 };
 
 /// Yield stress over accumulated plastic strain p [MPa].

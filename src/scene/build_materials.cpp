@@ -63,7 +63,8 @@ material::Material material_of(const Entry& entry, Issues& issues) {
   if (law != "neo_hookean") refuse(entry, {"volumetric"}, "only neo_hookean takes one", issues);
   if (law != "hencky_j2") refuse(entry, {"hardening"}, "only hencky_j2 takes one", issues);
   if (law == "st_venant_kirchhoff") return material::StVenantKirchhoff{.E_MPa = E, .nu = nu};
-  if (law == "hencky") return material::Hencky{.E_MPa = E, .nu = nu};
+  if (law == "hencky" || law == "hencky_cauchy")
+    return material::Hencky{.E_MPa = E, .nu = nu, .cauchy = law == "hencky_cauchy"};
   if (law == "hencky_j2") {
     const auto hardening = entry.at("hardening");
     if (hardening.is_table())

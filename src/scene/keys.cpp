@@ -21,8 +21,9 @@ constexpr Key table[] = {
     {"shape", Type::text, "", "on", one_of("on|off"), "off: wear stays in the gap, the surfaces do not move"},
 
     {"material.*.law", Type::text, "", "linear_elastic",
-     one_of("linear_elastic|st_venant_kirchhoff|neo_hookean|hencky|hencky_j2"),
-     "stress law; `linear_elastic` is for small strain alone, at which the other elastic laws are the same as it"},
+     one_of("linear_elastic|st_venant_kirchhoff|neo_hookean|hencky|hencky_cauchy|hencky_j2"),
+     "stress law; `linear_elastic` is for small strain alone, at which the other elastic laws are the same as it; "
+     "hencky: Kirchhoff stress linear in log strain, hencky_cauchy: Cauchy stress"},
     {"material.*.E_MPa", Type::number, "MPa", "required", positive, "Young's modulus"},
     {"material.*.nu", Type::number, "", "required",
      {.low = -1.0, .high = 0.5, .low_open = true, .high_open = true}, "Poisson's ratio"},

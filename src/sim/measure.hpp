@@ -8,9 +8,9 @@
 namespace reye::sim {
 
 /// Both sides of a contact as tables along the boundary, from its end with smaller x.
-/// Pressure is force per length on X; a node covered by less than half reports lambda D / A. Slip and depth are the values
-/// at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h that is off by
-/// h^2 p'' / 40, and what these means interpolate by h^2 p'' / 10.
+/// Pressure is force per length on X; a node covered by less than half reports lambda D / A. Slip and depth are the
+/// values at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h that
+/// is off by h^2 p'' / 40, and what these means interpolate by h^2 p'' / 10.
 /// Shear is the traction on the secondary body along increasing arc length; the primary repeats M^T lambda / A.
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);

@@ -113,7 +113,7 @@ TEST(finite_elastic, st_venant_kirchhoff_closed_forms) {
                 {l * l * E * strain, 0, 0, 0});
 }
 
-// Hencky in simple shear, principal logarithmic strain asinh(gamma / 2), and in uniaxial tension tau = E ln l.
+// Hencky in simple shear, principal logarithmic strain asinh(gamma / 2), and in uniaxial tension tau = E ln l; or sigma.
 TEST(finite_elastic, hencky_closed_forms) {
   const Hencky law{E, nu};
   const double g = 1.4, log_stretch = std::asinh(g / 2), c = std::sqrt(1 + g * g / 4);
@@ -123,6 +123,8 @@ TEST(finite_elastic, hencky_closed_forms) {
   const double l = 1.8, lateral = std::pow(l, -nu);
   expect_stress(kirchhoff(law, Analysis::plane_stress, Gradient<double>{l, 0, 0, lateral, 1}),
                 {E * std::log(l), 0, 0, 0});
+  expect_stress(kirchhoff(Hencky{E, nu, true}, Analysis::plane_stress, Gradient<double>{l, 0, 0, lateral, 1}),
+                {l * lateral * lateral * E * std::log(l), 0, 0, 0});
 }
 
 // A St Venant-Kirchhoff sheet has no thickness at which tau_33 = 0 once tr C > 3 + 2 mu / lambda: an error.
