@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A gross-slip fretting cycle of elastic bodies (references D6): loop area, work of the supports, dissipated energy."""
+"""A gross-slip fretting cycle of elastic bodies (references D6): loop area, work of the supports, dissipated energy; and
+the same balance of a rubber pin at finite strain."""
 import math
 import pathlib
 import sys
@@ -21,10 +22,10 @@ def variant(increments):
             ("half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010", "half_width_mm = 0.08, depth_mm = 0.08, size_mm = 0.004")]
 
 
-def motion(progress):
-    """Of the shaker, as the scene's history has it."""
+def motion(progress, stroke=STROKE):
+    """Of the shaker or the pin's head, as the scene's history has it."""
     t = 4.0 * progress
-    return STROKE * (t if t <= 1.0 else 2.0 - t if t <= 3.0 else t - 4.0)
+    return stroke * (t if t <= 1.0 else 2.0 - t if t <= 3.0 else t - 4.0)
 
 
 def loop_of(result):
@@ -34,6 +35,16 @@ def loop_of(result):
     key = "shaker_force_x_N_per_mm"
     loop = [(0.0, start[key])] + [(motion(r["progress"]), r[key]) for r in cycle]
     return loop, cycle[-1]["energy_mJ_per_mm"] - start["energy_mJ_per_mm"]
+
+
+def rubber_loop(increments):
+    """The same of the second cycle of the rubber pin, without wear."""
+    result = run("rubber_pin_wear", f"rubber_{increments}",
+                 [("wear      = { law = \"energy\", secondary_mm3_per_J = 0.5 }\n", ""), ("size_mm = 0.08", "size_mm = 0.16"),
+                  ("increments = 40\ncycles = 200\njump = 10", f"increments = {increments}\ncycles = 2\njump = 1")])
+    rows = [r for r in result.history if r["step"] == "slide"][-increments - 1:]
+    loop = [(motion(r["progress"] % 1.0, 1.5), r["head_force_x_N_per_mm"]) for r in rows]
+    return loop, rows[-1]["energy_mJ_per_mm"] - rows[0]["energy_mJ_per_mm"]
 
 
 def area(loop):
@@ -59,6 +70,12 @@ def main():
             measured["loop_over_4_mu_P_amplitude_160"] = work / formula
             measured["energy_over_4_mu_P_amplitude_160"] = energy / formula
             write_csv("loop.csv", ["motion_mm", "force_N_per_mm"], loop)
+    rubber = []
+    for n in COUNTS:
+        loop, energy = rubber_loop(n)
+        rubber.append([n, area(loop), energy, area(loop) / energy - 1.0])
+        measured[f"rubber_work_over_energy_{n}"] = area(loop) / energy
+    write_csv("rubber.csv", ["increments", "work_of_supports", "dissipated", "work_over_energy_minus_1"], rubber)
     measured["rate_40_80"] = math.log2(gaps[0] / gaps[1])
     measured["rate_80_160"] = math.log2(gaps[1] / gaps[2])
     write_csv("closure.csv", ["increments", "work_of_supports", "dissipated", "amplitude_mm", "4_mu_P_amplitude",
