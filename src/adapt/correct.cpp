@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "adapt/locate.hpp"
+#include "adapt/segment_tree.hpp"
 #include "adapt/strip.hpp"
 #include "mesh/quadratic_edge.hpp"
 

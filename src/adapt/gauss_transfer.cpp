@@ -8,6 +8,7 @@
 #include "adapt/locate.hpp"
 #include "adapt/projection.hpp"
 #include "adapt/recovery.hpp"
+#include "adapt/segment_tree.hpp"
 
 namespace reye::adapt {
 

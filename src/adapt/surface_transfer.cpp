@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "adapt/locate.hpp"
+#include "adapt/segment_tree.hpp"
 
 namespace reye::adapt {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "body/edges.hpp"
+#include "fem/assemble_loads.hpp"
 
 namespace reye::body {
 
@@ -246,6 +247,9 @@ Path Columns::path(const Term& term, double value, bool true_rotation) const {
   return {s * d + (1.0 - c) * across, c * d + s * across, c * across - s * d};
 }
 
-Columns number_columns(const Mesh& mesh, const BodyInput& input) { return Numbering(mesh, input).result(); }
+Columns number_columns(const Mesh& mesh, const BodyInput& input) {
+  for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
+  return Numbering(mesh, input).result();
+}
 
 }  // namespace reye::body

@@ -18,12 +18,6 @@ struct CondensedLoad {
   Vector condensed;
 };
 
-/// Throws base::InputError when a contact boundary is unknown, before anything indexes by it.
-const BodyInput& checked(const mesh::Mesh& mesh, const BodyInput& input) {
-  for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
-  return input;
-}
-
 }  // namespace
 
 struct LinearBody::Impl {
@@ -36,12 +30,15 @@ struct LinearBody::Impl {
 
   Impl(ShapePtr s, const BodyInput& input)
       : shape(std::move(s)),
-        columns(number_columns(shape->mesh, checked(shape->mesh, input))),
+        columns(number_columns(shape->mesh, input)),
         B(columns.expansion()),
         factor(reduced_stiffness(input), columns.retained) {
-    add_loads(input, input.boundary_loads);
-    add_loads(input, input.point_loads);
-    add_loads(input, input.body_forces);
+    for_each_load(input, [&](const auto& load) {
+      Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
+      Vector condensed = factor.condense(full);
+      names.push_back({load.name, load.history});
+      loads.push_back({std::move(full), std::move(condensed)});
+    });
   }
 
   /// B^T K B
@@ -49,16 +46,6 @@ struct LinearBody::Impl {
     const SparseMatrix K = fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar);
     const SparseMatrix KB = K * B;
     return B.transpose() * KB;
-  }
-
-  template <class Load>
-  void add_loads(const BodyInput& input, const std::vector<Load>& list) {
-    for (const Load& load : list) {
-      Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
-      Vector condensed = factor.condense(full);
-      names.push_back({load.name, load.history});
-      loads.push_back({std::move(full), std::move(condensed)});
-    }
   }
 };
 

@@ -16,12 +16,6 @@ using base::SparseMatrix;
 
 namespace {
 
-/// Throws base::InputError when a contact boundary is unknown, before anything indexes by it.
-const BodyInput& checked(const mesh::Mesh& mesh, const BodyInput& input) {
-  for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
-  return input;
-}
-
 /// One load of the scene for history factor 1: the part that keeps its direction, and at finite strain the pressure.
 struct Load {
   Vector dead;
@@ -70,19 +64,12 @@ struct NonlinearBody::Impl {
       : shape(std::move(s)),
         name(input.name),
         solid{input.material, input.analysis, input.kinematics, input.b_bar},
-        columns(number_columns(shape->mesh, checked(shape->mesh, input))),
+        columns(number_columns(shape->mesh, input)),
         pattern(shape->mesh) {
-    add_loads(input, input.boundary_loads);
-    add_loads(input, input.point_loads);
-    add_loads(input, input.body_forces);
-  }
-
-  template <class SceneLoad>
-  void add_loads(const BodyInput& input, const std::vector<SceneLoad>& list) {
-    for (const SceneLoad& load : list) {
+    for_each_load(input, [&](const auto& load) {
       names.push_back({load.name, load.history});
       loads.push_back(make_load(shape->mesh, input, load));
-    }
+    });
   }
 
   const mesh::Mesh& mesh() const { return shape->mesh; }

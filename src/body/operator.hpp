@@ -69,6 +69,14 @@ struct BodyInput {
   std::vector<std::string> contact_boundaries;  ///< their nodes are retained
 };
 
+/// Calls take(load) for each load, in the order of `loads()` of the body that is made of them.
+template <class Take>
+void for_each_load(const BodyInput& input, Take&& take) {
+  for (const auto& load : input.boundary_loads) take(load);
+  for (const auto& load : input.point_loads) take(load);
+  for (const auto& load : input.body_forces) take(load);
+}
+
 /// Linear elastic body of small strain, condensed to its retained dofs q:
 /// contact nodes first (in the order of `contact_nodes`), then the columns of its supports.
 class LinearBody {

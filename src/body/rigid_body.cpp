@@ -62,17 +62,10 @@ struct RigidBody::Impl {
           contact_nodes.push_back(node);
     const auto points = with_control_points(shape->mesh.X, curved_edges(shape->mesh, input.contact_boundaries));
     for (int node : contact_nodes) contact_X.push_back(points[node]);
-    add_loads(input, input.boundary_loads);
-    add_loads(input, input.point_loads);
-    add_loads(input, input.body_forces);
-  }
-
-  template <class Load>
-  void add_loads(const BodyInput& input, const std::vector<Load>& list) {
-    for (const Load& load : list) {
+    for_each_load(input, [&](const auto& load) {
       names.push_back({load.name, load.history});
       loads.push_back(resultant(shape->mesh, input.analysis, load, centre));
-    }
+    });
   }
 
   void set_supports(const BodyInput& input) {

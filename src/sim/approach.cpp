@@ -75,13 +75,12 @@ double driving_force(const Problem& problem, const solver::System& system, int b
   return force - std::visit(at_rest, op).dot(t);
 }
 
-/// Moves all of body b by what t is in its q.
-void translate(const solver::System& system, int b, const Vector& t, solver::SolverState& solution) {
-  solution.q.segment(system.offset[b], t.size()) += t;
-  const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]);
-  if (!body) return;
+/// How the interior of a nonlinear body goes along with t in its q, without load; empty for other bodies.
+Vector interior_of(const body::Operator& op, const Vector& t) {
+  const auto* body = std::get_if<body::NonlinearBody>(&op);
+  if (!body) return {};
   const Vector unloaded = Vector::Zero(static_cast<Eigen::Index>(body->loads().size()));
-  solution.interiors[b].y += body->interior_step(at_start(*body, unloaded), t);  // without load the interior goes along
+  return body->interior_step(at_start(*body, unloaded), t);
 }
 
 /// Distance that body b can move along d until the first covered secondary node of its contacts meets.
@@ -125,12 +124,13 @@ void approach(const Problem& problem, State& state, const solver::System& system
       const double force = driving_force(problem, system, b, axis);
       if (force == 0.0) continue;
       const Vec2 d = force > 0.0 ? axis : Vec2(-axis);
-      const Vector t = translation(problem, system, b, d);
+      const Vector t = translation(problem, system, b, d), inside = interior_of(system.bodies[b], t);
       // The facet that is met changes on the way: repeat until nothing is left to close.
       for (int round = 0; round < 50; ++round) {
         const auto way = free_way(problem, system, state, b, d);
         if (!way || (round == 0 && *way <= 0.0)) break;
-        translate(system, b, *way * t, state.solution);
+        state.solution.q.segment(system.offset[b], t.size()) += *way * t;
+        if (inside.size() > 0) state.solution.interiors[b].y += *way * inside;
         if (std::abs(*way) < 1e-14) break;
       }
     }

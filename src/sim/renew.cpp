@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "adapt/triggers.hpp"
@@ -16,22 +17,28 @@ bool wear_waits(const State& state) {
                      [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
 }
 
-/// The shape with its nodes where they are now. It still knows the mesh it was born with, so that its outline is drawn
-/// through the nodes.
-body::ShapePtr current_shape(const Problem& problem, const State& state, const solver::System& system, int b) {
-  auto shape = std::make_shared<body::Shape>(*state.shapes[b]);
+/// Where the nodes of a body are now.
+base::Points current_nodes(const Problem& problem, const State& state, const solver::System& system, int b) {
+  base::Points x = state.shapes[b]->mesh.X;
   const auto u = recovered(problem, state, system, b);
-  for (std::size_t i = 0; i < u.size(); ++i) shape->mesh.X[i] += u[i];
+  for (std::size_t i = 0; i < u.size(); ++i) x[i] += u[i];
+  return x;
+}
+
+/// The shape with its nodes at x. It still knows the mesh it was born with, so that its outline is drawn through the
+/// nodes.
+body::ShapePtr moved_to(const body::Shape& before, base::Points x) {
+  auto shape = std::make_shared<body::Shape>(before);
+  shape->mesh.X = std::move(x);
   return shape;
 }
 
 /// Why the current shape is to become X.
-RemeshReason reason_of(const Problem& problem, const body::Shape& before, const body::Shape& current) {
+RemeshReason reason_of(const Problem& problem, const body::Shape& before, const base::Points& x) {
   const auto& triggers = problem.scene.remesh.triggers;
-  const std::string why = adapt::why_renew(before, current.mesh.X, triggers);
+  const std::string why = adapt::why_renew(before, x, triggers);
   if (why.empty()) return {};
-  const bool divide = adapt::measure(before, current.mesh.X).size_ratio.value > triggers.size_ratio;
-  return {"deformation: " + why, divide, true};
+  return {"deformation: " + why, adapt::measure(before, x).size_ratio.value > triggers.size_ratio, true};
 }
 
 /// Where the supports of a body are when its reference is renewed.
@@ -78,18 +85,20 @@ bool can_renew(const Problem& problem, int body) {
 bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
   if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
   const auto& system = timed_system(problem, state, cache);
-  Change change{state, std::vector<RemeshReason>(state.shapes.size()), {}};
-  bool any = false;
+  std::vector<RemeshReason> reasons(state.shapes.size());
+  std::map<int, base::Points> renewed;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (!can_renew(problem, b)) continue;
-    auto current = current_shape(problem, state, system, b);
-    change.reasons[b] = reason_of(problem, *state.shapes[b], *current);
-    if (!change.reasons[b].renew) continue;
-    any = true;
-    change.next.shapes[b] = std::move(current);
+    auto x = current_nodes(problem, state, system, b);
+    reasons[b] = reason_of(problem, *state.shapes[b], x);
+    if (reasons[b].renew) renewed.emplace(b, std::move(x));
+  }
+  if (renewed.empty()) return false;
+  Change change{state, std::move(reasons), {}};
+  for (auto& [b, x] : renewed) {
+    change.next.shapes[b] = moved_to(*state.shapes[b], std::move(x));
     note_supports(problem, state, system, b, change.next);
   }
-  if (!any) return false;
   change.held = held_tractions(system, state);
   count_on_current(problem, system, change);
   Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);

@@ -23,15 +23,9 @@ using base::Vector;
 using body::Drive;
 using body::NonlinearBody;
 using support::fixed_edge;
+using support::made_of;
 using support::moved;
 using support::rectangle;
-
-body::BodyInput made_of(const material::Material& m, Kinematics kinematics, Analysis analysis = Analysis::plane_strain) {
-  auto input = support::elastic(1.0, 0.0, analysis);
-  input.material = m;
-  input.kinematics = kinematics;
-  return input;
-}
 
 const material::Material rubber = material::NeoHookean{300.0, 0.4, material::Volumetric::log_squared};
 const material::Material metal = material::HenckyJ2{300.0, 0.3, material::LinearHardening{2.0, 30.0}};

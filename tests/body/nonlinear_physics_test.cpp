@@ -17,14 +17,8 @@ using base::Vec2;
 using base::Vector;
 using body::Drive;
 using support::fixed_edge;
+using support::made_of;
 using support::moved;
-
-body::BodyInput made_of(const material::Material& m, Kinematics kinematics, Analysis analysis = Analysis::plane_strain) {
-  auto input = support::elastic(1.0, 0.0, analysis);
-  input.material = m;
-  input.kinematics = kinematics;
-  return input;
-}
 
 body::Support held(const std::string& edge, char axis) {
   body::Support s;

@@ -8,12 +8,18 @@
 /// Bodies and a plain solve of one linear body, for tests of all rooms.
 namespace reye::support {
 
-inline body::BodyInput elastic(double E_MPa, double nu, base::Analysis analysis = base::Analysis::plane_strain) {
+inline body::BodyInput made_of(const material::Material& material, base::Kinematics kinematics,
+                               base::Analysis analysis = base::Analysis::plane_strain) {
   body::BodyInput input;
   input.name = "body";
-  input.material = material::LinearElastic{E_MPa, nu};
+  input.material = material;
   input.analysis = analysis;
+  input.kinematics = kinematics;
   return input;
+}
+
+inline body::BodyInput elastic(double E_MPa, double nu, base::Analysis analysis = base::Analysis::plane_strain) {
+  return made_of(material::LinearElastic{E_MPa, nu}, base::Kinematics::small, analysis);
 }
 
 inline body::Motion moved(double amplitude) { return {body::Drive::moved, amplitude, ""}; }
@@ -31,9 +37,7 @@ inline body::Support fixed_edge(const std::string& name, const std::string& edge
 /// All load vectors of a body, in the order of its `loads()`.
 inline std::vector<base::Vector> load_vectors(const mesh::Mesh& mesh, const body::BodyInput& input) {
   std::vector<base::Vector> f;
-  for (const auto& load : input.boundary_loads) f.push_back(fem::load_vector(mesh, input.analysis, load));
-  for (const auto& load : input.point_loads) f.push_back(fem::load_vector(mesh, input.analysis, load));
-  for (const auto& load : input.body_forces) f.push_back(fem::load_vector(mesh, input.analysis, load));
+  for_each_load(input, [&](const auto& load) { f.push_back(fem::load_vector(mesh, input.analysis, load)); });
   return f;
 }
 
