@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -202,6 +203,20 @@ void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vec
 
 Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) const {
   return at.kept->condensation.recover(-at.kept->r, dq).head(impl_->interior());
+}
+
+std::string NonlinearBody::least_balanced(const Linearised& at) const {
+  Eigen::Index column = -1;
+  if (impl_->interior() > 0) at.kept->r.head(impl_->interior()).cwiseAbs().maxCoeff(&column);
+  for (int node = 0; node < impl_->mesh().node_count(); ++node)
+    for (const Term& term : impl_->columns.terms[node]) {
+      if (term.column != column) continue;
+      const Vec2& X = impl_->mesh().X[node];
+      char place[80];
+      std::snprintf(place, sizeof place, "node %d at (%.4g, %.4g) mm inside body ", node, X.x(), X.y());
+      return place + impl_->name;
+    }
+  return "body " + impl_->name;
 }
 
 Vector NonlinearBody::retained_residual(const Interior& before, const Vector& y, const Vector& q,

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -176,6 +177,8 @@ class NonlinearBody {
   void linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
                  Linearised& out) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
+  /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
+  std::string least_balanced(const Linearised& at) const;
 
   /// r_c alone: what the retained dofs carry. No factorisation.
   Vector retained_residual(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors) const;

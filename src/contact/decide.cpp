@@ -28,6 +28,7 @@ double Interface::others_wear(int node) const {
 
 void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool predicted) {
   status_last_ = status_;
+  sign_last_ = sign_;
   const auto& o = setup_->options;
   const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && iteration >= 5;
   const bool spread = late && wear_spreads();

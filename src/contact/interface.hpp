@@ -61,6 +61,11 @@ class Interface {
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
   /// In iteration 0 what was active stays so and sticks, unless the state is a `predicted` one to be judged.
   void decide(const std::vector<Vec2>& lambda, int iteration, bool predicted = false);
+  /// Takes back what the last `decide` did to a node.
+  void keep(int node) {
+    status_[node] = status_last_[node];
+    sign_[node] = sign_last_[node];
+  }
 
   /// Conditions of all active nodes, this increment's wear included.
   void evaluate(const std::vector<Vec2>& lambda);
@@ -138,7 +143,8 @@ class Interface {
   std::vector<char> differentiated_;
   std::vector<MortarRow> rows_;
   std::vector<std::vector<std::pair<int, double>>> cover_;
-  std::vector<double> gap_, worn_before_, sign_, primary_start_, primary_depth_, secondary_start_, secondary_depth_;
+  std::vector<double> gap_, worn_before_, sign_, sign_last_;
+  std::vector<double> primary_start_, primary_depth_, secondary_start_, secondary_depth_;
   std::vector<double> spread_;                      ///< sum_l T_jl
   std::vector<double> worn_length_;                 ///< A_j, and half of it from each control point that wears with j
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j

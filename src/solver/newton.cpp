@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "base/errors.hpp"
@@ -18,10 +19,16 @@ constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonli
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
-std::string no_convergence(const Iteration& last, int iterations) {
-  return "no convergence in " + std::to_string(iterations) + " iterations: unbalanced force " + std::to_string(last.force) +
-         ", unmet condition " + std::to_string(last.condition) + " (relative), " + std::to_string(last.changes) +
-         " nodes still change status";
+std::string short_number(double value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.1e", value);
+  return text;
+}
+
+std::string node_in_words(int mesh_node, const Vec2& x, const std::string& owner) {
+  char text[80];
+  std::snprintf(text, sizeof text, "node %d at (%.4g, %.4g) mm of ", mesh_node, x.x(), x.y());
+  return text + owner;
 }
 
 /// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
@@ -123,6 +130,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
   double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
+  unmet_ = {};
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
     face.evaluate(lambda_[c]);
@@ -139,10 +147,14 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
       // What rounding of positions leaves of a gap can not be asked to vanish.
       const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * nodes_[c][j].position.x.norm() * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
-      unmet = std::max(unmet, overlap(face.residual_normal(node)));
+      const auto count = [&](double r) {
+        if (r > unmet) unmet_ = {static_cast<int>(c), node};
+        unmet = std::max(unmet, r);
+      };
+      count(overlap(face.residual_normal(node)));
       if (nodes_[c][j].free < 2) continue;
       const double r = face.residual_tangential(node);
-      unmet = std::max(unmet, face.status()[j] == ContactStatus::slip || face.held() ? std::abs(r) : overlap(r));
+      count(face.status()[j] == ContactStatus::slip || face.held() ? std::abs(r) : overlap(r));
     }
   }
   for (const auto& [column, value] : controls.prescribed) balance[reduction_.index(column)] = 0.0;
@@ -153,24 +165,69 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   largest = std::max(largest, nonlinear_.force_scale());
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
-  row.force = std::max(0.0, std::max(largest_of(balance), inside) - rounding) / std::max(largest, tiny);
+  Eigen::Index column = -1;
+  const double outside = balance.size() ? balance.cwiseAbs().maxCoeff(&column) : 0.0;
+  unbalanced_ = inside > outside ? -1 : static_cast<int>(column);
+  row.force = std::max(0.0, std::max(outside, inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
   row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, 1e-6 * unmet);
   return row;
 }
 
-/// Number of nodes that changed status.
-int Newton::decide(int iteration, bool predicted) {
+/// Number of nodes that ask for another status; those that are allowed to get it.
+int Newton::decide(int iteration, bool predicted, Allowed allowed) {
   int changes = 0;
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     const auto last = interfaces_[c].status();
     interfaces_[c].decide(lambda_[c], iteration, predicted);
     for (std::size_t j = 0; j < last.size(); ++j) {
-      changes += last[j] != interfaces_[c].status()[j];
-      if (!interfaces_[c].active(static_cast<int>(j))) lambda_[c][j].setZero();
+      const int node = static_cast<int>(j);
+      const bool asks = last[j] != interfaces_[c].status()[j];
+      if (asks && (allowed == Allowed::none || (allowed == Allowed::one && changes > 0))) interfaces_[c].keep(node);
+      if (asks && changes++ == 0) asking_ = {static_cast<int>(c), node};
+      if (!interfaces_[c].active(node)) lambda_[c][j].setZero();
     }
   }
   return changes;
+}
+
+ActiveSetWatch::Set Newton::active_set() const {
+  ActiveSetWatch::Set set;
+  for (const auto& face : interfaces_) set.insert(set.end(), face.status().begin(), face.status().end());
+  return set;
+}
+
+std::string Newton::named(const System& system, ContactNode node) const {
+  if (node.contact < 0) return {};
+  const auto& setup = system.contacts[node.contact];
+  return node_in_words(setup.secondary_nodes[node.node].mesh_node, nodes_[node.contact][node.node].position.x,
+                       "contact " + setup.options.name);
+}
+
+std::string Newton::least_balanced(const System& system) const {
+  if (unbalanced_ < 0) return nonlinear_.least_balanced();
+  for (std::size_t c = 0; c < nodes_.size(); ++c)
+    for (std::size_t k = 0; k < nodes_[c].size(); ++k)
+      for (int t = 0; t < nodes_[c][k].position.count; ++t) {
+        if (nodes_[c][k].column[t] != unbalanced_) continue;
+        const auto& setup = system.contacts[c];
+        const auto ns = setup.secondary_nodes.size();
+        const auto& node = k < ns ? setup.secondary_nodes[k] : setup.primary_nodes[k - ns];
+        return node_in_words(node.mesh_node, nodes_[c][k].position.x, "contact " + setup.options.name);
+      }
+  return "a support";
+}
+
+std::string Newton::no_convergence(const System& system, const std::vector<Iteration>& table, bool circles) const {
+  const Iteration& last = table.back();
+  std::string text = "no convergence in " + std::to_string(table.size() - 1) + " iterations: unbalanced force " +
+                     short_number(last.force);
+  if (last.force > options_.force_tolerance) text += " (" + least_balanced(system) + ")";
+  text += ", unmet condition " + short_number(last.condition);
+  if (last.condition > options_.condition_tolerance) text += " (" + named(system, unmet_) + ")";
+  text += ", relative; " + std::to_string(last.changes) + " nodes still change status";
+  if (last.changes > 0 || circles) text += ", first " + named(system, asking_);
+  return circles ? text + ": no status fits it" : text;
 }
 
 /// No node at the rim of the reach is active or met, and none beyond it is overlapped.
@@ -249,22 +306,35 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     report.reason = error.what();
     return result;
   }
-  bool late = false;
-  int renewals = 0;
+  const auto small = [&](const Iteration& row) {
+    return row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
+  };
+  ActiveSetWatch watch;
+  bool late = false, circles = false;
+  int renewals = 0, limit = most_on_one_tangent;
   for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
     const bool fresh = !nonlinear_.any() || since == 0;  // what is measured is the truth, not a linear body's
     place(system, reduction_.scatter(q), false);
-    const int changes = decide(late ? options_.max_iterations : iteration, predicted);
+    const bool one_by_one = watch.cycling();
+    const int stage = late ? options_.max_iterations : iteration;
+    const int changes = decide(stage, predicted, one_by_one ? Allowed::none : Allowed::all);
     Iteration row = measure(system, controls, q, fresh);
+    if (one_by_one && changes > 0 && small(row)) {
+      decide(stage, predicted, Allowed::one);
+      row = measure(system, controls, q, fresh);
+    }
     row.changes = changes;
+    watch.add(active_set());
+    circles = watch.stuck();
+    if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
       report.reason = "the residual is not finite after " + std::to_string(iteration) + " iterations";
       return result;
     }
-    bool met = iteration > 0 && changes == 0 && row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
+    bool met = iteration > 0 && changes == 0 && small(row);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
-    if (met && !late && decide(options_.max_iterations, predicted) != 0) {
+    if (met && !late && decide(options_.max_iterations, predicted, one_by_one ? Allowed::one : Allowed::all) != 0) {
       met = false;
       late = true;
       measure(system, controls, q, fresh);
@@ -276,15 +346,17 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       return iterate(system, before, controls, predicted);
     }
     // Contact has settled on the bodies as they were linearised: these anew, there.
-    if (nonlinear_.any() && (met || since == most_on_one_tangent)) {
+    if (nonlinear_.any() && (met || since == limit || watch.stuck())) {
       if (renewals++ == options_.max_iterations) break;
       report.reason = nonlinear_.renew(q, lambda_);
       if (!report.reason.empty()) return result;
+      watch = {};
+      limit = most_on_one_tangent;
       iteration = 0;
       since = -1;
       continue;
     }
-    if (iteration == options_.max_iterations) break;
+    if (iteration == options_.max_iterations || circles) break;
     try {
       const Vector dq = step(system, controls, q);
       ++report.solves;
@@ -299,7 +371,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       return result;
     }
   }
-  report.reason = no_convergence(report.table.back(), options_.max_iterations);
+  report.reason = no_convergence(system, report.table, circles);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/active_set_watch.hpp"
 #include "solver/condense.hpp"
 #include "solver/nonlinear_bodies.hpp"
 #include "solver/reduction.hpp"
@@ -50,6 +51,9 @@ class Newton {
 
  private:
   enum class Fit { good, too_narrow };
+  struct ContactNode {
+    int contact = -1, node = -1;
+  };
   void choose_reach(const System& system, const SolverState& before, bool everything);
   SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted);
   void begin(const System& system, const SolverState& before, const Controls& controls);
@@ -57,10 +61,15 @@ class Newton {
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
   const Matrix& stiffness(std::size_t body) const;
   Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
-  int decide(int iteration, bool predicted);
+  int decide(int iteration, bool predicted, Allowed allowed);
+  ActiveSetWatch::Set active_set() const;
   Vector step(const System& system, const Controls& controls, const Vector& q);
   Fit accept(const System& system, const Vector& q, SolveResult& result);
   bool inside_reach(const System& system, int contact) const;
+  /// A secondary node in words; an empty text without one.
+  std::string named(const System& system, ContactNode node) const;
+  std::string least_balanced(const System& system) const;
+  std::string no_convergence(const System& system, const std::vector<Iteration>& table, bool circles) const;
 
   NewtonOptions options_;
   Reach reach_;
@@ -74,6 +83,10 @@ class Newton {
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
   Vector structural_, loads_;              ///< on the reduced columns
+  // For the report of a failure:
+  int unbalanced_ = -1;                    ///< reduced column with the largest unbalanced force, -1: inside a body
+  ContactNode unmet_;                      ///< the condition that was met worst
+  ContactNode asking_;                     ///< the first node that asked for another status in the last decision
 };
 
 }  // namespace reye::solver

@@ -88,6 +88,14 @@ double NonlinearBodies::inside_imbalance() const {
   return largest;
 }
 
+std::string NonlinearBodies::least_balanced() const {
+  const double largest = inside_imbalance();
+  for (std::size_t b = 0; b < linearised_.size(); ++b)
+    if (const auto* own = body(b); own && linearised_[b].interior_residual == largest)
+      return own->least_balanced(linearised_[b]);
+  return {};
+}
+
 double NonlinearBodies::force_scale() const {
   double largest = 0.0;
   for (const auto& at : linearised_) largest = std::max(largest, at.force_scale);

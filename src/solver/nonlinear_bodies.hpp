@@ -34,6 +34,7 @@ class NonlinearBodies {
   void add_residual(int body, const Vector& q, Vector& r) const;
   double inside_imbalance() const;  ///< largest r_i at the anchor
   double force_scale() const;       ///< largest force of a cell at the anchor
+  std::string least_balanced() const;  ///< where the largest r_i is, in words
 
   /// Interiors after the increment that led to the global q, per body.
   std::vector<body::Interior> accepted(const Vector& q) const;
