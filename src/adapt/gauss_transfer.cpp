@@ -15,7 +15,7 @@ namespace reye::adapt {
 namespace {
 
 using base::Matrix;
-using material::PlasticState;
+using material::ElasticState;
 
 Matrix picked(const GaussPoints& old, const Matrix& values, const GaussPoints& fresh) {
   const SegmentTree tree(old.x);
@@ -36,25 +36,15 @@ Matrix interpolated(const mesh::Mesh& from, const Matrix& nodal, const GaussPoin
   return result;
 }
 
-constexpr int plastic_columns = 5;  ///< E_11, E_22, E_12, E_33, p
+constexpr int state_columns = 5;  ///< eps_e 11, 22, 12, 33, p
 
-Matrix rows_of(const std::vector<PlasticState>& state) {
-  Matrix rows(static_cast<Eigen::Index>(state.size()), plastic_columns);
+Matrix rows_of(const std::vector<ElasticState>& state) {
+  Matrix rows(static_cast<Eigen::Index>(state.size()), state_columns);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const auto& e = state[i].strain;
     rows.row(static_cast<Eigen::Index>(i)) << e[0], e[1], e[2], e[3], state[i].accumulated;
   }
   return rows;
-}
-
-PlasticState state_of(const Matrix& rows, Eigen::Index i) {
-  return {{rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3)}, rows(i, 4)};
-}
-
-PlasticState traceless(PlasticState s) {
-  const double third = (s.strain[0] + s.strain[1] + s.strain[3]) / 3.0;
-  for (int k : {0, 1, 3}) s.strain[k] -= third;
-  return s;
 }
 
 enum Carried { log_11, log_22, log_12, log_33, cosine, sine, carried_columns };
@@ -101,12 +91,12 @@ Matrix transfer_gauss(const mesh::Mesh& from, const Matrix& values, const mesh::
   return result;
 }
 
-std::vector<PlasticState> transfer_plastic(const mesh::Mesh& from, const std::vector<PlasticState>& state,
+std::vector<ElasticState> transfer_elastic(const mesh::Mesh& from, const std::vector<ElasticState>& state,
                                            const mesh::Mesh& to, const GaussOptions& options) {
-  const Matrix rows = transfer_gauss(from, rows_of(state), to, options, {plastic_columns - 1});
-  std::vector<PlasticState> result;
+  const Matrix rows = transfer_gauss(from, rows_of(state), to, options, {state_columns - 1});
+  std::vector<ElasticState> result;
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    result.push_back(options.how == GaussTransfer::nearest ? state_of(rows, i) : traceless(state_of(rows, i)));
+    result.push_back({{rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3)}, rows(i, 4)});
   return result;
 }
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "base/analysis.hpp"
-#include "material/material.hpp"
+#include "material/elastic_part.hpp"
 #include "mesh/mesh.hpp"
 
 /// State of Gauss points (fem::stiffness_rule, cell by cell) carried from the mesh of a body to another of the same
@@ -27,12 +27,10 @@ struct GaussOptions {
 base::Matrix transfer_gauss(const mesh::Mesh& from, const base::Matrix& values, const mesh::Mesh& to,
                             const GaussOptions& options, const std::vector<int>& nonnegative = {});
 
-/// The plastic state on a new mesh: components of E_p = 1/2 ln C_p, so that C_p = exp(2 E_p) is symmetric positive with
-/// det = 1 whatever was averaged; the trace is removed to round-off, p >= 0. p is what yielding depends on, and it is
-/// taken over as it is; that the stress of the carried displacement respects it is left to the next equilibrium, whose
-/// return mapping admits no other.
-std::vector<material::PlasticState> transfer_plastic(const mesh::Mesh& from,
-                                                     const std::vector<material::PlasticState>& state,
+/// What stress and yielding depend on, at the Gauss points of another mesh, component by component; p >= 0. The plastic
+/// strain is not carried: material::plastic_state gives the one that leaves this with the deformation found there.
+std::vector<material::ElasticState> transfer_elastic(const mesh::Mesh& from,
+                                                     const std::vector<material::ElasticState>& state,
                                                      const mesh::Mesh& to, const GaussOptions& options);
 
 /// Deformation when the current shape becomes the reference: `from` is the old mesh on the current shape x = X + u,

@@ -239,6 +239,22 @@ std::vector<material::Gradient<double>> NonlinearBody::deformation(const Interio
   return impl_->named([&] { return fem::deformation(impl_->mesh(), impl_->solid, u, now.F0); });
 }
 
+std::vector<material::ElasticState> NonlinearBody::elastic_states(const Interior& now, const Vector& q) const {
+  const Vector u = impl_->displacement(impl_->all(now.y, q));
+  return impl_->named([&] { return fem::elastic_states(impl_->mesh(), impl_->solid, u, {now.history, now.F0}); });
+}
+
+std::vector<material::PlasticState> NonlinearBody::compatible(const Interior& now, const Vector& q,
+                                                              const std::vector<material::ElasticState>& states) const {
+  const Vector u = impl_->displacement(impl_->all(now.y, q));
+  return impl_->named([&] { return fem::compatible(impl_->mesh(), impl_->solid, u, now.F0, states); });
+}
+
+double NonlinearBody::strain_energy(const Interior& now, const Vector& q) const {
+  const Vector u = impl_->displacement(impl_->all(now.y, q));
+  return impl_->named([&] { return fem::strain_energy(impl_->mesh(), impl_->solid, u, {now.history, now.F0}); });
+}
+
 std::vector<Vec2> NonlinearBody::recover(const Vector& q, const Vector& y) const {
   return by_node(impl_->displacement(impl_->all(y, q)));
 }

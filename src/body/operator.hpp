@@ -11,7 +11,7 @@
 #include "body/shape.hpp"
 #include "body/supports.hpp"
 #include "fem/loads.hpp"
-#include "material/material.hpp"
+#include "material/elastic_part.hpp"
 #include "material/tensor.hpp"
 
 /// The body operator: what contact and solver see of a body, whatever it is inside.
@@ -186,6 +186,12 @@ class NonlinearBody {
   Interior accepted(const Interior& before, const Vector& y, const Vector& q) const;
   /// What F0 becomes when x = X + u of an accepted state does become the new X (fem::deformation). Finite strain only.
   std::vector<material::Gradient<double>> deformation(const Interior& now, const Vector& q) const;
+  /// What stress and yielding of an accepted state depend on, per Gauss point; empty without history.
+  std::vector<material::ElasticState> elastic_states(const Interior& now, const Vector& q) const;
+  /// The history with which the deformation (y, q) from F0 leaves these elastic states (fem::compatible).
+  std::vector<material::PlasticState> compatible(const Interior& now, const Vector& q,
+                                                 const std::vector<material::ElasticState>& states) const;
+  double strain_energy(const Interior& now, const Vector& q) const;  ///< elastic, of an accepted state (fem::strain_energy)
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& y) const;
 

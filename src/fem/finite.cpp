@@ -199,6 +199,50 @@ History updated(const Mesh& mesh, const Solid& solid, const Vector& u, const Gau
   return after;
 }
 
+namespace {
+
+/// at(what the law sees, its Gauss point, the number of that in the mesh) for every Gauss point.
+template <class At>
+void for_each_point(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, At at) {
+  const bool bar = barred(solid, mesh.kind);
+  with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
+    const auto point = [&](const auto& p, int, int number) {
+      at(Strain::seen(bar, as_array<Strain>(p.x)), p, number);
+    };
+    for_each_cell<Strain, n>(mesh, solid, u, F0, [] {}, point, [](int, const auto&) {});
+  });
+}
+
+}  // namespace
+
+ElasticStates elastic_states(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& now) {
+  ElasticStates states;
+  if (now.history.empty()) return states;
+  for_each_point(mesh, solid, u, now.F0, [&](const auto& seen, const auto&, int number) {
+    states.push_back(material::elastic_state(solid.material, solid.analysis, seen, now.history[number]));
+  });
+  return states;
+}
+
+History compatible(const Mesh& mesh, const Solid& solid, const Vector& u, const Prestrain& F0,
+                   const ElasticStates& states) {
+  History history;
+  if (states.empty()) return history;
+  const auto& law = std::get<material::HenckyJ2>(solid.material);
+  for_each_point(mesh, solid, u, F0, [&](const auto& seen, const auto&, int number) {
+    history.push_back(material::plastic_state(law, solid.analysis, seen, states[number]));
+  });
+  return history;
+}
+
+double strain_energy(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& now) {
+  double energy = 0.0;
+  for_each_point(mesh, solid, u, now.F0, [&](const auto& seen, const auto& point, int number) {
+    energy += point.volume * material::strain_energy(solid.material, solid.analysis, seen, state_of(now.history, number));
+  });
+  return energy;
+}
+
 Prestrain deformation(const Mesh& mesh, const Solid& solid, const Vector& u, const Prestrain& F0) {
   assert(solid.kinematics == base::Kinematics::finite);
   Prestrain F;

@@ -7,8 +7,7 @@
 #include "base/linalg.hpp"
 #include "fem/pattern.hpp"
 #include "fem/stiffness.hpp"
-#include "material/material.hpp"
-#include "material/tensor.hpp"
+#include "material/elastic_part.hpp"
 #include "mesh/mesh.hpp"
 
 /// Internal force and consistent tangent of a whole mesh on X, at small or finite strain, with plastic history.
@@ -62,6 +61,17 @@ void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, 
 
 /// History after the deformation u; errors as above.
 History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);
+
+/// What stress and yielding of an accepted state depend on, per Gauss point; empty without history.
+using ElasticStates = std::vector<material::ElasticState>;
+ElasticStates elastic_states(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& now);
+
+/// The history with which the deformation u leaves these elastic states (material::plastic_state).
+History compatible(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const Prestrain& F0,
+                   const ElasticStates& states);
+
+/// Stored elastic energy of an accepted state [mJ per mm; mJ on the whole ring in axisymmetry].
+double strain_energy(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& now);
 
 /// F from unstressed to x = X + u that the law sees, F-bar where that is the cure: what becomes F0 when x becomes the
 /// new X. On the same mesh that leaves every stress and nodal force as it is. Finite strain only; F33 = 1 in plane

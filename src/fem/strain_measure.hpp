@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "fem/element.hpp"
 #include "fem/finite.hpp"
-#include "material/finite.hpp"
+#include "material/energy.hpp"
 #include "material/stress.hpp"
 
 /// The two strain measures of a cell, each one list of inputs x(u) per Gauss point and one stress function of x whose
@@ -73,6 +73,9 @@ struct SmallStrain {
   static Stress cauchy(const Solid& solid, bool, const std::array<double, 4>& x, const material::PlasticState& state) {
     return material::stress(solid.material, solid.analysis, x, state);
   }
+
+  /// What the law sees.
+  static const std::array<double, 4>& seen(bool, const std::array<double, 4>& x) { return x; }
 };
 
 /// x = (F11, F12, F21, F22, F33, J0), F from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of the

@@ -59,8 +59,8 @@ Symmetric<T> finite_stress(const Law& m, const Gradient<T>& F, const PlasticStat
   return elastic(m, pushed(F, Symmetric<double>{1.0, 1.0, 0.0, 1.0}), T(plane_determinant(F) * F[4]));
 }
 
-/// Plastic strain after a step: C_p^-1 = F^-1 exp(2 eps_e) F^-T, E_p = -1/2 ln C_p^-1. Its determinant is 1 because
-/// radial return keeps the trace of eps_e.      (6)
+/// Plastic strain after a step: C_p^-1 = F^-1 exp(2 eps_e) F^-T, E_p = -1/2 ln C_p^-1. Its determinant is that
+/// before, because radial return keeps the trace of eps_e.      (6)
 inline PlasticState updated(const Gradient<double>& F, const Symmetric<double>& eps_e, double accumulated) {
   const auto metric = pushed(inverse(F), exponential(scaled(eps_e, 2.0)));
   return {.strain = scaled(logarithm(metric), -0.5), .accumulated = accumulated};

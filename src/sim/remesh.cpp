@@ -27,7 +27,7 @@ struct Displaced {
   base::Points u;     ///< of all nodes
   Vector q;
   std::vector<body::SupportColumn> supports;
-  fem::History history;
+  fem::ElasticStates elastic;
   fem::Prestrain F0;
 };
 
@@ -71,12 +71,14 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
   const auto& interior = state.solution.interiors[b];
   const Vector q = system.part(state.solution.q, b);
   Displaced body{state.shapes[b], recovered(problem, state, system, b), q, support_columns(system.bodies[b]),
-                 interior.history, interior.F0};
+                 {}, interior.F0};
+  const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
+  if (nonlinear) body.elastic = nonlinear->elastic_states(interior, q);
   if (!renew) return body;
   body.on = current;
   body.u.assign(body.u.size(), Vec2::Zero());
   body.q.setZero();
-  body.F0 = std::get<body::NonlinearBody>(system.bodies[b]).deformation(interior, q);
+  body.F0 = nonlinear->deformation(interior, q);
   return body;
 }
 
@@ -101,8 +103,9 @@ std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const
   const std::string failure = carry_displacement(old, before.u, fresh.X, u, projection);
   if (!failure.empty()) return failure;
   nonlinear.seat(u, q, interior.y);
-  if (!before.history.empty()) interior.history = adapt::transfer_plastic(old, before.history, fresh, gauss);
   if (!before.F0.empty()) interior.F0 = carry_prestrain(old, before.F0, fresh, gauss);
+  if (!before.elastic.empty())
+    interior.history = nonlinear.compatible(interior, q, adapt::transfer_elastic(old, before.elastic, fresh, gauss));
   return {};
 }
 
@@ -226,7 +229,10 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
   for (int b = 0; b < problem.body_count(); ++b) {
     const Vector q = system.part(state.solution.q, b);
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
-    balance.energy.push_back(linear ? 0.5 * q.dot(linear->tangent(q) * q) : 0.0);
+    const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
+    balance.energy.push_back(linear      ? 0.5 * q.dot(linear->tangent(q) * q)
+                             : nonlinear ? nonlinear->strain_energy(state.solution.interiors[b], q)
+                                         : 0.0);
   }
   return balance;
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "adapt/gauss_points.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
 #include "verification/contact_scene.hpp"
@@ -83,6 +84,17 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 constexpr double p0 = 836.410, mu = 0.6;  // references B2
 
+/// Integral over all bodies of the accumulated plastic strain.
+double plastic_strain(const Bench& bench) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < bench.state.shapes.size(); ++b) {
+    const auto points = adapt::gauss_points(bench.state.shapes[b]->mesh, bench.problem.scene.analysis);
+    const auto& history = bench.state.solution.interiors[b].history;
+    for (std::size_t i = 0; i < history.size(); ++i) sum += points.volume[i] * history[i].accumulated;
+  }
+  return sum;
+}
+
 const std::vector<sim::RemeshReason> both{{"asked for", true}, {"asked for", true}};
 const std::vector<sim::RemeshReason> both_kept{{"asked for", false}, {"asked for", false}};
 
@@ -135,6 +147,55 @@ TEST(Remesh, ShearOnOtherFacets) {
     if (std::abs(std::abs(before.x_mm[j]) - stick) > 3.0 * h && std::abs(before.x_mm[j]) < 0.08) {
       EXPECT_NEAR(before.shear_MPa[j], after.shear_MPa[j], 0.01 * mu * p0) << before.x_mm[j];
     }
+}
+
+/// Two bodies pressed far beyond yield; meshed anew ten times, with other elements each time.
+struct Indented {
+  Bench bench;
+  double change = 0.0;  ///< of the integral of their plastic strain, over what it was
+
+  explicit Indented(const Replacements& words) : bench(scene_text("plastic_fretting", all(words))) {
+    bench.play(0);
+    const double start = plastic_strain(bench);
+    for (double factor : {1.13, 0.91 / 1.13, 1.06 / 0.91, 0.95 / 1.06, 1.0 / 0.95, 1.1, 0.9 / 1.1, 1.13 / 0.9, 0.91 / 1.13, 1.06 / 0.91}) {
+      const auto shape = bench.state.shapes[1];
+      bench.scale_zones(factor);
+      bench.renew(0, both_kept);
+      EXPECT_NE(bench.state.shapes[1]->mesh.X, shape->mesh.X);
+    }
+    change = plastic_strain(bench) / start - 1.0;
+  }
+
+  static Replacements all(Replacements words) {
+    words.push_back({"half_width_mm = 0.4, depth_mm = 0.15, size_mm = 0.012", "half_width_mm = 0.8, depth_mm = 0.3, size_mm = 0.04"});
+    return words;
+  }
+};
+
+void expect_quiet(const std::vector<sim::RemeshRecord>& records) {
+  for (const auto& record : records) {
+    EXPECT_LT(record.pressure_jump, 0.03);
+    EXPECT_LT(record.energy_jump, 0.03);
+    EXPECT_GT(record.energy_jump, 0.0);
+  }
+}
+
+// Bodies held where they have indented each other, at the yield surface throughout, must keep the integral of their
+// plastic strain within 1 %, at small and at finite strain: the scatter between meshes makes them flow a little.
+TEST(Remesh, PlasticStrainHeld) {
+  for (const std::string kinematics : {"small", "finite"}) {
+    const Indented bodies({{"material = \"steel\"", "material = \"steel\"\nkinematics = \"" + kinematics + "\""},
+                           {"force_N_per_mm = -120.0", "motion_mm = -0.03"}});
+    EXPECT_LT(std::abs(bodies.change), 0.01) << kinematics;
+    expect_quiet(bodies.bench.records);
+  }
+}
+
+// Released to a fifth of the force that indented them, they must keep it to round-off of the transfer: nothing yields.
+TEST(Remesh, PlasticStrainReleased) {
+  const Indented bodies({{"-120.0", "-600.0"}, {"press  = [[0.0, 0.0], [1.0, 1.0]]", "press  = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.2]]"}});
+  EXPECT_LT(std::abs(bodies.change), 1e-4);
+  expect_quiet(bodies.bench.records);
 }
 
 // A body meshed anew leaves the other one its mesh.
