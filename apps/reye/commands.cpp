@@ -104,13 +104,19 @@ void tell_contact(const sim::ContactSummary& c, bool ring) {
   spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
 }
 
+std::string told_life(const sim::Summary& s, const std::string& name, const std::optional<double>& cycles) {
+  if (!cycles) return fmt::format("not reached in {:.6g} cycles: {:.3g} % of it", s.cycles, 100.0 * s.limit_share.at(name));
+  const auto error = s.life_error.find(name);
+  return fmt::format("reached at cycle {:.6g}", *cycles) +
+         (error == s.life_error.end() ? "" : fmt::format(", +- {:.2g} by the cycle jump", error->second));
+}
+
 void tell_result(const sim::Summary& s, const std::string& dir) {
   spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
   if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", s.reason.c_str());
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
-  for (const auto& [name, cycles] : s.life_cycles)
-    spdlog::info("limit {}: {}", name, cycles ? fmt::format("reached at cycle {:.6g}", *cycles) : "not reached");
+  for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
 }
 

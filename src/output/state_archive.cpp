@@ -48,7 +48,7 @@ namespace reye::sim {
 
 template <class Archive>
 void serialize(Archive& archive, Counts& c) {
-  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks);
+  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks, c.cycles_solved, c.refused_blocks);
 }
 
 }  // namespace reye::sim
@@ -66,7 +66,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
-  archive(s.cycle, s.step, s.block, s.factors, s.solution, s.renewed_at, s.approached, s.life_cycles, s.limit_measure, s.counts,
+  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_error, s.factors, s.solution, s.renewed_at, s.approached, s.life_cycles, s.life_error, s.limit_measure, s.counts,
           s.cutback_reasons);
 }
 

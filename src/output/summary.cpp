@@ -40,7 +40,9 @@ Json counts(const sim::Counts& c) {
           {"newton_iterations", c.newton_iterations},
           {"factorisations", c.factorisations},
           {"remeshes", c.remeshes},
-          {"cutbacks", c.cutbacks}};
+          {"cutbacks", c.cutbacks},
+          {"cycles_solved", c.cycles_solved},
+          {"refused_blocks", c.refused_blocks}};
 }
 
 Json contacts(const sim::Summary& summary) {
@@ -59,6 +61,12 @@ Json probes(const sim::Summary& summary) {
 Json lives(const sim::Summary& summary) {
   Json all;  // null where the scene sets no limit
   for (const auto& [name, cycles] : summary.life_cycles) all[name] = value(cycles);
+  return all;
+}
+
+Json life_errors(const sim::Summary& summary) {
+  Json all;  // null where no life has a known error
+  for (const auto& [name, cycles] : summary.life_error) all[name] = value(cycles);
   return all;
 }
 
@@ -82,7 +90,9 @@ std::string summary_json(const sim::Summary& s) {
             {"probes", probes(s)},
             {"life_cycles", lives(s)},
             {"estimated_error",
-             {{"cycle_jump", value(s.error_cycle_jump)}, {"discretisation", value(s.error_discretisation)}}},
+             {{"cycle_jump", value(s.error_cycle_jump)},
+              {"discretisation", value(s.error_discretisation)},
+              {"life_cycles", life_errors(s)}}},
             {"counts", counts(s.counts)},
             {"wall_s", value(s.wall_s)},
             {"cpu_s", value(s.cpu_s)},

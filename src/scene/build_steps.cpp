@@ -1,6 +1,23 @@
 #include "scene/build.hpp"
 
+#include <algorithm>
+
 namespace reye::scene {
+
+namespace {
+
+void set_jump(const Entry& entry, Step& step) {
+  const auto control = entry.at("jump");
+  if (!control.is_table()) {
+    step.jump = entry.number("jump");
+    return;
+  }
+  step.jump_tolerance = control.number("tolerance");
+  step.jump = control.maybe_number("first").value_or(std::max(1.0, 1e-3 * step.cycles));
+  step.jump_most = control.maybe_number("most").value_or(step.jump_most);
+}
+
+}  // namespace
 
 std::map<std::string, History> histories_of(const Entry& root) {
   return root.at("history").histories();
@@ -15,7 +32,7 @@ std::vector<Step> steps_of(const Entry& root) {
     step.increments = entry.whole("increments");
     step.wear = entry.flag("wear");
     step.cycles = entry.number("cycles");
-    step.jump = entry.number("jump");
+    set_jump(entry, step);
     step.period_s = entry.number("period_s");
     steps.push_back(step);
   }

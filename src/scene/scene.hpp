@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,7 +34,9 @@ struct Step {
   int increments = 1;
   bool wear = true;
   double cycles = 0.0;  ///< 0: a load step, which is no cycle
-  double jump = 1.0;    ///< cycles per block
+  double jump = 1.0;    ///< cycles per block; of the first one where a tolerance chooses the others
+  double jump_tolerance = 0.0;  ///< error that the run chooses its jumps by; 0: fixed
+  double jump_most = std::numeric_limits<double>::infinity();  ///< cycles no block may exceed under a tolerance
   double period_s = 0.0;  ///< how long one play lasts; 0: not given
 };
 

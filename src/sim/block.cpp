@@ -90,7 +90,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     if (observer.increment)
       observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
   }
-  if (renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
+  if (span.remesh && renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
   return {};
 }
 
@@ -113,7 +113,7 @@ void tell_progress(const Observer& observer, const State& state, const solver::S
   p.increment = increment;
   p.increments = increments;
   p.depth_max_mm = deepest(system, state);
-  p.fraction = span.cycles ? (static_cast<double>(state.block) * span.step->jump + span.jump * progress) / span.step->cycles : progress;
+  p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
   observer.progress(p);
 }
 
@@ -154,8 +154,25 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
       return {std::move(state), {}, true};
     }
   }
-  if (span.cycles) state.cycle += span.jump;
+  if (span.cycles) {
+    state.cycle += span.jump;
+    ++state.counts.cycles_solved;
+  }
   return {std::move(state), {}, false};
+}
+
+Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  Outcome outcome{std::move(state), {}, false};
+  if (problem.scene.shape && (span.step->wear || problem.scene.remesh.every_blocks > 0))
+    outcome = evolve_shape(problem, std::move(outcome.state), cache, span, observer);
+  if (outcome.failure.empty()) renew_references(problem, outcome.state, cache, span, observer);
+  return outcome;
+}
+
+Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  Outcome outcome = play_increments(problem, state, cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  return end_block(problem, std::move(outcome.state), cache, span, observer);
 }
 
 }  // namespace reye::sim

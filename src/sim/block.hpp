@@ -9,6 +9,7 @@ struct Outcome {
   State state;
   std::string failure;  ///< empty when the state is accepted
   bool interrupted = false;
+  std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
 };
 
 /// The part of a step that one block plays.
@@ -17,6 +18,7 @@ struct BlockSpan {
   double jump = 1.0;   ///< cycles of this block; 1 for a load step
   bool cycles = false;
   bool last = false;   ///< no block of the step comes after it
+  bool remesh = true;  ///< false: poor elements wait for the end of the block
 };
 
 /// Zero displacement, fresh contacts.
@@ -28,6 +30,12 @@ void approach(const Problem& problem, State& state, const solver::System& system
 
 /// True when some support fixes or imposes the motion of a body along d.
 bool held_along(const Problem& problem, const solver::System& system, int body, const Vec2& d);
+
+/// One block in full.
+Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span, const Observer& observer);
+
+/// What follows the increments of a block: shape step, fresh meshes, renewed references.
+Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
 /// All increments of one block, with cut-backs.
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);

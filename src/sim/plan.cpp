@@ -65,6 +65,11 @@ std::string wear_of(const wear::Law& law) {
   return words;
 }
 
+std::string blocks_of(const scene::Step& step) {
+  if (step.jump_tolerance == 0.0) return text("of %g", step.jump);
+  return text("chosen for an error of %g %%, the first of %g", 100.0 * step.jump_tolerance, step.jump);
+}
+
 void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
   plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
@@ -84,8 +89,8 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
   for (const auto& step : p.scene.steps) {
     if (step.cycles > 0.0)
-      plan.lines.push_back(text("step \"%s\": %g cycles in blocks of %g, %d increments a cycle%s", step.name.c_str(),
-                                step.cycles, step.jump, step.increments, step.wear ? "" : ", no wear"));
+      plan.lines.push_back(text("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s", step.name.c_str(), step.cycles,
+                                blocks_of(step).c_str(), step.increments, step.wear ? "" : ", no wear"));
     else
       plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), step.increments, step.wear ? "" : ", no wear"));
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,10 @@ struct Problem {
 struct State {
   double cycle = 0.0;
   int step = 0;
-  long block = 0;                                ///< blocks done in this step
+  double step_cycles = 0.0;                      ///< cycles done of this step
+  long step_blocks = 0;                          ///< blocks done of this step
+  double jump = 0.0;                             ///< cycles that the next block is tried with under a tolerance; 0: the first
+  std::optional<double> jump_error;              ///< what the blocks under a tolerance have left, as far as is known
   std::map<std::string, double> factors;         ///< of every history
   std::vector<body::ShapePtr> shapes;
   solver::SolverState solution;
@@ -60,6 +64,7 @@ struct State {
   std::vector<std::array<double, 3>> renewed_at;
   bool approached = false;                       ///< bodies apart have been moved until they touch
   std::map<std::string, double> life_cycles;     ///< limits reached so far
+  std::map<std::string, double> life_error;      ///< of those, by the error known of the cycle jump [cycles]
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
   Counts counts;
   std::vector<std::string> cutback_reasons;

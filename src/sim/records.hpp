@@ -93,6 +93,8 @@ struct RemeshRecord {
 
 struct Counts {
   long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
+  long cycles_solved = 0;    ///< plays of a cycle, those for the error and of refused blocks included
+  long refused_blocks = 0;   ///< blocks under a tolerance that were tried with too many cycles
 };
 
 enum class RunStatus { done, failed, interrupted };
@@ -105,6 +107,8 @@ struct Summary {
   std::vector<ContactSummary> contacts;
   std::map<std::string, Vec2> probes;
   std::map<std::string, std::optional<double>> life_cycles;  ///< by limit
+  std::map<std::string, double> life_error;                  ///< of the limits reached, where known [cycles]
+  std::map<std::string, double> limit_share;                 ///< of every limit: its measure at the end over its bound
   std::optional<double> error_cycle_jump, error_discretisation;
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
+#include "sim/jump.hpp"
 #include "sim/measure.hpp"
 
 namespace reye::sim {
@@ -29,26 +30,61 @@ double peak_rss_MB() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Cycles still to be played in a step after `block` blocks.
-double remaining(const scene::Step& step, long block) { return step.cycles - static_cast<double>(block) * step.jump; }
+/// Cycles still to be played in a step.
+double remaining(const scene::Step& step, const State& state) { return step.cycles - state.step_cycles; }
 
-bool step_over(const scene::Step& step, long block) {
-  return step.cycles > 0.0 ? remaining(step, block) <= 1e-9 * step.cycles : block > 0;
+bool step_over(const scene::Step& step, const State& state) {
+  return step.cycles > 0.0 ? remaining(step, state) <= 1e-9 * step.cycles : state.step_blocks > 0;
 }
 
-/// Notes limits that were crossed in the last block, by linear interpolation of their measure.
-bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before) {
+bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
+
+/// What the next block is tried with. Under a tolerance two blocks share what is left when one is not enough.
+BlockSpan next_span(const scene::Step& step, const State& state) {
+  BlockSpan span;
+  span.step = &step;
+  span.cycles = step.cycles > 0.0;
+  span.last = true;
+  if (!span.cycles) return span;
+  const double left = remaining(step, state);
+  double jump = step.jump;
+  if (controlled(step)) {
+    jump = std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most);
+    if (jump < left && left < 2.0 * jump) jump = 0.5 * left;
+  }
+  span.jump = std::min(jump, left);
+  span.last = left - span.jump <= 1e-9 * step.cycles;
+  return span;
+}
+
+/// Where between 0 and 1 a measure passes a bound: linear, or the parabola through its value half way.
+double crossing(double bound, double before, std::optional<double> middle, double after) {
+  if (!middle) return (bound - before) / (after - before);
+  const auto value = [&](double t) {
+    return before * (1.0 - t) * (1.0 - 2.0 * t) + *middle * 4.0 * t * (1.0 - t) + after * t * (2.0 * t - 1.0);
+  };
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < 60; ++k) (value(0.5 * (low + high)) < bound ? low : high) = 0.5 * (low + high);
+  return 0.5 * (low + high);
+}
+
+double bound_of(const scene::Limit& limit) { return limit.depth_mm ? *limit.depth_mm : *limit.area_mm2; }
+
+/// Notes limits that were crossed in the last block, between the values of their measures; true: one of them ends the run.
+bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before,
+                  const std::map<std::string, double>& middle) {
   bool stop = false;
+  const auto measures = limit_measures(problem, system, state);
   for (const auto& limit : problem.scene.limits) {
-    const auto found = std::find_if(problem.contacts.begin(), problem.contacts.end(),
-                                    [&](const auto& c) { return c.options.name == limit.contact; });
-    const auto c = static_cast<std::size_t>(found - problem.contacts.begin());
-    const double now = limit_measure(limit, system.contacts[c], state.solution.contacts[c], state.shapes, *found);
-    const double before = state.limit_measure[limit.name];
-    const double bound = limit.depth_mm ? *limit.depth_mm : limit.area_mm2.value_or(0.0);
+    const double now = measures.at(limit.name), before = state.limit_measure[limit.name];
+    const double bound = bound_of(limit);
     state.limit_measure[limit.name] = now;
     if (now < bound || state.life_cycles.contains(limit.name)) continue;
-    state.life_cycles[limit.name] = cycle_before + (state.cycle - cycle_before) * (bound - before) / (now - before);
+    const auto half_way = middle.find(limit.name);
+    const double cycles = state.cycle - cycle_before;
+    const double at = crossing(bound, before, half_way == middle.end() ? std::nullopt : std::optional(half_way->second), now);
+    state.life_cycles[limit.name] = cycle_before + cycles * at;
+    if (state.jump_error) state.life_error[limit.name] = *state.jump_error * bound * cycles / (now - before);
     stop = stop || limit.stop;
   }
   return stop;
@@ -99,12 +135,13 @@ class Runner {
       }
       while (state_.step < static_cast<int>(p_.scene.steps.size())) {
         const auto& step = p_.scene.steps[state_.step];
-        if (step_over(step, state_.block)) {
+        if (step_over(step, state_)) {
           ++state_.step;
-          state_.block = 0;
+          state_.step_cycles = 0.0;
+          state_.step_blocks = 0;
           continue;
         }
-        if (!play_block(step)) return;
+        if (!next_block(step)) return;
       }
     } catch (const base::SolveError& error) {
       fail(error.what());
@@ -114,19 +151,11 @@ class Runner {
   }
 
   /// False when the run ends here.
-  bool play_block(const scene::Step& step) {
+  bool next_block(const scene::Step& step) {
     const double cycle_before = state_.cycle;
-    const BlockSpan span{&step, step.cycles > 0.0 ? std::min(step.jump, remaining(step, state_.block)) : 1.0, step.cycles > 0.0,
-                         step_over(step, state_.block + 1)};
-    Outcome outcome = play_increments(p_, state_, cache_, span, observer_);
-    if (outcome.failure.empty() && !outcome.interrupted && p_.scene.shape &&
-        (step.wear || p_.scene.remesh.every_blocks > 0)) {
-      Outcome moved = evolve_shape(p_, outcome.state, cache_, span, observer_);
-      moved.interrupted = false;
-      outcome = std::move(moved);
-    }
-    if (outcome.failure.empty() && !outcome.interrupted)
-      renew_references(p_, outcome.state, cache_, span, observer_);
+    const BlockSpan span = next_span(step, state_);
+    Outcome outcome = controlled(step) ? play_controlled(p_, state_, cache_, span, observer_)
+                                       : play_block(p_, state_, cache_, span, observer_);
     state_ = std::move(outcome.state);
     if (!outcome.failure.empty()) return fail(outcome.failure);
     if (outcome.interrupted) {
@@ -135,10 +164,11 @@ class Runner {
       show(step.name);
       return false;
     }
-    ++state_.block;
+    state_.step_cycles += state_.cycle - cycle_before;
+    ++state_.step_blocks;
     ++state_.counts.blocks;
-    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before);
-    if (stop || step_over(step, state_.block) || crosses(cycle_before, state_.cycle, p_.scene.output.frames_every_cycles))
+    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
+    if (stop || step_over(step, state_) || crosses(cycle_before, state_.cycle, p_.scene.output.frames_every_cycles))
       show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
@@ -167,6 +197,7 @@ class Runner {
     for (const auto& limit : p_.scene.limits) {
       const auto found = state_.life_cycles.find(limit.name);
       s.life_cycles[limit.name] = found == state_.life_cycles.end() ? std::nullopt : std::optional(found->second);
+      s.limit_share[limit.name] = state_.limit_measure[limit.name] / bound_of(limit);
     }
     if (state_.approached) {
       const auto& system = system_of(p_, state_, cache_);
@@ -174,6 +205,8 @@ class Runner {
         s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
       if (!p_.scene.output.probes.empty()) probe(p_, make_frame(p_, state_, cache_, ""), s);
     }
+    s.life_error = state_.life_error;
+    s.error_cycle_jump = state_.jump_error;
     s.counts = state_.counts;
     s.room_seconds = cache_.seconds;
     return s;

@@ -124,7 +124,8 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   std::vector<Moved> moved;
   if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
     return {std::move(state), failure, false};
-  Change change{state, remesh_reasons(problem, state, system, moved), held_tractions(system, state)};
+  auto reasons = span.remesh ? remesh_reasons(problem, state, system, moved) : std::vector<RemeshReason>(moved.size());
+  Change change{state, std::move(reasons), held_tractions(system, state)};
   for (std::size_t b = 0; b < moved.size(); ++b)
     change.next.shapes[b] = moved[b].shape;
   book_strips(problem, change.next, ratio);

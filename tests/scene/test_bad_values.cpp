@@ -80,9 +80,13 @@ TEST(BadScene, Values) {
        R"(scene.toml:13: body.cylinder.mesh.element = "hexa": must be "quad" or "tri")" "\n"
        R"(scene.toml:22: boundary.round.type = "arc": must be "line", "circle" or "spline")" "\n"
        R"(scene.toml:70: limit.life.side = "both": must be "secondary", "primary" or "sum")"},
-      {"not built yet",
-       {{"jump = 100 ", "jump = { tolerance = 0.01 } "}},
-       "scene.toml:66: step[2].jump.tolerance = 0.01: this version takes a fixed number of cycles per block, as in jump = 100"},
+      {"a jump under control",
+       {{"jump = 100 ", "jump = { tolerance = 2, first = 0.5 } "}},
+       "scene.toml:66: step[2].jump.tolerance = 2: must lie in [1e-05, 0.2]\n"
+       "scene.toml:66: step[2].jump.first = 0.5: must be >= 1"},
+      {"a jump under control without its tolerance",
+       {{"jump = 100 ", "jump = { first = 10 } "}},
+       "scene.toml:66: step[2].jump.tolerance: missing"},
       {"linear elasticity at finite strain",
        {{"[boundary]", R"(kinematics = "finite")" "\n"
          "[boundary]"}},

@@ -176,6 +176,18 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.geometry.fine_zones[0].angle_deg, 45.0);
 }
 
+/// A jump is a number of cycles, or a tolerance with a first guess of a thousandth of the step.
+TEST(Grammar, JumpUnderControl) {
+  const auto read = [](const std::string& jump) { return changed("jump = 100 ", "jump = " + jump + " ").steps.back(); };
+  const auto fixed = read("10"), controlled = read("{ tolerance = 0.01 }"), given = read("{ tolerance = 0.02, first = 7, most = 90 }");
+  EXPECT_EQ(fixed.jump_tolerance, 0.0);
+  EXPECT_EQ(controlled.jump_tolerance, 0.01);
+  EXPECT_EQ(controlled.jump, 18.0);
+  EXPECT_EQ(controlled.jump_most, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(given.jump, 7.0);
+  EXPECT_EQ(given.jump_most, 90.0);
+}
+
 /// Every law with the parameters it takes.
 TEST(Grammar, Materials) {
   const auto s = changed("[body.cylinder]", R"(

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "problem_of.hpp"
+#include "sim/jump.hpp"
+
+using namespace reye;
+
+namespace {
+
+struct Run {
+  sim::State state;
+  sim::Summary summary;
+  std::vector<std::string> log;
+  std::vector<double> told;  ///< cycles of the increments that were told
+};
+
+Run run(const sim::Problem& problem) {
+  Run r{sim::initial_state(problem), {}, {}, {}};
+  sim::Observer observer;
+  observer.log = [&](const std::string& line) { r.log.push_back(line); };
+  observer.increment = [&](const sim::IncrementRecord& i) { r.told.push_back(i.cycle); };
+  r.summary = sim::run(problem, r.state, observer);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
+  return r;
+}
+
+/// 40 000 cycles of the block: enough for the edges' pressure to be worn away.
+sim::Problem worn_block(const std::string& jump, const std::string& more = "") {
+  return test::problem_of(test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
+}
+
+std::vector<double> removed(const Run& r) { return r.state.solution.contacts[0].removed_secondary; }
+
+double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double d = 0.0;
+  for (std::size_t j = 0; j < a.size(); ++j) d += std::abs(a[j] - b[j]);
+  return d / sum(b);
+}
+
+contact::ContactState worn(std::vector<double> removed, std::vector<double> pending) {
+  contact::ContactState c;
+  c.removed_secondary = std::move(removed);
+  c.pending_secondary = std::move(pending);
+  return c;
+}
+
+}  // namespace
+
+// With blocks of one size a controlled run must be of second order in it, a plain one of first.
+TEST(Jump, Orders) {
+  const auto exact = removed(run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
+  std::vector<double> plain, controlled;
+  for (const std::string size : {"8000", "4000", "2000"}) {
+    plain.push_back(apart(removed(run(worn_block(size))), exact));
+    controlled.push_back(apart(removed(run(worn_block("{ tolerance = 0.2, first = " + size + ", most = " + size + " }"))), exact));
+  }
+  for (int k : {0, 1}) {
+    EXPECT_NEAR(std::log2(plain[k] / plain[k + 1]), 1.0, 0.2) << plain[k];
+    EXPECT_GT(std::log2(controlled[k] / controlled[k + 1]), 1.7) << controlled[k];
+    EXPECT_LT(controlled[k], plain[k]);
+  }
+}
+
+// The estimated error must be that of the profile, within a factor of three or on the safe side, and below the tolerance.
+TEST(Jump, EstimateAndTolerance) {
+  const auto exact = removed(run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
+  for (const double tolerance : {0.03, 0.01, 0.003}) {
+    const auto r = run(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }"));
+    const double error = apart(removed(r), exact), estimate = r.summary.error_cycle_jump.value();
+    EXPECT_LT(error, tolerance);
+    EXPECT_LT(estimate, 1.5 * tolerance);
+    EXPECT_GT(estimate, error / 3.0);
+    EXPECT_LT(r.summary.contacts[0].ledger_relative_error.value(), 1e-12);
+    EXPECT_EQ(r.state.step_cycles, 0.0);
+    EXPECT_NEAR(r.summary.cycles, 40000.0, 1e-6);
+  }
+}
+
+// A block too long for the tolerance must be refused and said so, and leave nothing but its count behind.
+TEST(Jump, RefusedBlocksLeaveNothing) {
+  const auto r = run(worn_block("{ tolerance = 0.0003, first = 20000 }"));
+  const auto& counts = r.summary.counts;
+  EXPECT_GT(counts.refused_blocks, 0);
+  EXPECT_NE(std::find_if(r.log.begin(), r.log.end(), [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
+            r.log.end());
+  const long blocks = counts.blocks - 1;  // one is the load step
+  EXPECT_EQ(r.told.size(), 1 + 2 * 8 * static_cast<std::size_t>(blocks));
+  EXPECT_TRUE(std::is_sorted(r.told.begin(), r.told.end()));
+  EXPECT_EQ(counts.cycles_solved, 3 * (blocks + counts.refused_blocks));
+}
+
+// Going on from any block's end must change no bit of a controlled run.
+TEST(Jump, GoesOnFromAnyBlock) {
+  const auto problem = worn_block("{ tolerance = 0.01, first = 500 }");
+  std::vector<sim::State> ends;
+  sim::Observer observer;
+  observer.block = [&](const sim::State& s) { ends.push_back(s); };
+  auto whole = sim::initial_state(problem);
+  sim::run(problem, whole, observer);
+  for (auto state : ends) {
+    const auto summary = sim::run(problem, state, {});
+    EXPECT_EQ(state.solution.q, whole.solution.q);
+    EXPECT_EQ(state.solution.contacts[0].removed_secondary, whole.solution.contacts[0].removed_secondary);
+    EXPECT_EQ(summary.error_cycle_jump, whole.jump_error);
+    EXPECT_EQ(summary.counts.cycles_solved, whole.counts.cycles_solved);
+  }
+}
+
+// A life inside a long block must lie where a run with short ones puts it, within its stated error.
+TEST(Jump, LifeInsideABlock) {
+  const std::string limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0e-4\n";
+  const auto fine = run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }", limit));
+  const double exact = fine.summary.life_cycles.at("life").value();
+  ASSERT_LT(exact, 39000.0);
+  for (const double tolerance : {0.03, 0.01}) {
+    const auto r = run(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }", limit));
+    EXPECT_NEAR(r.summary.life_cycles.at("life").value(), exact, r.summary.life_error.at("life"));
+    EXPECT_LT(r.summary.life_error.at("life"), 2.0 * tolerance * exact);
+  }
+}
+
+// Extrapolation must keep sums and never give a node material back that waits in no gap.
+TEST(Jump, ExtrapolationKeepsSums) {
+  sim::State once, halves;
+  once.solution.contacts = {worn({1.0, 2.0, 4.0}, {})};
+  halves.solution.contacts = {worn({1.5, 2.5, 3.0}, {0.5, 0.2, 0.1})};
+  halves.solution.contacts[0].law_work = 7.0;
+  once.solution.contacts[0].law_work = 7.0;
+  sim::extrapolate(once, halves);
+  const auto& c = halves.solution.contacts[0];
+  EXPECT_NEAR(sum(c.removed_secondary), 7.0, 1e-15);  // 2 x 7 - 7
+  EXPECT_EQ(c.law_work, 7.0);
+  EXPECT_EQ(c.pending_secondary[2], 0.0);
+  EXPECT_GT(c.removed_secondary[0], 1.5);
+}
+
+// The next block must grow with what is worn where the error is as aimed at, and never by leaps.
+TEST(Jump, NextJump) {
+  EXPECT_NEAR(sim::next_jump(100.0, 0.009, 0.01, 1.7), 170.0, 1e-9);
+  EXPECT_NEAR(sim::next_jump(100.0, 0.036, 0.01, 1.7), 85.0, 1e-9);
+  EXPECT_EQ(sim::next_jump(100.0, 0.0, 0.01, 1.7), 400.0);
+  EXPECT_EQ(sim::next_jump(100.0, 1.0, 0.01, 1.0), 30.0);
+  EXPECT_EQ(sim::next_jump(2.0, 1.0, 0.01, 1.0), 1.0);
+}
