@@ -101,7 +101,7 @@ TEST(ContactNewton, PlasticIroning) {
                                                                {"[0.125, 1.0]", "[0.25, 1.0]"},
                                                                {"increments = 80 ", "increments = 40 "}}));
   write_rows("ironing_plastic", rows);
-  const auto found = orders(rows, 1e-3);  // before that Gauss points still start and cease to yield
+  const auto found = orders(rows, 1e-3);  // nearer the solution than the others: from 1e-2 on it is 1.66
   ASSERT_GE(found.size(), 20U);
   EXPECT_GT(found[found.size() / 2], 1.7);
   int most = 0, increments = 0, renewals = 0;
