@@ -20,7 +20,8 @@ std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
 /// Boundary, point and body loads, told apart by their keys.
 void add_loads(const Entry& root, Scene& scene, Issues& issues);
 std::map<std::string, History> histories_of(const Entry& root);
-std::vector<Step> steps_of(const Entry& root);
+/// All steps as they are played: those of a spectrum as often as it says.
+std::vector<Step> steps_of(const Entry& root, Issues& issues);
 std::vector<Limit> limits_of(const Entry& root, Issues& issues);
 Remesh remesh_of(const Entry& root);
 Output output_of(const Entry& root);

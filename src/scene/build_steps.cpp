@@ -1,6 +1,7 @@
 #include "scene/build.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace reye::scene {
 
@@ -17,13 +18,31 @@ void set_jump(const Entry& entry, Step& step) {
   step.jump_most = control.maybe_number("most").value_or(step.jump_most);
 }
 
+/// The steps with those of the spectrum, which follow one another, repeated.
+std::vector<Step> repeated(const Entry& root, std::vector<Step> steps, Issues& issues) {
+  const auto spectrum = root.at("spectrum");
+  if (!spectrum.is_table()) return steps;
+  const auto names = spectrum.texts("steps");
+  const auto first = std::search(steps.begin(), steps.end(), names.begin(), names.end(),
+                                 [](const Step& step, const std::string& name) { return step.name == name; });
+  if (names.empty() || first == steps.end()) {
+    issues.push_back({spectrum.key("steps"), spectrum.written("steps"), "must name steps that follow one another, in their order"});
+    return steps;
+  }
+  const auto count = static_cast<std::ptrdiff_t>(names.size());
+  const std::vector<Step> once(first, first + count);
+  auto after = first + count;
+  for (int k = 1; k < spectrum.whole("times"); ++k) after = steps.insert(after, once.begin(), once.end()) + count;
+  return steps;
+}
+
 }  // namespace
 
 std::map<std::string, History> histories_of(const Entry& root) {
   return root.at("history").histories();
 }
 
-std::vector<Step> steps_of(const Entry& root) {
+std::vector<Step> steps_of(const Entry& root, Issues& issues) {
   std::vector<Step> steps;
   for (const auto& entry : root.all("step")) {
     Step step;
@@ -36,7 +55,7 @@ std::vector<Step> steps_of(const Entry& root) {
     step.period_s = entry.number("period_s");
     steps.push_back(step);
   }
-  return steps;
+  return repeated(root, std::move(steps), issues);
 }
 
 std::vector<Limit> limits_of(const Entry& root, Issues& issues) {

@@ -156,6 +156,9 @@ constexpr Key table[] = {
     {"step[].period_s", Type::number, "s", "", positive,
      "how long one play of the step lasts; only a speed exponent asks for it"},
 
+    {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played again and again in this order"},
+    {"spectrum.times", Type::whole, "", "required", at_least(1.0), "how often"},
+
     {"limit.*.contact", Type::text, "", "required", any, "contact that is watched"},
     {"limit.*.side", Type::text, "", "secondary", one_of("secondary|primary|sum"), "side that is watched"},
     {"limit.*.depth_mm", Type::number, "mm", "", positive, "largest wear depth; or"},

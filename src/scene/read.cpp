@@ -92,7 +92,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);
   scene.histories = histories_of(root);
-  scene.steps = steps_of(root);
+  scene.steps = steps_of(root, issues);
   scene.limits = limits_of(root, issues);
   scene.remesh = remesh_of(root);
   scene.output = output_of(root);

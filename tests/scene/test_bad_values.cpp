@@ -80,6 +80,10 @@ TEST(BadScene, Values) {
        R"(scene.toml:13: body.cylinder.mesh.element = "hexa": must be "quad" or "tri")" "\n"
        R"(scene.toml:22: boundary.round.type = "arc": must be "line", "circle" or "spline")" "\n"
        R"(scene.toml:70: limit.life.side = "both": must be "secondary", "primary" or "sum")"},
+      {"a spectrum of steps that do not follow one another",
+       {{"[limit.life]", "[spectrum]\nsteps = [\"wear\", \"press\"]\ntimes = 0\n[limit.life]"}},
+       "scene.toml:69: spectrum.steps = [\"wear\", \"press\"]: must name steps that follow one another, in their order\n"
+       "scene.toml:70: spectrum.times = 0: must be >= 1"},
       {"a jump under control",
        {{"jump = 100 ", "jump = { tolerance = 2, first = 0.5 } "}},
        "scene.toml:66: step[2].jump.tolerance = 2: must lie in [1e-05, 0.2]\n"

@@ -188,6 +188,15 @@ TEST(Grammar, JumpUnderControl) {
   EXPECT_EQ(given.jump_most, 90.0);
 }
 
+/// The steps of a spectrum are played in their order, as often as it says, between what stands before and after them.
+TEST(Grammar, Spectrum) {
+  const auto s = with("[spectrum]\nsteps = [\"run in without wear\", \"wear\"]\ntimes = 3\n");
+  std::vector<std::string> names;
+  for (const auto& step : s.steps) names.push_back(step.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"press", "run in without wear", "wear", "run in without wear", "wear",
+                                             "run in without wear", "wear"}));
+}
+
 /// Every law with the parameters it takes.
 TEST(Grammar, Materials) {
   const auto s = changed("[body.cylinder]", R"(

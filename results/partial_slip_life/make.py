@@ -10,7 +10,7 @@ from wear_case import figure, run, value_at, write_csv, write_measured  # noqa: 
 A, P0, R, MU = 0.0913360, 836.410, 6.0, 0.6
 C = A * math.sqrt(0.5)
 LIMIT = 0.15674e-3                # largest depth of the limit [mm]
-SIZES = {10: 0.018, 20: 0.009, 40: 0.0045}   # elements across the first contact
+SIZES = {20: 0.009, 40: 0.0045, 80: 0.00225}   # elements across the first contact
 
 
 def largest_depth(c):
@@ -33,20 +33,22 @@ def centre(rows):
 def main():
     measured, sizes, profiles, growth = {}, [], [], []
     for across, h in SIZES.items():
-        result = run("partial_slip_limit", f"across_{across}", [("size_mm = 0.0045", f"size_mm = {h}")])
+        result = run("partial_slip_life", f"across_{across}", [("size_mm = 0.0045", f"size_mm = {h}")])
         frames = result.frames("secondary")
         depth = {cycle: max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
         rows = frames[-1][1]
         own = edge_of_stick(rows)
         pressure = value_at(rows, "pressure_MPa", centre(rows)) / P0
         wear = [r["depth_max_secondary_mm"] for r in result.history]
+        counts = result.summary["counts"]
         sizes.append([across, h, depth[1000.0] / LIMIT, depth[10000.0] / LIMIT, own, C, pressure,
-                      result.contact["ledger_relative_error"]])
+                      counts["cycles_solved"], result.summary["estimated_error"]["cycle_jump"], result.summary["cpu_s"]])
         growth += [[across, cycle * 2.5e-3, d / LIMIT] for cycle, d in depth.items()]
         profiles += [[across, r["x_mm"], 1e3 * r["wear_depth_mm"], r["pressure_MPa"], r["status"]]
                      for r in rows if abs(r["x_mm"]) < 0.125]
         if across == 40:
             measured.update({
+                "cycles_solved": counts["cycles_solved"],
                 "depth_at_2.5_over_limit": depth[1000.0] / LIMIT,
                 "stick_edge_error_in_elements": abs(own - C) / h,
                 "pressure_in_the_middle": pressure,
@@ -54,9 +56,10 @@ def main():
                 "depth_at_25_um": 1e3 * depth[10000.0],
                 "depth_at_25_over_closed_form_with_own_c": depth[10000.0] / largest_depth(own),
                 "largest_drop_of_depth": max(0.0, max(a - b for a, b in zip(wear, wear[1:]))) / wear[-1],
+                "cpu_s": result.summary["cpu_s"],
                 "ledger": result.contact["ledger_relative_error"]})
     write_csv("sizes.csv", ["across", "h_mm", "depth_at_2.5", "depth_at_25", "stick_edge_mm", "exact_c_mm",
-                            "p0_ratio", "ledger"], sizes)
+                            "p0_ratio", "cycles_solved", "estimate", "cpu_s"], sizes)
     write_csv("profiles.csv", ["across", "x_mm", "depth_um", "pressure_MPa", "status"], profiles)
     write_csv("growth.csv", ["across", "alpha_N_mm3_per_J", "depth_over_limit"], growth)
     write_measured(measured)
