@@ -126,7 +126,7 @@ TEST(FiniteStrain, DualMultipliers) {
   const double pressure[4] = {86628.75, 101873.31, 112298.40, 112799.85};
   int k = 0;
   for (const auto& [y, p] : by_height(s, s.pressure_MPa))
-    if (k < 4) EXPECT_NEAR(p / pressure[k++], 1.0, 0.002) << "y " << y;
+    if (k < 4) { EXPECT_NEAR(p / pressure[k++], 1.0, 0.002) << "y " << y; }
 
   const std::string soft = "[material.elastic]\nlaw = \"hencky\"\nE_MPa = ", hard = "[material.hard]\nlaw = \"hencky\"\nE_MPa = 1.0e8\nnu = 0.3\n\n";
   const auto stuck = played(replaced(turned_blocks(0.0, 1.0), {{soft + "1.0e6", hard + soft + "1.0e4"},
@@ -136,7 +136,7 @@ TEST(FiniteStrain, DualMultipliers) {
   const double shear[4] = {794.326, 284.924, 69.965, 0.0};
   k = 0;
   for (const auto& [y, value] : by_height(q, q.shear_MPa))
-    if (k < 4) EXPECT_NEAR(value, shear[k++], 0.005 * shear[0]) << "y " << y;
+    if (k < 4) { EXPECT_NEAR(value, shear[k++], 0.005 * shear[0]) << "y " << y; }
 }
 
 // Ironing onset (references C6): at t = 0.1 the lowest node alone carries 47.731 and the shear is friction times that.
