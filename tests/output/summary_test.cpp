@@ -34,9 +34,10 @@ TEST(Summary, PlaneKeysAreTheContract) {
                              "secondary", "primary", "ledger_relative_error"}));
   for (const char* side : {"secondary", "primary"})
     EXPECT_EQ(keys(pad[side]), (Keys{"max_depth_mm", "worn_area_mm2", "scar_width_mm"}));
-  EXPECT_EQ(keys(json["estimated_error"]), (Keys{"cycle_jump", "discretisation"}));
+  EXPECT_EQ(keys(json["estimated_error"]), (Keys{"cycle_jump", "discretisation", "life_cycles"}));
   EXPECT_EQ(keys(json["counts"]),
-            (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes", "cutbacks"}));
+            (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes", "cutbacks", "cycles_solved",
+                  "refused_blocks"}));
   EXPECT_EQ(keys(json["probes"]["edge"]), (Keys{"u_x_mm", "u_y_mm"}));
 }
 
@@ -58,7 +59,10 @@ TEST(Summary, UnknownIsNull) {
   EXPECT_EQ(json["life_cycles"]["deep"], 17000.0);
   EXPECT_TRUE(json["life_cycles"]["deeper"].is_null());
   EXPECT_TRUE(json["estimated_error"]["cycle_jump"].is_null());
+  EXPECT_TRUE(json["estimated_error"]["life_cycles"].is_null());
   EXPECT_TRUE(json["reason"].is_null());
+  summary.life_error["deep"] = 120.0;
+  EXPECT_EQ(read(summary)["estimated_error"]["life_cycles"]["deep"], 120.0);
   summary.life_cycles.clear();
   EXPECT_TRUE(read(summary)["life_cycles"].is_null());
 }
