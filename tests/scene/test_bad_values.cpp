@@ -16,7 +16,7 @@ TEST(BadScene, Values) {
       {"unknown key far from all",
        {{"[material.steel]", R"(colour = "red")" "\n"
          "[material.steel]"}},
-       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, section, shape, material, body, boundary, contact, support, load, history, step, limit, output, remesh, solver)"},
+       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, section, shape, material, body, boundary, contact, support, load, history, step, spectrum, limit, output, remesh, solver)"},
       {"unknown table",
        {{"[limit.life]", "[limits.life]"}},
        "scene.toml:68: limits: unknown key; did you mean limit?"},
