@@ -117,6 +117,9 @@ void tell_result(const sim::Summary& s, const std::string& dir) {
   if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", s.reason.c_str());
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
+  for (const auto& [name, band] : s.life_band)
+    if (band.shortest_cycles)
+      spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
 }
 

@@ -4,6 +4,30 @@
 
 #include "base/errors.hpp"
 #include "commands.hpp"
+#include "sweep.hpp"
+
+namespace {
+
+CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
+  auto* sweep = app.add_subcommand("sweep", "run a scene many times with other values, and collect one table");
+  sweep->add_option("scene", request.path, "scene file (.toml)")->required();
+  sweep->add_option("--vary", request.vary, "KEY=a:b:n, KEY=log:a:b:n or KEY=v1,v2,...; several: the full grid")
+      ->required()
+      ->allow_extra_args(false);
+  sweep->add_option("--out", request.out, "folder of the sweep (default: ./<scene name>.sweep)");
+  sweep->add_option("--jobs", request.jobs, "members at once (default: one per core)")->check(CLI::PositiveNumber);
+  auto* member = sweep->add_option("--member", request.member, "run this one only, as a job of an array does");
+  member->check(CLI::NonNegativeNumber);
+  auto* slurm = sweep->add_flag("--slurm", request.slurm, "submit the members as a job array to Slurm and wait for them");
+  auto* table = sweep->add_flag("--table", request.table, "run nothing, collect the table");
+  member->excludes(slurm)->excludes(table);
+  slurm->excludes(table);
+  sweep->add_flag("--force", request.force, "run every member anew, whatever its folder holds");
+  sweep->add_flag("--quiet", request.quiet, "reasons only");
+  return sweep;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace reye;
@@ -26,6 +50,8 @@ int main(int argc, char** argv) {
   auto* check = with_scene("check", "read scene and geometry, mesh in memory, write nothing");
   auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
+  apps::SweepRequest many;
+  auto* sweep = add_sweep(app, many);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as it stands in the README")->group("");
@@ -40,6 +66,7 @@ int main(int argc, char** argv) {
     if (*run) return apps::run(request);
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);
+    if (*sweep) return apps::sweep(many);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
     if (*reference) std::cout << apps::reference();

@@ -89,10 +89,18 @@ std::string contact_table(const RunData& run) {
   return table(head, rows);
 }
 
+/// ", 1000 to 4000 under the scatter of wear"; empty where the limit has none or is not reached.
+std::string band_of(const RunData& run, const std::string& limit) {
+  const Json& band = part(part(run.summary, "life_band"), limit);
+  if (!part(band, "longest_cycles").is_number()) return {};
+  return ", " + rounded(band["shortest_cycles"].get<double>(), 6) + " to " + rounded(band["longest_cycles"].get<double>(), 6) +
+         " under the scatter of wear";
+}
+
 std::string life_table(const RunData& run) {
   std::vector<Row> rows;
   for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
-    rows.push_back({name, cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached"});
+    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") + band_of(run, name)});
   return table({"Limit", "life"}, rows);
 }
 

@@ -70,6 +70,13 @@ Json life_errors(const sim::Summary& summary) {
   return all;
 }
 
+Json bands(const sim::Summary& summary) {
+  Json all;  // null where no limit has a scatter
+  for (const auto& [name, band] : summary.life_band)
+    all[name] = {{"shortest_cycles", value(band.shortest_cycles)}, {"longest_cycles", value(band.longest_cycles)}};
+  return all;
+}
+
 }  // namespace
 
 const char* status_name(sim::RunStatus status) {
@@ -99,6 +106,7 @@ std::string summary_json(const sim::Summary& s) {
             {"peak_rss_MB", value(s.peak_rss_MB)},
             {"version", version},
             {"scene_sha256", s.scene_sha256},
+            {"life_band", bands(s)},
             {"room_seconds", Json::object()},
             {"skipped", s.skipped},
             {"cutback_reasons", s.cutback_reasons}};

@@ -6,7 +6,7 @@
 namespace reye::output {
 
 /// summary.json with the keys of the contract, in its order; what is unknown or not finite is null.
-/// After them, for the report: room_seconds, skipped, cutback_reasons.
+/// After them: life_band, and for the report room_seconds, skipped, cutback_reasons.
 std::string summary_json(const sim::Summary& summary);
 
 const char* status_name(sim::RunStatus status);

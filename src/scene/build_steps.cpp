@@ -73,7 +73,9 @@ std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
                       .side = entry.text("side"),
                       .depth_mm = entry.maybe_number("depth_mm"),
                       .area_mm2 = entry.maybe_number(amount),
-                      .stop = entry.flag("stop")});
+                      .stop = entry.flag("stop"),
+                      .wear_factor = {}});
+    if (const auto factor = entry.pair("wear_factor")) limits.back().wear_factor = {factor->x(), factor->y()};
   }
   return limits;
 }

@@ -12,13 +12,16 @@ namespace {
 /// The lines of the file, to show values as the user wrote them.
 struct Source {
   std::vector<std::string> lines;
+  std::vector<std::size_t> starts;  ///< byte at which each begins
 
-  explicit Source(const std::string& toml) : lines(1) {
-    for (const char c : toml) {
-      if (c == '\n')
+  explicit Source(const std::string& toml) : lines(1), starts{0} {
+    for (std::size_t i = 0; i < toml.size(); ++i) {
+      if (toml[i] == '\n') {
         lines.emplace_back();
-      else
-        lines.back() += c;
+        starts.push_back(i + 1);
+      } else {
+        lines.back() += toml[i];
+      }
     }
   }
 
@@ -30,6 +33,11 @@ struct Source {
       if (starts_character && seen++ == column) break;
     }
     return at;
+  }
+
+  /// Byte of a place in the whole text.
+  std::size_t byte(const toml::source_position& place) const {
+    return starts.at(place.line - 1) + offset(lines.at(place.line - 1), place.column);
   }
 
   /// A value on one line; long or broken values are shortened, they help nobody in a message.
@@ -73,6 +81,8 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
             .children = {}};
   if (value.source().begin) {
     node.line = static_cast<int>(value.source().begin.line);
+    node.begin = source.byte(value.source().begin);
+    node.end = source.byte(value.source().end);
     if (!value.is_table() && !value.is_array_of_tables()) node.written = source.slice(value.source());
   }
   if (const auto* table = value.as_table()) {

@@ -16,6 +16,8 @@ struct Node {
   std::string name;     ///< its last part
   int line = 1;
   std::string written;  ///< the value as it stands in the file; empty for tables
+  /// Bytes [begin, end) of the value in the text; of a headed table its header, of one made by a dotted key that part of it.
+  std::size_t begin = 0, end = 0;
   std::string text;
   double number = 0.0;
   bool flag = false;

@@ -165,6 +165,8 @@ constexpr Key table[] = {
     {"limit.*.area_mm2", Type::number, "mm^2", "", positive, "worn area, plane problems; or"},
     {"limit.*.volume_mm3", Type::number, "mm^3", "", positive, "worn volume, axisymmetric problems"},
     {"limit.*.stop", Type::flag, "", "false", any, "true: the run ends there"},
+    {"limit.*.wear_factor", Type::pair, "", "", positive,
+     "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is told as a band, life / factor"},
 
     {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
      "cycles between frames; 0: first and last state of each step only"},

@@ -50,16 +50,6 @@ base::InputError located(Issues issues, const Lines& lines, const std::string& p
   return {std::move(issues), text};
 }
 
-std::string text_of(const std::string& path) {
-  std::error_code error;
-  std::string text;
-  if (!fs::is_regular_file(path, error) || !read_bytes(path, text)) {
-    const base::Issue issue{"", "", fs::exists(path, error) ? "cannot be read" : "no such file"};
-    throw base::InputError({issue}, path + ": " + issue.rule);
-  }
-  return text;
-}
-
 Node document_of(const std::string& text, const std::string& path) {
   try {
     return parse(text);
@@ -108,8 +98,19 @@ std::vector<std::string> files_of(const Scene& scene) {
 
 }  // namespace
 
-Scene read(const std::string& path) {
-  const auto text = text_of(path);
+std::string text_of(const std::string& path) {
+  std::error_code error;
+  std::string text;
+  if (!fs::is_regular_file(path, error) || !read_bytes(path, text)) {
+    const base::Issue issue{"", "", fs::exists(path, error) ? "cannot be read" : "no such file"};
+    throw base::InputError({issue}, path + ": " + issue.rule);
+  }
+  return text;
+}
+
+Scene read(const std::string& path) { return read_text(text_of(path), path); }
+
+Scene read_text(const std::string& text, const std::string& path) {
   const auto document = document_of(text, path);
   Scene scene;
   scene.path = path;

@@ -13,6 +13,12 @@ namespace reye::scene {
 /// Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
 Scene read(const std::string& path);
 
+/// The same of a text that stands, or is to stand, in the file at `path`.
+Scene read_text(const std::string& text, const std::string& path);
+
+/// The bytes of the scene file; base::InputError when there is none.
+std::string text_of(const std::string& path);
+
 /// The issues of a lower room in the same form; the line is that of the longest part of the key
 /// that the file has (line 1 when it has none).
 base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues);

@@ -48,6 +48,7 @@ struct Limit {
   std::optional<double> depth_mm;
   std::optional<double> area_mm2;  ///< axisymmetric: volume in mm^3
   bool stop = false;
+  std::optional<std::array<double, 2>> wear_factor;  ///< scatter of all wear coefficients, lowest and highest
 };
 
 struct Probe {

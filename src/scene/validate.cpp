@@ -112,6 +112,37 @@ std::set<std::string> used(const Scene& scene) {
   return names;
 }
 
+/// Why lives do not go as 1 / (wear coefficient); empty when they do. With a fixed jump of N cycles a run depends on
+/// coefficient x N alone: coefficients times c and jumps over c give the same states, each at 1 / c of the cycles.
+std::string no_band_rule(const Scene& scene) {
+  for (const auto& contact : scene.contacts) {
+    if (contact.wear.threshold > 0.0) return "contact \"" + contact.name + "\" has a threshold of wear";
+    if (!contact.friction_over_cycles.empty()) return "the friction of contact \"" + contact.name + "\" changes over the cycles";
+  }
+  for (const auto& [name, material] : scene.materials)
+    if (std::holds_alternative<material::HenckyJ2>(material)) return "material \"" + name + "\" flows, cycle by cycle";
+  const auto wears = [](const Step& step) { return step.wear; };
+  const auto count = std::count_if(scene.steps.begin(), scene.steps.end(), wears);
+  if (count != 1) return count == 0 ? "no step wears" : "more than one step wears";
+  const auto* one = &*std::find_if(scene.steps.begin(), scene.steps.end(), wears);
+  for (const auto* step = scene.steps.data(); step != one; ++step)
+    if (step->cycles > 0.0) return "cycles are counted before the step that wears";
+  return one->cycles > 0.0 ? "" : "the step that wears has no cycles";
+}
+
+void check_bands(const Entry& root, const Scene& scene, Issues& issues) {
+  const auto why = no_band_rule(scene);
+  for (const auto& limit : root.all("limit")) {
+    const auto factor = limit.pair("wear_factor");
+    if (!factor) continue;
+    if (factor->x() > factor->y())
+      issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"), "must be [lowest, highest]"});
+    if (!why.empty())
+      issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"),
+                        why + ", so that lives do not go as 1 / factor; vary the coefficients in a sweep instead"});
+  }
+}
+
 }  // namespace
 
 void validate(const Entry& root, const Scene& scene, Issues& issues) {
@@ -121,6 +152,7 @@ void validate(const Entry& root, const Scene& scene, Issues& issues) {
   check_steps(root, scene, issues);
   validate_contacts(root, scene, issues);
   for (const auto& limit : root.all("limit")) refer(limit, "contact", "contact", names_of(scene.contacts), issues);
+  check_bands(root, scene, issues);
 }
 
 namespace {

@@ -94,6 +94,11 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     else
       plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), step.increments, step.wear ? "" : ", no wear"));
   }
+  for (const auto& limit : p.scene.limits)
+    if (limit.wear_factor)
+      plan.lines.push_back(text("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
+                                "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
+                                limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
   return plan;
 }
 

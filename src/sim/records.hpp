@@ -91,6 +91,11 @@ struct RemeshRecord {
   double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh and all in all, re-equilibration included
 };
 
+/// The life of a limit under the scatter of the wear coefficients; empty when it is not reached.
+struct LifeBand {
+  std::optional<double> shortest_cycles, longest_cycles;
+};
+
 struct Counts {
   long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
   long cycles_solved = 0;    ///< plays of a cycle, those for the error and of refused blocks included
@@ -109,6 +114,7 @@ struct Summary {
   std::map<std::string, std::optional<double>> life_cycles;  ///< by limit
   std::map<std::string, double> life_error;                  ///< of the limits reached, where known [cycles]
   std::map<std::string, double> limit_share;                 ///< of every limit: its measure at the end over its bound
+  std::map<std::string, LifeBand> life_band;                 ///< of the limits with a scatter
   std::optional<double> error_cycle_jump, error_discretisation;
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;

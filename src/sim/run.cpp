@@ -196,8 +196,13 @@ class Runner {
     s.cutback_reasons = state_.cutback_reasons;
     for (const auto& limit : p_.scene.limits) {
       const auto found = state_.life_cycles.find(limit.name);
-      s.life_cycles[limit.name] = found == state_.life_cycles.end() ? std::nullopt : std::optional(found->second);
+      const bool reached = found != state_.life_cycles.end();
+      s.life_cycles[limit.name] = reached ? std::optional(found->second) : std::nullopt;
       s.limit_share[limit.name] = state_.limit_measure[limit.name] / bound_of(limit);
+      if (!limit.wear_factor) continue;
+      s.life_band[limit.name] = {};
+      const auto& [lowest, highest] = *limit.wear_factor;
+      if (reached) s.life_band[limit.name] = {found->second / highest, found->second / lowest};
     }
     if (state_.approached) {
       const auto& system = system_of(p_, state_, cache_);

@@ -27,7 +27,7 @@ TEST(Summary, PlaneKeysAreTheContract) {
   const Json json = read(sample::summary());
   EXPECT_EQ(keys(json), (Keys{"title", "status", "reason", "cycles", "contacts", "probes", "life_cycles",
                               "estimated_error", "counts", "wall_s", "cpu_s", "peak_rss_MB", "version", "scene_sha256",
-                              "room_seconds", "skipped", "cutback_reasons"}));
+                              "life_band", "room_seconds", "skipped", "cutback_reasons"}));
   const Json& pad = json["contacts"]["pad"];
   EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
                              "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
@@ -65,6 +65,16 @@ TEST(Summary, UnknownIsNull) {
   EXPECT_EQ(read(summary)["estimated_error"]["life_cycles"]["deep"], 120.0);
   summary.life_cycles.clear();
   EXPECT_TRUE(read(summary)["life_cycles"].is_null());
+}
+
+// The band of a life stands by its limit: null without one, null cycles when the limit is not reached.
+TEST(Summary, LifeBand) {
+  auto summary = sample::summary();
+  EXPECT_TRUE(read(summary)["life_band"].is_null());
+  summary.life_band = {{"deep", {8500.0, 34000.0}}, {"deeper", {}}};
+  const Json json = read(summary);
+  EXPECT_EQ(json["life_band"]["deep"], (Json{{"shortest_cycles", 8500.0}, {"longest_cycles", 34000.0}}));
+  EXPECT_EQ(json["life_band"]["deeper"], (Json{{"shortest_cycles", nullptr}, {"longest_cycles", nullptr}}));
 }
 
 // What is not finite is written as null, never as NaN or inf.

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Programs run beside this one.
+namespace reye::apps {
+
+struct Child {
+  std::vector<std::string> words;  ///< program, then its arguments
+  std::string log;                 ///< file that takes what it prints; empty: printed as usual
+};
+
+/// Runs them all, at most `most` at once, each with one thread for linear algebra. `ended` is told of each: its
+/// number and its exit code, or 128 + the signal that ended it, or 127 when it could not be started.
+/// SIGINT and SIGTERM are passed on to those that run and no other is started; false then.
+bool run_children(const std::vector<Child>& children, int most, const std::function<void(std::size_t, int)>& ended);
+
+/// Whether a program of this name is found in PATH.
+bool is_installed(const std::string& program);
+
+}  // namespace reye::apps

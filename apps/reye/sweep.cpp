@@ -1,0 +1,221 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "base/errors.hpp"
+#include "children.hpp"
+#include "output/files.hpp"
+#include "output/folder.hpp"
+#include "output/sweep_table.hpp"
+#include "scene/read.hpp"
+#include "scene/sweep.hpp"
+
+namespace reye::apps {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A member where it lies.
+struct Place {
+  std::string name, dir, sha256;
+};
+
+struct Job {
+  const SweepRequest& request;
+  std::string dir;
+  scene::Sweep sweep;
+  std::vector<Place> places;  ///< one per member
+  std::vector<std::size_t> wanted;
+};
+
+std::string name_of(std::size_t member) {
+  const auto number = std::to_string(member);
+  return "member_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
+}
+
+/// Where a member says why it stopped.
+std::string errors_of(const Place& place) { return place.dir + "/errors.txt"; }
+
+/// Issues of one member, named after it; what another member has said already is left out.
+void add_issues(const std::string& member, const std::vector<base::Issue>& found, std::set<std::string>& told,
+                std::vector<base::Issue>& issues) {
+  for (const auto& issue : found) {
+    const auto rule = issue.key + (issue.value.empty() ? "" : " = " + issue.value) + ": " + issue.rule;
+    if (told.insert(rule).second) issues.push_back({member, "", rule});
+  }
+}
+
+/// Reads every wanted member as it will stand on disk and asks whether its folder may take it.
+void check_members(Job& job, const std::string& name) {
+  std::vector<base::Issue> issues;
+  std::set<std::string> told;
+  if (const auto refusal = output::open_folder(job.dir, name, "", job.request.force))
+    issues.push_back({"--out", job.dir, *refusal});
+  for (const auto i : job.wanted) {
+    auto& place = job.places[i];
+    try {
+      place.sha256 = scene::read_text(job.sweep.members[i].text, place.dir + "/scene.toml").sha256;
+    } catch (const base::InputError& error) {
+      add_issues(place.name, error.issues(), told, issues);
+      continue;
+    }
+    if (!issues.empty()) continue;
+    if (const auto refusal = output::open_folder(place.dir, place.name, place.sha256, job.request.force))
+      issues.push_back({place.name, "", *refusal});
+  }
+  if (!issues.empty()) throw base::InputError(std::move(issues));
+}
+
+Job job_of(const SweepRequest& request) {
+  if (request.slurm && !is_installed("sbatch"))
+    throw base::InputError({{"--slurm", "", "there is no sbatch in PATH; Slurm is not installed here"}});
+  const auto scene = scene::read(request.path);
+  const auto dir = request.out.empty() ? "./" + scene.name + ".sweep" : request.out;
+  Job job{request, dir, scene::sweep_of(request.path, request.vary), {}, {}};
+  const auto count = job.sweep.members.size();
+  for (std::size_t i = 0; i < count; ++i) job.places.push_back({name_of(i), dir + '/' + name_of(i), {}});
+  if (request.member >= static_cast<int>(count)) {
+    const auto rule = "the sweep has members 0 to " + std::to_string(count - 1);
+    throw base::InputError({{"--member", std::to_string(request.member), rule}});
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (request.member < 0 || static_cast<std::size_t>(request.member) == i) job.wanted.push_back(i);
+  check_members(job, scene.name);
+  return job;
+}
+
+/// The end of this very member; a summary of another scene in its folder is not its own.
+output::RunEnd end_of(const Place& place) {
+  auto end = output::read_end(place.dir);
+  if (end.sha256 != place.sha256) end = {};
+  if (end.status == "missing" && fs::exists(errors_of(place))) end.reason = output::read_text(errors_of(place));
+  return end;
+}
+
+/// A run that was broken off goes on from its last checkpoint.
+bool can_go_on(const Place& place, const output::RunEnd& end) {
+  const auto holder = output::read_identity(place.dir);
+  const bool its_own = holder && holder->sha256 == place.sha256;
+  return its_own && end.status != "failed" && fs::exists(place.dir + "/checkpoint/current.bin");
+}
+
+void write_scene(const Job& job, std::size_t i) {
+  const auto file = job.places[i].dir + "/scene.toml";
+  fs::create_directories(job.places[i].dir);
+  if (!fs::exists(file) || output::read_text(file) != job.sweep.members[i].text)
+    output::atomic_write(file, job.sweep.members[i].text);
+}
+
+std::string this_program() { return fs::read_symlink("/proc/self/exe"); }
+
+Child child_of(const Job& job, std::size_t i) {
+  const auto& place = job.places[i];
+  Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--quiet"}, errors_of(place)};
+  if (job.request.force) child.words.push_back("--force");
+  else if (can_go_on(place, end_of(place))) child.words.push_back("--restart");
+  return child;
+}
+
+/// Members not yet done, as processes of their own: one that dies takes no other with it. False when interrupted.
+bool run_here(const Job& job, const std::vector<std::size_t>& open) {
+  std::vector<Child> children;
+  for (const auto i : open) children.push_back(child_of(job, i));
+  const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  std::size_t count = 0;
+  return run_children(children, job.request.jobs > 0 ? job.request.jobs : cores, [&](std::size_t c, int code) {
+    const auto& place = job.places[open[c]];
+    if (code == 127) output::append_text(errors_of(place), "could not be started\n");
+    if (code > 128 && code != 130)
+      output::append_text(errors_of(place), "ended by signal " + std::to_string(code - 128) + '\n');
+    if (job.request.quiet) return;
+    const auto status = end_of(place).status;
+    std::fprintf(stderr, "%s %s (%zu of %zu)\n", place.name.c_str(), status.c_str(), ++count, open.size());
+  });
+}
+
+std::string shell_quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + '\'';
+}
+
+/// An array of jobs, one per open member.
+std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
+  std::string array;
+  for (const auto i : open) array += (array.empty() ? "" : ",") + std::to_string(i);
+  if (open.size() == job.places.size()) array = "0-" + std::to_string(open.size() - 1);
+  if (job.request.jobs > 0) array += '%' + std::to_string(job.request.jobs);
+  std::string text = "#!/bin/bash\n#SBATCH --job-name=reye-sweep\n#SBATCH --array=" + array +
+                     "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --output=/dev/null\n";
+  text += "exec " + shell_quoted(this_program()) + " sweep " + shell_quoted(fs::absolute(job.request.path));
+  for (const auto& words : job.request.vary) text += " --vary " + shell_quoted(words);
+  text += " --out " + shell_quoted(fs::absolute(job.dir)) + (job.request.force ? " --force" : "");
+  return text + " --quiet --member \"$SLURM_ARRAY_TASK_ID\"\n";
+}
+
+/// Submits the array and waits for its end; what members make of it is read from their folders.
+bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open) {
+  const auto script = job.dir + "/sweep.sbatch";
+  output::atomic_write(script, slurm_script(job, open));
+  return run_children({{{"sbatch", "--wait", script}, ""}}, 1, [](std::size_t, int) {});
+}
+
+/// "contact.pad.friction = 0.5, step[1].jump = 100"
+std::string values_of(const Job& job, std::size_t i) {
+  std::string text;
+  for (std::size_t k = 0; k < job.sweep.keys.size(); ++k)
+    text += (k == 0 ? "" : ", ") + job.sweep.keys[k] + " = " + job.sweep.members[i].values[k];
+  return text;
+}
+
+/// Names what is not done, one line each; how many that is.
+std::size_t tell_undone(const Job& job) {
+  std::size_t undone = 0;
+  for (const auto i : job.wanted) {
+    const auto end = end_of(job.places[i]);
+    if (end.status == "done") continue;
+    ++undone;
+    auto reason = end.reason;
+    while (!reason.empty() && reason.back() == '\n') reason.pop_back();
+    std::fprintf(stderr, "%s (%s): %s%s\n", job.places[i].name.c_str(), values_of(job, i).c_str(), end.status.c_str(),
+                 reason.empty() ? "" : (": " + reason).c_str());
+  }
+  return undone;
+}
+
+/// The table, and what it says of lives.
+void collect(const Job& job, std::size_t undone) {
+  std::vector<output::SweepRow> rows;
+  for (const auto i : job.wanted)
+    rows.push_back({job.places[i].name, job.sweep.members[i].values, end_of(job.places[i])});
+  fs::create_directories(job.dir);
+  output::atomic_write(job.dir + "/sweep.csv", output::sweep_table(job.sweep.keys, rows));
+  if (job.request.quiet) return;
+  for (const auto& sentence : output::life_bands(rows)) std::printf("%s\n", sentence.c_str());
+  const auto count = rows.size();
+  std::printf("%zu members, %zu done; table %s/sweep.csv\n", count, count - undone, job.dir.c_str());
+}
+
+}  // namespace
+
+int sweep(const SweepRequest& request) {
+  const auto job = job_of(request);
+  std::vector<std::size_t> open;
+  for (const auto i : job.wanted)
+    if (request.force || end_of(job.places[i]).status != "done") open.push_back(i);
+  bool finished = true;
+  if (!request.table && !open.empty()) {
+    for (const auto i : open) write_scene(job, i);
+    finished = request.slurm ? run_by_slurm(job, open) : run_here(job, open);
+  }
+  const auto undone = tell_undone(job);
+  if (request.member < 0) collect(job, undone);
+  return !finished ? 130 : undone > 0 ? 1 : 0;
+}
+
+}  // namespace reye::apps

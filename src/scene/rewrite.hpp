@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+#include <string>
+
+/// A scene's text with single values changed; everything else stays as the user wrote it.
+namespace reye::scene {
+
+/// The text with `value` (as written in TOML) at `key` ("contact.pad.friction", "step[2].jump.tolerance").
+/// A value that stands in the text is replaced. One that does not is added to the innermost table around it that
+/// does; a plain value in its way becomes a table. Nothing when the place cannot hold it: the outcome is read back
+/// and compared.
+/// Throws SyntaxError when the text is no TOML.
+std::optional<std::string> with_value(const std::string& text, const std::string& key, const std::string& value);
+
+/// The text with the paths of geometry and profiles made absolute, as counted from the scene at `path`: it says the
+/// same wherever it is put.
+std::string with_absolute_paths(std::string text, const std::string& path);
+
+/// A text in TOML's quotes.
+std::string quoted(const std::string& text);
+
+}  // namespace reye::scene

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+/// A scene many times over: each member has other values at the keys that are varied.
+namespace reye::scene {
+
+/// One key and the values it takes, as written in TOML.
+struct Variation {
+  std::string key;
+  std::vector<std::string> values;
+};
+
+/// `key=a:b:n`: n numbers from a to b, both included; `key=log:a:b:n`: with equal ratios;
+/// `key=v1,v2,...`: these values, what is no number, truth value, list, table or quoted text is a text.
+/// Throws base::InputError with the rule that is broken.
+Variation variation_of(const std::string& words);
+
+struct Member {
+  std::vector<std::string> values;  ///< one per variation, as written
+  std::string text;                 ///< its scene, with absolute paths
+};
+
+struct Sweep {
+  std::vector<std::string> keys;
+  std::vector<Member> members;  ///< the full grid, the last key fastest
+};
+
+/// The members of the scene at `path` under all variations, none of them read yet.
+/// Throws base::InputError with everything that is wrong with the variations: a key that is unknown, that stands where
+/// the scene has no table of that name, is varied twice or cannot be set.
+Sweep sweep_of(const std::string& path, const std::vector<std::string>& variations);
+
+}  // namespace reye::scene
