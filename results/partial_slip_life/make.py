@@ -39,7 +39,7 @@ def main():
         rows = frames[-1][1]
         own = edge_of_stick(rows)
         pressure = value_at(rows, "pressure_MPa", centre(rows)) / P0
-        wear = [r["depth_max_secondary_mm"] for r in result.history]
+        wear = [d for _, d in sorted(depth.items())]   # at the ends of blocks: inside, history.csv has what is yet to be extrapolated
         counts = result.summary["counts"]
         sizes.append([across, h, depth[1000.0] / LIMIT, depth[10000.0] / LIMIT, own, C, pressure,
                       counts["cycles_solved"], result.summary["estimated_error"]["cycle_jump"], result.summary["cpu_s"]])
