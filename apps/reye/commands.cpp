@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
+#include "checkpoints.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "output/checkpoint.hpp"
@@ -47,18 +48,14 @@ scene::Scene read(const Request& request) {
   return scene;
 }
 
-void save(const sim::Problem& problem, const output::RunWriter& writer, const sim::State& state) {
-  output::save_checkpoint(writer.dir(),
-                          {{version(), problem.scene.sha256, writer.counters()}, output::state_to_bytes(state)});
-}
-
 /// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
 /// A fresh run keeps its start as the first checkpoint: an interruption before the first block can go on, too.
-sim::State starting_state(const Request& request, const sim::Problem& problem, output::RunWriter& writer) {
+sim::State starting_state(const Request& request, const sim::Problem& problem, output::RunWriter& writer,
+                          Checkpoints& checkpoints) {
   if (!request.restart) {
     writer.begin();
     sim::State state = sim::initial_state(problem);
-    save(problem, writer, state);
+    checkpoints.start(state);
     return state;
   }
   const auto search = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256);
@@ -72,19 +69,33 @@ sim::State starting_state(const Request& request, const sim::Problem& problem, o
   return output::state_from_bytes(search.found->payload);
 }
 
-sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer, ProgressLine& line) {
+sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, ProgressLine& line) {
   sim::Observer o;
   o.progress = [&line](const sim::Progress& p) { line.show(p); };
-  o.increment = [&](const sim::IncrementRecord& r) {
-    line.newton(r.newton);
-    writer.increment(r);
-  };
+  o.increment = [&](const sim::IncrementRecord& r) { writer.increment(r); };
   o.frame = [&](const sim::Frame& f) { writer.frame(f); };
   o.remesh = [&](const sim::RemeshRecord& r) { writer.remesh(r); };
   o.log = [&](const std::string& text) { writer.log(text); };
   o.interrupted = [] { return interrupted != 0; };
-  o.block = [&](const sim::State& state) { save(problem, writer, state); };
+  o.block = [&](const sim::State& state) { checkpoints.block_end(state); };
   return o;
+}
+
+/// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether it can go on.
+sim::Summary play(const sim::Problem& problem, sim::State state, output::RunWriter& writer, Checkpoints& checkpoints,
+                  bool quiet) {
+  try {
+    ProgressLine line(!quiet);
+    const sim::Summary summary = sim::run(problem, state, observer_of(writer, checkpoints, line));
+    line.end();
+    checkpoints.finish();
+    writer.finish(summary);
+    return summary;
+  } catch (const std::exception& error) {
+    const bool whole = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256).found.has_value();
+    throw std::runtime_error(error.what() + std::string(whole ? "; the last checkpoint is whole: --restart goes on from there"
+                                                               : "; there is no checkpoint to go on from"));
+  }
 }
 
 /// A value of the summary for a line of text; a dash when it is not known.
@@ -139,11 +150,10 @@ int run(const Request& request) {
   for (const auto& text : problem.plan.lines) writer.log(text);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  sim::State state = starting_state(request, problem, writer);
-  ProgressLine line(!request.quiet);
-  const sim::Summary summary = sim::run(problem, state, observer_of(problem, writer, line));
-  line.end();
-  writer.finish(summary);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error with a reason, not the end at once
+  Checkpoints checkpoints(problem, writer);
+  sim::State state = starting_state(request, problem, writer, checkpoints);
+  const sim::Summary summary = play(problem, std::move(state), writer, checkpoints, request.quiet);
   tell_result(summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
 }
@@ -193,7 +203,7 @@ int mesh(const Request& request) {
 
 int report(const Request& request) {
   if (!output::read_identity(request.path)) throw base::InputError({{"dir", request.path, "holds no run of reye"}});
-  output::write_report(request.path);
+  output::write_report(request.path, request.animation);
   std::printf("%s/report.html\n", request.path.c_str());
   return 0;
 }

@@ -7,7 +7,7 @@ namespace reye::apps {
 struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
-  bool restart = false, force = false, quiet = false;
+  bool restart = false, force = false, quiet = false, animation = false;
 };
 
 std::string version();

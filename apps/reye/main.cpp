@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   auto* sweep = add_sweep(app, many);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
+  report->add_flag("--animation", request.animation, "bodies, pressure and wear moving from frame to frame, in the page");
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as it stands in the README")->group("");
 
   try {

@@ -9,7 +9,6 @@ namespace reye::apps {
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted);
-  void newton(int iterations) { newton_ = iterations; }
   void show(const sim::Progress& progress);
   void end();
 
@@ -18,7 +17,6 @@ class ProgressLine {
   double seconds_left(double fraction);
 
   bool wanted_, terminal_;
-  int newton_ = 0;
   std::string step_;
   double first_fraction_ = 0.0;
   clock::time_point step_start_ = clock::now(), last_shown_{};

@@ -3,90 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/profiles.hpp"
 #include "output/text.hpp"
 
 namespace reye::output {
 
 namespace {
-
-/// A unit that keeps axis labels short.
-struct Unit {
-  double factor;
-  std::string name;
-};
-
-Unit length_unit(double largest_mm) {
-  if (largest_mm < 1e-4) return {1e6, "nm"};
-  if (largest_mm < 0.1) return {1e3, "µm"};
-  return {1.0, "mm"};
-}
-
-double largest(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double v : values)
-    if (std::isfinite(v)) size = std::max(size, std::abs(v));
-  return size;
-}
-
-std::string title_of(const RunData& run, const ContactData& contact, const std::string& what) {
-  return run.contacts.size() > 1 ? what + ", contact " + contact.name : what;
-}
-
-/// Where things are on a surface: arc length about the centroid of the last pressure (of the last depth
-/// when nothing presses), so that both sides and all cycles lie over each other.
-double centre_of(const SurfaceTable& surface) {
-  const auto& s = surface.table.column("arc_length_mm");
-  const FrameRows& rows = surface.frames.back();
-  for (const char* name : {"pressure_MPa", "wear_depth_mm"}) {
-    const auto& weight = surface.table.column(name);
-    double sum = 0.0, moment = 0.0;
-    for (std::size_t i = rows.begin; i + 1 < rows.end; ++i) {
-      const double w = 0.5 * (weight[i] + weight[i + 1]) * (s[i + 1] - s[i]);
-      sum += w;
-      moment += 0.5 * w * (s[i] + s[i + 1]);
-    }
-    if (sum > 0.0) return moment / sum;
-  }
-  return 0.5 * (s[rows.begin] + s[rows.end - 1]);
-}
-
-/// The part of the surface where anything ever happens, with a margin; the whole surface when nothing does.
-Range active_range(const SurfaceTable& surface, double centre) {
-  const auto& s = surface.table.column("arc_length_mm");
-  const auto& p = surface.table.column("pressure_MPa");
-  const auto& h = surface.table.column("wear_depth_mm");
-  const double p_small = 1e-6 * largest(p), h_small = 1e-3 * largest(h);
-  Range active{INFINITY, -INFINITY}, whole = active;
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const double at = s[i] - centre;
-    whole = {std::min(whole.low, at), std::max(whole.high, at)};
-    if (p[i] > p_small || h[i] > h_small) active = {std::min(active.low, at), std::max(active.high, at)};
-  }
-  if (active.low > active.high) return whole;
-  const double margin = 0.12 * active.width();
-  return {std::max(whole.low, active.low - margin), std::min(whole.high, active.high + margin)};
-}
-
-Line column_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& column, double factor,
-                 double centre) {
-  const auto& s = surface.table.column("arc_length_mm");
-  const auto& y = surface.table.column(column);
-  Line line;
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    line.x.push_back(s[i] - centre);
-    line.y.push_back(factor * y[i]);
-  }
-  return line;
-}
-
-/// At most twelve frames, evenly chosen, the last one always among them.
-std::vector<FrameRows> chosen(const std::vector<FrameRows>& frames) {
-  constexpr std::size_t most = 12;
-  if (frames.size() <= most) return frames;
-  std::vector<FrameRows> some;
-  for (std::size_t k = 0; k < most; ++k) some.push_back(frames[k * (frames.size() - 1) / (most - 1)]);
-  return some;
-}
 
 struct OverCycles {
   std::string id, title, column, y_label;
@@ -102,7 +24,8 @@ Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
   const double centre = centre_of(surface);
   figure.x_range = active_range(surface, centre);
   const Range cycles{surface.frames.front().cycle, surface.frames.back().cycle};
-  for (const auto& rows : chosen(surface.frames)) {
+  for (const std::size_t k : evenly_chosen(surface.frames.size(), 12)) {
+    const FrameRows& rows = surface.frames[k];
     Line line = column_line(surface, rows, what.column, what.factor, centre);
     const double t = cycles.width() > 0.0 ? (rows.cycle - cycles.low) / cycles.width() : 1.0;
     line.colour = scale_colour(t);
@@ -160,12 +83,6 @@ Figure per_frame(const ContactData& contact, Figure figure, const Value& value) 
   figure.x_label = "cycles";
   figure.y_from_zero = true;
   return figure;
-}
-
-double deepest_of(const ContactData& contact) {
-  double deepest = 0.0;
-  for (const auto& surface : contact.sides) deepest = std::max(deepest, largest(surface.table.column("wear_depth_mm")));
-  return deepest;
 }
 
 /// The history knows the depth at every increment, but only the largest of all contacts.

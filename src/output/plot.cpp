@@ -137,8 +137,7 @@ std::string draw_axes(const Figure& figure, const Layout& at) {
                        {.anchor = "middle", .upright = true});
 }
 
-std::string draw_line(const Line& full, const Layout& at) {
-  const Line line = thinned(full, 1600);
+std::string draw_line(const Line& line, const Layout& at) {
   std::string path;
   bool down = false;
   for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -155,6 +154,35 @@ std::string draw_line(const Line& full, const Layout& at) {
   return dots + "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + line.colour + '"' +
          attribute("stroke-width", line.width) + " stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
          (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
+}
+
+/// When in the film the k-th of so many moments is seen.
+std::string timing(std::size_t k, std::size_t count) {
+  if (count < 2) return {};
+  const auto part = [&](std::size_t i) {
+    std::array<char, 32> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%.6f", static_cast<double>(i) / static_cast<double>(count));
+    return std::string(buffer.data());
+  };
+  std::string values = k == 0 ? "inline" : "none;inline", times = k == 0 ? "0" : "0;" + part(k);
+  if (k + 1 < count) {
+    values += ";none";
+    times += ';' + part(k + 1);
+  }
+  return "<animate attributeName=\"display\" calcMode=\"discrete\" repeatCount=\"indefinite\" values=\"" + values +
+         "\" keyTimes=\"" + times + "\" dur=\"" + fixed(moment_seconds * static_cast<double>(count)) + "s\"/>\n";
+}
+
+std::string draw_moments(const Figure& figure, const Layout& at, const std::string& clip) {
+  const std::size_t count = figure.moments.size();
+  std::string out;
+  for (std::size_t k = 0; k < count; ++k) {
+    out += "<g class=\"moment\"" + std::string(k + 1 < count ? " display=\"none\">\n" : ">\n") + timing(k, count);
+    out += text_at(at.right, 22.0, figure.moments[k].caption, {.anchor = "end"}) + "<g clip-path=\"url(#" + clip + ")\">\n";
+    for (const auto& line : figure.moments[k].lines) out += draw_line(line, at);
+    out += "</g>\n</g>\n";
+  }
+  return out;
 }
 
 std::string draw_scale(const ColourScale& scale, const Layout& at) {
@@ -183,7 +211,7 @@ Layout lay_out(const Figure& figure, std::vector<LegendEntry>& legend) {
   at.x = figure.x_range ? widened(*figure.x_range) : range_of(figure.lines, true, {});
   at.y = figure.y_range ? widened(*figure.y_range) : range_of(figure.lines, false, figure.x_range);
   if (figure.y_from_zero) at.y = widened({std::min(at.y.low, 0.0), std::max(at.y.high, 0.0)});
-  at.y = rounded_out(at.y);
+  if (!figure.exact_ranges) at.y = rounded_out(at.y);
   at.y_down = figure.y_down;
   return at;
 }
@@ -200,8 +228,9 @@ std::string svg(const Figure& figure) {
   out += "<clipPath id=\"" + clip + "\"><rect" + attribute("x", left - 4.0) + attribute("y", at.top - 4.0) +
          attribute("width", at.right - left + 8.0) + attribute("height", at.bottom - at.top + 8.0) + "/></clipPath>\n";
   out += "<g clip-path=\"url(#" + clip + ")\">\n";
-  for (const auto& line : figure.lines) out += draw_line(line, at);
+  for (const auto& line : figure.lines) out += draw_line(thinned(line, 1600), at);
   out += "</g>\n";
+  out += draw_moments(figure, at, clip);
   if (figure.scale) out += draw_scale(*figure.scale, at);
   return out + "</svg>\n";
 }

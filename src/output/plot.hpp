@@ -17,6 +17,12 @@ struct Line {
   bool dots = false;  ///< mark the points: few values, or values far apart
 };
 
+/// Lines shown for a while, and what they are of.
+struct Moment {
+  std::string caption{};
+  std::vector<Line> lines{};
+};
+
 /// Explains lines coloured by a value with `scale_colour`.
 struct ColourScale {
   std::string label;
@@ -27,12 +33,19 @@ struct Figure {
   std::string id{};  ///< file name and prefix of ids inside the SVG
   std::string title{}, x_label{}, y_label{};
   std::vector<Line> lines{};
+  std::vector<Moment> moments{};  ///< shown one after the other, `moment_seconds` each, again and again
   std::optional<ColourScale> scale{};
   std::optional<Range> x_range{};  ///< else from the data
   std::optional<Range> y_range{};
   bool y_down = false;           ///< depth grows downwards
   bool y_from_zero = false;
+  bool exact_ranges = false;     ///< not rounded out: shapes keep their angles when the ranges are in the plot's aspect
 };
+
+/// Width over height of the field of a figure without legend and scale.
+inline constexpr double plot_aspect = 620.0 / 300.0;
+
+inline constexpr double moment_seconds = 0.25;
 
 struct Bar {
   std::string label{};
@@ -40,7 +53,8 @@ struct Bar {
   std::string text{};  ///< beside the bar
 };
 
-/// The figure as one <svg> element. Points that are not finite interrupt their line.
+/// The figure as one <svg> element. Points that are not finite interrupt their line. Moments move by SMIL, without any
+/// script; where that is not known, and on paper, the last one is seen.
 std::string svg(const Figure& figure);
 
 /// Figures side by side as one <svg> element: a picture that stands alone.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "output/animation.hpp"
 #include "output/figures.hpp"
 #include "output/files.hpp"
 #include "output/report_tables.hpp"
@@ -60,12 +61,25 @@ std::string figure_grid(const std::vector<Figure>& all) {
   return html + "</div>\n";
 }
 
-std::string page(const RunData& run, const std::vector<Figure>& all) {
+/// Moving figures, in step with each other, with a slider to hold them at any frame.
+std::string film(const std::vector<Figure>& moving) {
+  if (moving.empty()) return {};
+  const std::string seconds = number(moment_seconds), last = std::to_string(moving.front().moments.size() - 1);
+  std::string html = "<h2>Animation</h2>\n<p><button type=\"button\" onclick=\"play()\">play</button> "
+                     "<input type=\"range\" id=\"moment\" min=\"0\" max=\"" + last + "\" value=\"" + last +
+                     "\" oninput=\"hold(Number(this.value))\"/></p>\n<div class=\"figures moving\">\n";
+  for (const auto& figure : moving) html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
+  return html + "</div>\n<script>\nconst films = document.querySelectorAll('.moving svg');\n"
+                "function hold(k) { films.forEach(f => { f.pauseAnimations(); f.setCurrentTime((k + 0.5) * " + seconds +
+         "); }); }\nfunction play() { films.forEach(f => { f.setCurrentTime(0); f.unpauseAnimations(); }); }\n</script>\n";
+}
+
+std::string page(const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
   std::string html = "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
                      "<meta charset=\"utf-8\"/>\n"
                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
                      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + result_tables(run) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
+  html += heading(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }
@@ -94,13 +108,15 @@ fs::path emptied_figures(const std::string& dir) {
 
 }  // namespace
 
-void write_report(const std::string& dir) {
+void write_report(const std::string& dir, bool animation) {
   const RunData run = read_run(dir);
   const auto all = figures(run);
+  const auto moving = animation ? moving_figures(run, dir) : std::vector<Figure>{};
   const auto folder = emptied_figures(dir);
-  for (const auto& figure : all) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
+  for (const auto* list : {&all, &moving})
+    for (const auto& figure : *list) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
   write_overviews(run, all, folder);
-  atomic_write((fs::path(dir) / "report.html").string(), page(run, all));
+  atomic_write((fs::path(dir) / "report.html").string(), page(run, all, moving));
 }
 
 }  // namespace reye::output

@@ -191,13 +191,15 @@ std::string ledger_table(const RunData& run) {
 }
 
 std::string remesh_table(const RunData& run) {
-  constexpr std::size_t shown_open = 20;
+  constexpr std::size_t shown_open = 20, shown_at_most = 200;
+  const std::size_t count = run.remeshes.rows();
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < run.remeshes.rows(); ++i) rows.push_back(remesh_cells(run.remeshes, i));
+  for (std::size_t i = count - std::min(count, shown_at_most); i < count; ++i) rows.push_back(remesh_cells(run.remeshes, i));
   if (rows.empty()) return {};
   const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
-         "><summary>Bodies meshed anew: " + std::to_string(rows.size()) + "</summary>\n" + table(head, rows, {1, 7}) +
+         "><summary>Bodies meshed anew: " + std::to_string(count) +
+         (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" + table(head, rows, {1, 7}) +
          "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: largest "
          "difference in pressure over the largest pressure, difference of contact force and of strain energy. Outside: "
          "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";

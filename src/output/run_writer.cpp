@@ -98,7 +98,11 @@ void RunWriter::log(const std::string& line) {
 }
 
 void RunWriter::flush_log() {
-  if (!early_log_.empty()) append_text(path("log.txt"), early_log_);
+  std::error_code none;
+  const auto size = fs::file_size(path("log.txt"), none);
+  const bool full = !none && size >= most_log_bytes;
+  if (!none && !full && size + early_log_.size() >= most_log_bytes) early_log_ += "the log is full and ends here\n";
+  if (!full && !early_log_.empty()) append_text(path("log.txt"), early_log_);
   early_log_.clear();
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "sim/records.hpp"
 
 namespace reye::output {
+
+/// A log that has grown to this takes no more lines.
+inline constexpr std::uintmax_t most_log_bytes = 2000000;
 
 /// How much of the folder belongs to a state: kept in its checkpoint, so that a restart drops what
 /// the killed run wrote after it.

@@ -102,9 +102,14 @@ Output output_of(const Entry& root) {
   Output output;
   const auto entry = root.at("output");
   const auto frames = entry.at("frames");
-  output.frames_every_cycles = frames.number("every_cycles");
-  output.frames_every_increment = frames.flag("every_increment");
-  output.frames_last_block = frames.flag("last_block");
+  output.frames = {.every_cycles = frames.number("every_cycles"),
+                   .every_blocks = frames.whole("every_blocks"),
+                   .per_decade = frames.whole("per_decade"),
+                   .at_remeshes = frames.flag("at_remeshes"),
+                   .every_increment = frames.flag("every_increment"),
+                   .last_block = frames.flag("last_block")};
+  output.history_every_blocks = entry.at("history").whole("every_blocks");
+  output.checkpoint_s = entry.number("checkpoint_s");
   for (const auto& probe : entry.all("probes"))
     output.probes.push_back({.name = probe.name(),
                              .body = probe.text("body"),

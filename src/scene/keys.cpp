@@ -169,9 +169,17 @@ constexpr Key table[] = {
      "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is told as a band, life / factor"},
 
     {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
-     "cycles between frames; 0: first and last state of each step only"},
+     "cycles between frames; without this and the next ones: first and last state of each step only"},
+    {"output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "a frame after each so many blocks of a step"},
+    {"output.frames.per_decade", Type::whole, "", "0", at_least(0.0),
+     "so many frames while the cycles grow to ten times as many, at most one per block"},
+    {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a body meshed anew"},
     {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
+    {"output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
+     "rows of history.csv of each so many blocks of a step, and of its first and last"},
+    {"output.checkpoint_s", Type::number, "s", "0", at_least(0.0),
+     "least wall time between two checkpoints; 0: one at each block end. However the run ends, its last block end is kept"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
 

@@ -57,10 +57,20 @@ struct Probe {
   base::Vec2 at_mm{0.0, 0.0};
 };
 
+/// When a frame is written, besides the first and last state of each step; 0 and false: not for this reason.
+struct FrameRules {
+  double every_cycles = 0.0;
+  int every_blocks = 0;         ///< of a step
+  int per_decade = 0;           ///< log-spaced: so many per factor of ten in cycles
+  bool at_remeshes = false;     ///< at the end of a block in which a body was meshed anew
+  bool every_increment = false;
+  bool last_block = false;      ///< at each increment of the last block of every step
+};
+
 struct Output {
-  double frames_every_cycles = 0.0;   ///< 0: first and last state of each step only
-  bool frames_every_increment = false;
-  bool frames_last_block = false;     ///< at each increment of the last block of every step
+  FrameRules frames;
+  int history_every_blocks = 1;  ///< rows of each so many blocks of a step, of its first and last
+  double checkpoint_s = 0.0;     ///< least wall time between checkpoints
   std::vector<Probe> probes;
 };
 

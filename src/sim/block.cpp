@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/measure.hpp"
+#include "sim/rules.hpp"
 #include "sim/thickness.hpp"
 #include "sim/timer.hpp"
 
@@ -40,17 +41,25 @@ bool corner_at(const scene::Scene& scene, const scene::Step& step, double progre
   return false;
 }
 
-/// The block being played: where it started from, and how long its last increment was (0: none to go on from).
+/// The block being played: where it started from, whether its increments are rows of the history, how long its last
+/// increment was (0: none to go on from) and what that cost.
 struct Playing {
   const BlockSpan& span;
   const Observer& observer;
   std::map<std::string, double> held;
+  bool in_history = true;
   double last_length = 0.0;
+  int newton = 0;
 };
+
+void note_cutback(State& state, const std::string& where, const Observer& observer) {
+  if (++state.counts.cutbacks <= told_cutbacks) state.cutback_reasons.push_back(where);
+  if (observer.log) observer.log("cut back: " + where);
+}
 
 /// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
 std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to, int depth) {
-  const auto& [span, observer, held, last_length] = block;
+  const auto& [span, observer, held, in_history, last_length, newton] = block;
   const auto& system = timed_system(problem, state, cache);
   const auto factors = factors_at(problem.scene, *span.step, to, held);
   auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
@@ -73,9 +82,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     const std::string where = "step \"" + span.step->name + "\", cycle " + std::to_string(state.cycle) + ", progress " +
                               std::to_string(from) + " to " + std::to_string(to) + ": " + result.report.reason;
     if (depth == 0) return where;
-    ++state.counts.cutbacks;
-    state.cutback_reasons.push_back(where);
-    if (observer.log) observer.log("cut back: " + where);
+    note_cutback(state, where, observer);
     const double middle = 0.5 * (from + to);
     block.last_length = 0.0;
     const std::string first = play(problem, state, cache, block, from, middle, depth - 1);
@@ -86,8 +93,10 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     state.solution = std::move(result.state);
     state.factors = factors;
     block.last_length = to - from;
+    block.newton = result.report.solves;
+    state.shown = false;
     ++state.counts.increments;
-    if (observer.increment)
+    if (observer.increment && in_history)
       observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
   }
   if (span.remesh && renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
@@ -103,18 +112,20 @@ double deepest(const solver::System& system, const State& state) {
   return depth;
 }
 
-void tell_progress(const Observer& observer, const State& state, const solver::System& system, const BlockSpan& span,
-                   int increment, int increments, double progress) {
-  if (!observer.progress) return;
+void tell_progress(const Playing& block, const State& state, const solver::System& system, int increment, int increments,
+                   double progress) {
+  if (!block.observer.progress) return;
+  const BlockSpan& span = block.span;
   Progress p;
   p.step = span.step->name;
   p.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
   p.cycles = span.step->cycles;
   p.increment = increment;
   p.increments = increments;
+  p.newton = block.newton;
   p.depth_max_mm = deepest(system, state);
   p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
-  observer.progress(p);
+  block.observer.progress(p);
 }
 
 }  // namespace
@@ -133,7 +144,8 @@ void begin_state(const Problem& problem, State& state, Cache& cache) {
 }
 
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
-  Playing block{span, observer, state.factors};
+  const auto& output = problem.scene.output;
+  Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
   cache.newton.reset();
   const auto ends = increment_ends(problem.scene, *span.step);
   double from = 0.0;
@@ -141,13 +153,13 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
     from = ends[i];
-    tell_progress(observer, state, cache.system, span, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
-    const auto& output = problem.scene.output;
-    const bool shown_here = output.frames_every_increment || (output.frames_last_block && span.last);
-    if (shown_here && observer.frame && i + 1 < ends.size()) {
-      State shown = state;
-      shown.cycle += span.cycles ? span.jump * from : 0.0;
-      observer.frame(make_frame(problem, shown, cache, span.step->name));
+    tell_progress(block, state, cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
+    const bool shown_here = output.frames.every_increment || (output.frames.last_block && span.last);
+    if (shown_here && i + 1 < ends.size()) {
+      const double start = state.cycle;
+      state.cycle += span.cycles ? span.jump * from : 0.0;
+      show_frame(problem, state, cache, observer, span.step->name);
+      state.cycle = start;
     }
     if (observer.interrupted && observer.interrupted()) {
       if (span.cycles) state.cycle += span.jump * from;

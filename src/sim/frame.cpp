@@ -68,4 +68,10 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
   return frame;
 }
 
+void show_frame(const Problem& problem, State& state, Cache& cache, const Observer& observer, const std::string& step) {
+  if (!observer.frame || state.shown) return;
+  observer.frame(make_frame(problem, state, cache, step));
+  state.shown = true;
+}
+
 }  // namespace reye::sim

@@ -48,6 +48,9 @@ struct Problem {
   int body_count() const { return static_cast<int>(inputs.size()); }
 };
 
+/// Of so many cut-backs a state knows why; more are only counted, so that it does not grow without bound.
+inline constexpr long told_cutbacks = 100;
+
 /// All that changes in a run, and nothing else. A value: copied, never half updated.
 struct State {
   double cycle = 0.0;
@@ -67,7 +70,8 @@ struct State {
   std::map<std::string, double> life_error;      ///< of those, by the error known of the cycle jump [cycles]
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
   Counts counts;
-  std::vector<std::string> cutback_reasons;
+  bool shown = false;                            ///< this very state is a frame already: none is written twice
+  std::vector<std::string> cutback_reasons;      ///< of the first `told_cutbacks`
 };
 
 /// Derived things, keyed by the shapes they came from; throwing it away changes no result.

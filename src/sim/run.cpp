@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
 #include "sim/jump.hpp"
 #include "sim/measure.hpp"
+#include "sim/rules.hpp"
 
 namespace reye::sim {
 
@@ -90,10 +90,6 @@ bool watch_limits(const Problem& problem, State& state, const solver::System& sy
   return stop;
 }
 
-bool crosses(double before, double after, double every) {
-  return every > 0.0 && std::floor(after / every + 1e-9) > std::floor(before / every + 1e-9);
-}
-
 void probe(const Problem& problem, const Frame& frame, Summary& summary) {
   for (const auto& p : problem.scene.output.probes)
     for (const auto& body : frame.bodies) {
@@ -153,6 +149,7 @@ class Runner {
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
     const double cycle_before = state_.cycle;
+    const long remeshes_before = state_.counts.remeshes;
     const BlockSpan span = next_span(step, state_);
     Outcome outcome = controlled(step) ? play_controlled(p_, state_, cache_, span, observer_)
                                        : play_block(p_, state_, cache_, span, observer_);
@@ -168,8 +165,9 @@ class Runner {
     ++state_.step_blocks;
     ++state_.counts.blocks;
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
-    if (stop || step_over(step, state_) || crosses(cycle_before, state_.cycle, p_.scene.output.frames_every_cycles))
-      show(step.name);
+    const bool last = stop || step_over(step, state_);
+    const bool remeshed = state_.counts.remeshes > remeshes_before;
+    if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed})) show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
   }
@@ -183,7 +181,7 @@ class Runner {
   }
 
   void show(const std::string& step) {
-    if (observer_.frame && state_.approached) observer_.frame(make_frame(p_, state_, cache_, step));
+    if (state_.approached) show_frame(p_, state_, cache_, observer_, step);
   }
 
   Summary summarise_run() {

@@ -147,6 +147,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
     if (!failure.empty()) return {std::move(state), failure, false};
   }
   if (next.shapes == state.shapes) return {std::move(state), {}, false};
+  next.shown = false;
   for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
   const std::string failure = re_equilibrate(problem, next, cache, span, change.held);
   if (!failure.empty()) return {std::move(state), failure, false};

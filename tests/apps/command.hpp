@@ -1,6 +1,7 @@
 #pragma once
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,12 +32,15 @@ inline std::string read(const fs::path& file) {
 struct Told {
   int code = -1;  ///< exit code, or 128 + signal
   std::string out, err;
+  double peak_MB = 0.0;  ///< largest resident memory
 };
 
 /// A command that has been started and not yet waited for.
 class Running {
  public:
   Running(pid_t pid, fs::path out, fs::path err) : pid_(pid), out_(std::move(out)), err_(std::move(err)) {}
+
+  bool is_running() { return !ended(WNOHANG); }
 
   /// Sends a signal as soon as `when` holds; false when it ended before.
   bool signal_when(int signal, const std::function<bool()>& when) {
@@ -50,17 +54,18 @@ class Running {
   Told wait() {
     ended(0);
     const int code = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
-    return {code, read(out_), read(err_)};
+    return {code, read(out_), read(err_), static_cast<double>(usage_.ru_maxrss) / 1024.0};
   }
 
  private:
   bool ended(int options) {
-    if (!done_) done_ = ::waitpid(pid_, &status_, options) == pid_;
+    if (!done_) done_ = ::wait4(pid_, &status_, options, &usage_) == pid_;
     return done_;
   }
   pid_t pid_;
   fs::path out_, err_;
   int status_ = 0;
+  rusage usage_{};
   bool done_ = false;
 };
 
@@ -84,15 +89,20 @@ class Place {
     std::ofstream(work() / file, std::ios::binary) << text;
   }
 
-  Running start(const std::vector<std::string>& words) const {
+  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows.
+  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0) const {
     const auto out = root_ / "out", err = root_ / "err";
     const pid_t pid = ::fork();
-    if (pid == 0) become(words, out, err);
+    if (pid == 0) {
+      const rlimit limit{file_bytes, file_bytes};
+      if (file_bytes > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
+      become(words, out, err);
+    }
     return {pid, out, err};
   }
-  Told reye(std::vector<std::string> words) const {
+  Told reye(std::vector<std::string> words, rlim_t file_bytes = 0) const {
     words.insert(words.begin(), REYE_COMMAND);
-    return start(words).wait();
+    return start(words, file_bytes).wait();
   }
   Running start_reye(std::vector<std::string> words) const {
     words.insert(words.begin(), REYE_COMMAND);

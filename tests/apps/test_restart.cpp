@@ -1,6 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "output/checkpoint.hpp"
+#include "output/text.hpp"
+#include "same_results.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
@@ -13,25 +16,6 @@ struct WithWearing : test::Place {
     write("wearing.toml", test::wearing);
   }
 };
-
-/// All results with times left out: what must not depend on when and how often the program ran.
-std::map<std::string, std::string> results(const test::Place& place, const std::string& folder) {
-  auto files = place.files(folder);
-  for (const char* changing : {"log.txt", "report.html"}) files.erase(changing);
-  auto summary = nlohmann::ordered_json::parse(files.at("summary.json"));
-  for (const char* time : {"wall_s", "cpu_s", "peak_rss_MB", "room_seconds"}) summary.erase(time);
-  files["summary.json"] = summary.dump();
-  return files;
-}
-
-void expect_same(const test::Place& place, const std::string& one, const std::string& other) {
-  const auto a = results(place, one), b = results(place, other);
-  for (const auto& [file, bytes] : a) {
-    ASSERT_TRUE(b.contains(file)) << file;
-    EXPECT_EQ(b.at(file) == bytes, true) << file << " differs";
-  }
-  EXPECT_EQ(a.size(), b.size());
-}
 
 std::string status(const test::Place& place, const std::string& folder) {
   return nlohmann::json::parse(test::read(place / (folder + "/summary.json"))).at("status");
@@ -54,7 +38,7 @@ TEST(Restart, TwoRunsAreTheSame) {
   const WithWearing place;
   for (const char* folder : {"a", "b"})
     ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", folder, "--quiet"}).code, 0);
-  expect_same(place, "a", "b");
+  test::expect_same(place, "a", "b");
 }
 
 // Ctrl-C must finish the increment, write everything and end with 130.
@@ -79,7 +63,7 @@ TEST(Restart, SameBytesAsUnbroken) {
   const auto told = place.reye({"run", "wearing.toml", "--out", "broken", "--restart"});
   EXPECT_EQ(told.code, 0) << told.err;
   EXPECT_EQ(status(place, "broken"), "done");
-  expect_same(place, "whole", "broken");
+  test::expect_same(place, "whole", "broken");
 }
 
 // Interrupted in the very first step and again later: still the same bytes.
@@ -90,7 +74,7 @@ TEST(Restart, SeveralInterruptions) {
   ASSERT_EQ(interrupted(place, "broken", 30, {"--restart"}).code, 130);
   ASSERT_EQ(interrupted(place, "broken", 45, {"--restart"}).code, 130);
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
-  expect_same(place, "whole", "broken");
+  test::expect_same(place, "whole", "broken");
 }
 
 // A run killed without warning must go on from its last checkpoint to the same bytes.
@@ -102,7 +86,7 @@ TEST(Restart, Killed) {
     EXPECT_EQ(interrupted(place, "broken", rows, {}, SIGKILL).code, 128 + SIGKILL);
     EXPECT_FALSE(test::fs::exists(place / "broken/summary.json"));
     ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
-    expect_same(place, "whole", "broken");
+    test::expect_same(place, "whole", "broken");
   }
 }
 
@@ -118,8 +102,32 @@ TEST(Restart, AcrossARemesh) {
       test::fs::remove_all(place / "broken");
       EXPECT_EQ(interrupted(place, "broken", rows, {}, signal).code, signal == SIGINT ? 130 : 128 + SIGKILL);
       ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
-      expect_same(place, "whole", "broken");
+      test::expect_same(place, "whole", "broken");
     }
+}
+
+// With checkpoints rarer than the run is long, an interrupted run must still keep its last block end, a killed one only
+// its start; both must go on to the bytes of the unbroken run.
+TEST(Restart, RareCheckpoints) {
+  const WithWearing place;
+  place.write("wearing.toml", test::changed(test::wearing, {{"[output]", "[output]\ncheckpoint_s = 1e6"}}));
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  const auto rows = [&](const std::string& folder) {
+    const auto file = nlohmann::json::parse(test::read(place / (folder + "/.reye.json")));
+    const auto search = output::load_checkpoint((place / folder).string(), output::version, file.at("scene_sha256"));
+    return search.found ? search.found->info.counters.history_rows : -1;
+  };
+  EXPECT_EQ(rows("whole"), 66);
+  for (const int signal : {SIGINT, SIGKILL}) {
+    test::fs::remove_all(place / "broken");
+    EXPECT_EQ(interrupted(place, "broken", 22, {}, signal).code, signal == SIGINT ? 130 : 128 + SIGKILL);
+    if (signal == SIGKILL)
+      EXPECT_EQ(rows("broken"), 0);
+    else
+      EXPECT_GE(rows("broken"), 18);
+    ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
+    test::expect_same(place, "whole", "broken");
+  }
 }
 
 // A restart without a checkpoint, or with one of another scene, must be refused and write nothing.

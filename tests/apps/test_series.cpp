@@ -182,6 +182,21 @@ TEST(Series, SurfacesReadBackThroughRemeshes) {
   EXPECT_GE(counts.size(), 2u);
 }
 
+// The moving pictures of a run must have a moment for each of its frames, also where meshes change, and stand in its page.
+TEST(Series, AnimationHasItsFrames) {
+  const WornPin run;
+  const auto told = run.place.reye({"report", "o", "--animation"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const auto page = test::read(run.place / "o/report.html");
+  for (const char* id : {"moving-bodies", "moving-pressure-pad", "moving-depth-pad"}) {
+    const auto picture = test::read(run.place / ("o/figures/" + std::string(id) + ".svg"));
+    std::size_t moments = 0;
+    for (auto at = picture.find("class=\"moment\""); at != std::string::npos; at = picture.find("class=\"moment\"", at + 1)) ++moments;
+    EXPECT_EQ(moments, entries(run.place / "o/series.pvd").size()) << id;
+    EXPECT_TRUE(test::holds(page, picture)) << id;
+  }
+}
+
 // No remesh may heal a worn surface: at its deepest place the depth grows from frame to frame, the same in both series.
 TEST(Series, DepthGrowsThroughRemeshes) {
   const WornPin run;

@@ -95,3 +95,33 @@ TEST(Rounded, IsReadable) {
   EXPECT_EQ(rounded(0.0), "0");
   EXPECT_EQ(rounded(NAN), "–");
 }
+
+// A moment must draw its lines where the figure would draw them as its own, and be seen for its share of the film.
+TEST(Svg, MomentsStandWhereLinesDo) {
+  const Line line{.x = {0.0, 1.0, 2.0}, .y = {1.0, 3.0, 2.0}};
+  Figure still{.id = "f", .title = "t", .x_label = "x", .y_label = "y", .lines = {line}};
+  still.x_range = Range{0.0, 2.0};
+  still.y_range = Range{0.0, 4.0};
+  Figure moving = still;
+  moving.lines.clear();
+  moving.moments = {{"early", {}}, {"late", {line}}};
+  const std::string one = svg(still), film = svg(moving);
+  const auto from = one.find("<path"), to = one.find("/>", from);
+  EXPECT_TRUE(holds(film, one.substr(from, to - from)));
+  EXPECT_TRUE(holds(film, "values=\"inline;none\" keyTimes=\"0;0.500000\" dur=\"0.50s\""));
+  EXPECT_TRUE(holds(film, "values=\"none;inline\" keyTimes=\"0;0.500000\" dur=\"0.50s\""));
+  moving.moments.erase(moving.moments.begin());
+  EXPECT_FALSE(holds(svg(moving), "<animate"));
+}
+
+// Exact ranges must be kept as they are, others are rounded out.
+TEST(Svg, ExactRanges) {
+  Figure figure{.id = "f", .title = "t", .x_label = "x", .y_label = "y"};
+  figure.moments = {{"", {{.x = {0.0, 1.0}, .y = {0.37, 0.91}}}}};
+  figure.x_range = Range{0.0, 1.0};
+  figure.y_range = Range{0.37, 0.91};
+  figure.exact_ranges = true;
+  EXPECT_TRUE(holds(svg(figure), "<path d=\"M76.00 340.00L696.00 40.00\""));
+  figure.exact_ranges = false;
+  EXPECT_FALSE(holds(svg(figure), "<path d=\"M76.00 340.00L696.00 40.00\""));
+}

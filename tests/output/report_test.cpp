@@ -135,3 +135,16 @@ TEST(RunData, FramesOfOneCycleStayApart) {
   EXPECT_EQ(run.contacts[0].sides[0].frames.size(), 3u);
   EXPECT_EQ(run.contacts[0].sides[0].frames[1].end, 10u);
 }
+
+// With hundreds of remeshes the page tells of the last two hundred and how many there were.
+TEST(Report, RemeshesShownAreBounded) {
+  sample::TemporaryFolder dir;
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  for (int k = 0; k < 250; ++k) writer.remesh(sample::remesh(1000.0 + k));
+  write_report(dir.str());
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(holds(page, "Bodies meshed anew: 250, the last 200 of them"));
+  EXPECT_FALSE(holds(page, "<th>1049</th>"));
+  EXPECT_TRUE(holds(page, "<th>1050</th>"));
+}

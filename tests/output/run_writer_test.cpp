@@ -129,6 +129,22 @@ TEST(RunWriter, KeepsTheEarlyLog) {
   EXPECT_EQ(read_text(dir / "log.txt"), "plan: nothing skipped\nblock 1\n");
 }
 
+// A log must not grow without bound: it says where it ends and takes no more, also after a restart.
+TEST(RunWriter, LogIsBounded) {
+  sample::TemporaryFolder dir;
+  const std::string line(1000, 'x');
+  RunWriter writer(dir.str(), sample::scene());
+  writer.begin();
+  for (int k = 0; k < 2100; ++k) writer.log(line);
+  const std::string log = read_text(dir / "log.txt");
+  EXPECT_LT(log.size(), most_log_bytes + 1100);
+  EXPECT_EQ(log.substr(log.size() - 30), "the log is full and ends here\n");
+  RunWriter again(dir.str(), sample::scene());
+  again.resume({});
+  again.log(line);
+  EXPECT_EQ(read_text(dir / "log.txt"), log);
+}
+
 // After every frame both collections name exactly the frames that are there, whole.
 TEST(RunWriter, CollectionsAreWholeAfterEachFrame) {
   sample::TemporaryFolder dir;

@@ -39,6 +39,14 @@ TEST(BadScene, Values) {
        "scene.toml:10: remesh.wear_fraction = 0: must lie in (0, 2]\n"
        "scene.toml:11: remesh.max_dofs = 10: must be >= 100\n"
        "scene.toml:12: remesh.fit_tolerance_mm = 0: must be > 0"},
+      {"output",
+       {{"frames = { every_cycles = 1000 }",
+         "frames = { every_blocks = -2, per_decade = 2.5, at_remeshes = 1 }\nhistory = { every_blocks = 0 }\ncheckpoint_s = -1"}},
+       "scene.toml:74: output.frames.every_blocks = -2: must be >= 0\n"
+       "scene.toml:74: output.frames.per_decade = 2.5: must be a whole number\n"
+       "scene.toml:74: output.frames.at_remeshes = 1: must be true or false\n"
+       "scene.toml:75: output.history.every_blocks = 0: must be >= 1\n"
+       "scene.toml:76: output.checkpoint_s = -1: must be >= 0"},
       {"poisson low",
        {{"nu    = 0.3", "nu = -1"}},
        "scene.toml:8: material.steel.nu = -1: must lie in (-1, 0.5)"},

@@ -108,8 +108,13 @@ TEST(Example, Run) {
   EXPECT_EQ(s.limits[0].side, "secondary");
   EXPECT_EQ(*s.limits[0].depth_mm, 0.0025);
   EXPECT_FALSE(s.limits[0].area_mm2 || s.limits[0].stop);
-  EXPECT_EQ(s.output.frames_every_cycles, 1000.0);
-  EXPECT_FALSE(s.output.frames_every_increment);
+  EXPECT_EQ(s.output.frames.every_cycles, 1000.0);
+  EXPECT_FALSE(s.output.frames.every_increment);
+  EXPECT_EQ(s.output.frames.every_blocks, 0);
+  EXPECT_EQ(s.output.frames.per_decade, 0);
+  EXPECT_FALSE(s.output.frames.at_remeshes);
+  EXPECT_EQ(s.output.history_every_blocks, 1);
+  EXPECT_EQ(s.output.checkpoint_s, 0.0);
   ASSERT_EQ(s.output.probes.size(), 1U);
   EXPECT_EQ(s.output.probes[0].at_mm, base::Vec2(0.5, 0.0));
   EXPECT_TRUE(s.shape);

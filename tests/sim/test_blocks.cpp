@@ -113,6 +113,19 @@ TEST(Blocks, CutBackHalvesAndSaysWhy) {
   EXPECT_EQ(log[0], "cut back: " + outcome.state.cutback_reasons[0]);
 }
 
+// However many increments are cut, a state must keep the reasons of the first hundred only, and count all.
+TEST(Blocks, CutBackReasonsAreBounded) {
+  Prepared p(test::block_scene);
+  p.problem.scene.max_cutbacks = 120;
+  solver::NewtonOptions hopeless;
+  hopeless.max_iterations = 1;
+  p.cache.newton = solver::Newton(hopeless);
+  const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), {});
+  EXPECT_EQ(outcome.state.counts.cutbacks, 120);
+  EXPECT_EQ(outcome.state.cutback_reasons.size(), 100U);
+  EXPECT_NE(outcome.state.cutback_reasons[0].find("progress 0.000000 to 0.125000: "), std::string::npos);
+}
+
 // Surface tables must run along the boundary from its end with smaller x, with the pressure in balance with the load
 // and the shear on the secondary side against its motion.
 TEST(Blocks, SurfaceTables) {

@@ -1,0 +1,34 @@
+#pragma once
+#include <chrono>
+#include <optional>
+
+#include "output/run_writer.hpp"
+#include "sim/problem.hpp"
+
+namespace reye::apps {
+
+/// Checkpoints of a run at its block ends, `output.checkpoint_s` of wall time apart or more. All members throw
+/// std::runtime_error when the disk refuses.
+class Checkpoints {
+ public:
+  Checkpoints(const sim::Problem& problem, const output::RunWriter& writer) : problem_(problem), writer_(writer) {}
+
+  void start(const sim::State& state) { keep(state, writer_.counters()); }
+  void block_end(const sim::State& state);
+  void finish();  ///< the last block end is kept, too
+
+ private:
+  using clock = std::chrono::steady_clock;
+  struct BlockEnd {
+    sim::State state;
+    output::Counters counters;  ///< what of the folder belongs to it
+  };
+  void keep(const sim::State& state, const output::Counters& counters);
+
+  const sim::Problem& problem_;
+  const output::RunWriter& writer_;
+  clock::time_point kept_at_ = clock::now();
+  std::optional<BlockEnd> waiting_;
+};
+
+}  // namespace reye::apps

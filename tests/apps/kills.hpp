@@ -1,0 +1,71 @@
+#pragma once
+#include <chrono>
+#include <random>
+
+#include "apps/command.hpp"
+#include "apps/same_results.hpp"
+#include "apps/scenes.hpp"
+
+/// A run that is killed again and again.
+namespace reye::test {
+
+/// The wearing contact on steel that yields under the load: friction, wear, plastic flow and, twice, fresh meshes.
+inline std::string yielding() {
+  const std::string steel = "[material.steel]\nE_MPa = 200e3\nnu    = 0.3\n";
+  return changed(wearing, {{steel, steel + "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 480.0, modulus_MPa = 2000.0 }\n"},
+                           {"half_width_mm = 0.08, depth_mm = 0.02, size_mm = 0.008", "half_width_mm = 0.08, depth_mm = 0.04, size_mm = 0.008"},
+                           {"increments = 16\ncycles = 400\njump = 100", "increments = 8\ncycles = 240\njump = 20"},
+                           {"every_cycles = 200 }", "every_cycles = 40, at_remeshes = true }"}}) +
+         "[remesh]\nevery_blocks = 6\n";
+}
+
+/// Kills a run at random moments, every other time just after a frame was begun, when much is being written; restarts it
+/// each time, until it ends; and so on until so many kills have been survived. Each must end as the unbroken run does.
+inline void expect_survival(int kills) {
+  using clock = std::chrono::steady_clock;
+  const Place place;
+  place.write("wearing.geo", wearing_geo);
+  place.write("yielding.toml", yielding());
+  const auto begun = clock::now();
+  const auto whole = place.reye({"run", "yielding.toml", "--out", "whole", "--quiet"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const double seconds = std::chrono::duration<double>(clock::now() - begun).count();
+  ASSERT_GE(lines(place / "whole/remesh.csv"), 1 + 2 * 2);
+  std::mt19937 random(20);
+  std::exponential_distribution<double> wait(10.0 / seconds);
+  std::uniform_real_distribution<double> moment(0.0, 0.02);
+  const auto frames_changed = [&] {
+    std::error_code none;
+    return fs::last_write_time(place / "broken/frames", none);
+  };
+  for (int killed = 0, runs = 0; killed < kills; ++runs) {
+    fs::remove_all(place / "broken");
+    for (bool ended = false; !ended;) {
+      std::vector<std::string> words{"run", "yielding.toml", "--out", "broken", "--quiet"};
+      if (fs::exists(place / "broken/checkpoint/current.bin") || fs::exists(place / "broken/checkpoint/previous.bin"))
+        words.push_back("--restart");
+      auto run = place.start_reye(words);
+      if (killed < kills) {
+        const auto since = frames_changed();
+        auto at = clock::now() + std::chrono::duration<double>(wait(random));
+        bool waits_for_frame = killed % 2 == 1;
+        run.signal_when(SIGKILL, [&] {
+          if (clock::now() < at) return false;
+          if (!waits_for_frame) return true;
+          if (frames_changed() == since) return false;
+          waits_for_frame = false;
+          at = clock::now() + std::chrono::duration<double>(moment(random));
+          return false;
+        });
+      }
+      const auto told = run.wait();
+      ended = told.code != 128 + SIGKILL;
+      killed += !ended;
+      ASSERT_TRUE(!ended || told.code == 0) << told.err;
+    }
+    expect_same(place, "whole", "broken");
+    if (testing::Test::HasFailure()) FAIL() << "in run " << runs << ", after " << killed << " kills";
+  }
+}
+
+}  // namespace reye::test

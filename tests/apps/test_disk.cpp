@@ -1,0 +1,63 @@
+#include "command.hpp"
+#include "same_results.hpp"
+#include "scenes.hpp"
+
+using namespace reye;
+
+namespace {
+
+/// The two blocks worn through fifty blocks of cycles: a history longer than a checkpoint.
+struct WithBlocks : test::Place {
+  WithBlocks() {
+    write("blocks.geo", test::blocks_geo);
+    write("blocks.toml", std::string(test::blocks) + "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n");
+  }
+};
+
+}  // namespace
+
+// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it goes on
+// to the bytes of an unbroken run.
+TEST(Disk, FullInTheMiddle) {
+  const WithBlocks place;
+  ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
+  const auto checkpoint = test::fs::file_size(place / "whole/checkpoint/current.bin");
+  const auto history = test::fs::file_size(place / "whole/history.csv");
+  ASSERT_GT(history, checkpoint + 4096) << "the history is to be what finds the disk full";
+  const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}, (checkpoint + history) / 2);
+  EXPECT_EQ(told.code, 1);
+  EXPECT_EQ(told.err, "reye: cannot write o/history.csv: File too large; the last checkpoint is whole: --restart goes on from there\n");
+  EXPECT_FALSE(test::fs::exists(place / "o/summary.json"));
+  const auto again = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  test::expect_same(place, "whole", "o");
+}
+
+// When not even the first checkpoint finds room, the run must end with 1 and say what could not be written.
+TEST(Disk, FullFromTheStart) {
+  const WithBlocks place;
+  const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}, 2048);
+  EXPECT_EQ(told.code, 1);
+  EXPECT_EQ(told.err, "reye: cannot write o/checkpoint/fresh.bin: File too large\n");
+  EXPECT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}).code, 0);
+}
+
+// A checkpoint that finds no room must leave the one before it whole and nothing half written.
+TEST(Disk, FullAtACheckpoint) {
+  const WithBlocks place;
+  ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
+  auto run = place.start_reye({"run", "blocks.toml", "--out", "o", "--quiet"});
+  ASSERT_TRUE(run.signal_when(SIGINT, [&] { return test::lines(place / "o/history.csv") > 20; }));
+  ASSERT_EQ(run.wait().code, 130);
+  const auto before = test::read(place / "o/checkpoint/current.bin");
+  test::fs::create_symlink("/dev/full", place / "o/checkpoint/fresh.bin.tmp");
+  const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"});
+  EXPECT_EQ(told.code, 1);
+  EXPECT_EQ(told.err,
+            "reye: cannot write o/checkpoint/fresh.bin: No space left on device; the last checkpoint is whole: --restart goes on "
+            "from there\n");
+  EXPECT_EQ(test::read(place / "o/checkpoint/current.bin"), before);
+  EXPECT_FALSE(test::fs::exists(place / "o/checkpoint/fresh.bin"));
+  ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"}).code, 0);
+  test::expect_same(place, "whole", "o");
+}
