@@ -126,6 +126,8 @@ TEST(Restart, RareCheckpoints) {
     else
       EXPECT_GE(rows("broken"), 18);
     ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "broken", "--restart", "--quiet"}).code, 0);
+    for (const char* folder : {"whole", "broken"})  // how old the checkpoint before the last is depends on the clock
+      test::fs::remove(place / folder / "checkpoint/previous.bin");
     test::expect_same(place, "whole", "broken");
   }
 }
