@@ -62,15 +62,21 @@ void add(std::vector<double>& to, const std::vector<double>& d) {
 /// x + (x - once), not below zero.
 void double_correction(double once, double& x) { x = std::max(0.0, 2.0 * x - once); }
 
+/// Hears of progress and cut-backs, and may interrupt: what a block that may be refused tells at once.
+Observer quiet(const Observer& outside) {
+  Observer o;
+  o.progress = outside.progress;
+  o.interrupted = outside.interrupted;
+  o.log = outside.log;
+  return o;
+}
+
 /// What happens in a block that may be refused: told when it is not.
 struct Recording {
   std::vector<std::function<void(const Observer&)>> events;
 
   Observer observer(const Observer& outside) {
-    Observer o;
-    o.progress = outside.progress;
-    o.interrupted = outside.interrupted;
-    o.log = outside.log;
+    Observer o = quiet(outside);
     if (outside.increment)
       o.increment = [this](const IncrementRecord& r) { events.push_back([r](const Observer& to) { to.increment(r); }); };
     if (outside.frame) o.frame = [this](const Frame& f) { events.push_back([f](const Observer& to) { to.frame(f); }); };
@@ -174,37 +180,34 @@ double next_jump(double jump, double error, double tolerance, double growth) {
 Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {
   const double tolerance = span.step->jump_tolerance;
   State start = state;
-  Observer silent;
-  silent.progress = observer.progress;
-  silent.interrupted = observer.interrupted;
-  silent.log = observer.log;
   for (;;) {
     Recording recording;
-    Attempt attempt = try_block(problem, start, cache, span, silent, recording.observer(observer));
+    Attempt attempt = try_block(problem, start, cache, span, quiet(observer), recording.observer(observer));
     start.counts = attempt.counts;
     if (attempt.interrupted) return {std::move(start), {}, true};
-    double error = 0.0;
-    if (attempt.failure.empty()) {
-      error = left * wear_difference(system_of(problem, attempt.halves, cache), attempt.once, attempt.halves);
-      if (error <= refusal * tolerance || span.jump <= fewest) {
-        extrapolate(attempt.once, attempt.halves);
-        Outcome outcome = end_block(problem, std::move(attempt.halves), cache, span, observer);
-        if (outcome.failure.empty()) {
-          for (const auto& event : recording.events) event(observer);
-          const double before = removed(state), after = removed(outcome.state);
-          outcome.state.jump = next_jump(span.jump, error, tolerance, before > 0.0 ? after / before : most_growth);
-          outcome.state.jump_error = std::max(after > 0.0 ? before / after * state.jump_error.value_or(0.0) : 0.0, error);
-          outcome.middle = std::move(attempt.middle);
-          tell(observer, span, state.cycle, estimated(error));
-          return outcome;
-        }
-        attempt.failure = outcome.failure;
+    const bool played = attempt.failure.empty(), least = span.jump <= fewest;
+    const double error =
+        played ? left * wear_difference(system_of(problem, attempt.halves, cache), attempt.once, attempt.halves) : 0.0;
+    const bool too_long = error > refusal * tolerance && !least;
+    std::string why = too_long ? estimated(error) : attempt.failure;
+    if (why.empty()) {
+      extrapolate(attempt.once, attempt.halves);
+      Outcome outcome = end_block(problem, std::move(attempt.halves), cache, span, observer);
+      if (outcome.failure.empty()) {
+        for (const auto& event : recording.events) event(observer);
+        const double before = removed(state), after = removed(outcome.state);
+        outcome.state.jump = next_jump(span.jump, error, tolerance, before > 0.0 ? after / before : most_growth);
+        outcome.state.jump_error = std::max(after > 0.0 ? before / after * state.jump_error.value_or(0.0) : 0.0, error);
+        outcome.middle = std::move(attempt.middle);
+        tell(observer, span, state.cycle, estimated(error));
+        return outcome;
       }
+      why = outcome.failure;
     }
-    if (span.jump <= fewest) return {std::move(start), attempt.failure, false};
-    tell(observer, span, start.cycle, "refused: " + (attempt.failure.empty() ? estimated(error) : attempt.failure));
+    if (least) return {std::move(start), why, false};
+    tell(observer, span, start.cycle, "refused: " + why);
     ++start.counts.refused_blocks;
-    span.jump = attempt.failure.empty() ? next_jump(span.jump, error, tolerance, 1.0) : std::max(fewest, most_cut * span.jump);
+    span.jump = too_long ? next_jump(span.jump, error, tolerance, 1.0) : std::max(fewest, most_cut * span.jump);
     span.last = false;
   }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "base/errors.hpp"
@@ -18,18 +17,6 @@ constexpr double tiny = std::numeric_limits<double>::min();
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
-
-std::string short_number(double value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1e", value);
-  return text;
-}
-
-std::string node_in_words(int mesh_node, const Vec2& x, const std::string& owner) {
-  char text[80];
-  std::snprintf(text, sizeof text, "node %d at (%.4g, %.4g) mm of ", mesh_node, x.x(), x.y());
-  return text + owner;
-}
 
 /// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
 double extent(const System& system) {
@@ -130,7 +117,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
   double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
-  unmet_ = {};
+  suspects_.unmet = {};
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
     face.evaluate(lambda_[c]);
@@ -148,7 +135,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
       const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * nodes_[c][j].position.x.norm() * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
       const auto count = [&](double r) {
-        if (r > unmet) unmet_ = {static_cast<int>(c), node};
+        if (r > unmet) suspects_.unmet = {static_cast<int>(c), node};
         unmet = std::max(unmet, r);
       };
       count(overlap(face.residual_normal(node)));
@@ -167,7 +154,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
   Eigen::Index column = -1;
   const double outside = balance.size() ? balance.cwiseAbs().maxCoeff(&column) : 0.0;
-  unbalanced_ = inside > outside ? -1 : static_cast<int>(column);
+  suspects_.unbalanced = inside > outside ? -1 : static_cast<int>(column);
   row.force = std::max(0.0, std::max(outside, inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
   row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, 1e-6 * unmet);
@@ -184,7 +171,7 @@ int Newton::decide(int iteration, bool predicted, Allowed allowed) {
       const int node = static_cast<int>(j);
       const bool asks = last[j] != interfaces_[c].status()[j];
       if (asks && (allowed == Allowed::none || (allowed == Allowed::one && changes > 0))) interfaces_[c].keep(node);
-      if (asks && changes++ == 0) asking_ = {static_cast<int>(c), node};
+      if (asks && changes++ == 0) suspects_.asking = {static_cast<int>(c), node};
       if (!interfaces_[c].active(node)) lambda_[c][j].setZero();
     }
   }
@@ -197,69 +184,13 @@ ActiveSetWatch::Set Newton::active_set() const {
   return set;
 }
 
-std::string Newton::named(const System& system, ContactNode node) const {
-  if (node.contact < 0) return {};
-  const auto& setup = system.contacts[node.contact];
-  return node_in_words(setup.secondary_nodes[node.node].mesh_node, nodes_[node.contact][node.node].position.x,
-                       "contact " + setup.options.name);
-}
-
-std::string Newton::least_balanced(const System& system) const {
-  if (unbalanced_ < 0) return nonlinear_.least_balanced();
-  for (std::size_t c = 0; c < nodes_.size(); ++c)
-    for (std::size_t k = 0; k < nodes_[c].size(); ++k)
-      for (int t = 0; t < nodes_[c][k].position.count; ++t) {
-        if (nodes_[c][k].column[t] != unbalanced_) continue;
-        const auto& setup = system.contacts[c];
-        const auto ns = setup.secondary_nodes.size();
-        const auto& node = k < ns ? setup.secondary_nodes[k] : setup.primary_nodes[k - ns];
-        return node_in_words(node.mesh_node, nodes_[c][k].position.x, "contact " + setup.options.name);
-      }
-  return "a support";
-}
-
-std::string Newton::no_convergence(const System& system, const std::vector<Iteration>& table, bool circles) const {
-  const Iteration& last = table.back();
-  std::string text = "no convergence in " + std::to_string(table.size() - 1) + " iterations: unbalanced force " +
-                     short_number(last.force);
-  if (last.force > options_.force_tolerance) text += " (" + least_balanced(system) + ")";
-  text += ", unmet condition " + short_number(last.condition);
-  if (last.condition > options_.condition_tolerance) text += " (" + named(system, unmet_) + ")";
-  text += ", relative; " + std::to_string(last.changes) + " nodes still change status";
-  if (last.changes > 0 || circles) text += ", first " + named(system, asking_);
-  return circles ? text + ": no status fits it" : text;
-}
-
-/// No node at the rim of the reach is active or met, and none beyond it is overlapped.
-bool Newton::inside_reach(const System& system, int c) const {
-  const auto& face = interfaces_[c];
-  const auto& setup = system.contacts[c];
-  const auto rim = [](const mortar::Surface& s, const std::vector<char>& near, int node) {
-    for (int facet : {s.before[node], s.after[node]})
-      for (int k : facet < 0 ? mortar::Facet{-1, -1, -1} : s.facets[facet])
-        if (k >= 0 && !near[k]) return true;
-    return false;
-  };
-  for (int j = 0; j < setup.secondary_count(); ++j) {
-    if (!reach_.secondary[c][j]) {
-      if (!setup.cut[j] && face.touching(j) && face.gap()[j] + face.worn_gap(j) < 0.0) return false;
-      continue;
-    }
-    if (!face.active(j)) continue;
-    if (rim(setup.secondary, reach_.secondary[c], j)) return false;
-    for (const auto& [l, M] : face.rows()[j].M)
-      if (!reach_.primary[c][l] || rim(setup.primary, reach_.primary[c], l)) return false;
-  }
-  return true;
-}
-
 /// Solves back what was out of reach, looks whether contact stayed inside, and takes the state over.
 Newton::Fit Newton::accept(const System& system, const Vector& q, SolveResult& result) {
   result.state.q = reduction_.expand(q);
   place(system, result.state.q, true);
   result.state.contacts.clear();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
-    if (!inside_reach(system, static_cast<int>(c))) return Fit::too_narrow;
+    if (!reach_.encloses(static_cast<int>(c), interfaces_[c])) return Fit::too_narrow;
     interfaces_[c].evaluate(lambda_[c]);
     result.state.contacts.push_back(interfaces_[c].accepted(lambda_[c]));
   }
@@ -310,7 +241,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     return row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
   };
   ActiveSetWatch watch;
-  bool late = false, circles = false;
+  bool late = false;
+  suspects_ = {};
   int renewals = 0, limit = most_on_one_tangent;
   for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
     const bool fresh = !nonlinear_.any() || since == 0;  // what is measured is the truth, not a linear body's
@@ -325,7 +257,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     }
     row.changes = changes;
     watch.add(active_set());
-    circles = watch.stuck();
+    suspects_.circles = watch.stuck();
     if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
@@ -356,7 +288,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       since = -1;
       continue;
     }
-    if (iteration == options_.max_iterations || circles) break;
+    if (iteration == options_.max_iterations || suspects_.circles) break;
     try {
       const Vector dq = step(system, controls, q);
       ++report.solves;
@@ -371,7 +303,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       return result;
     }
   }
-  report.reason = no_convergence(system, report.table, circles);
+  if (suspects_.unbalanced < 0) suspects_.inside = nonlinear_.least_balanced();
+  report.reason = no_convergence(system, nodes_, suspects_, report.table, options_);
   return result;
 }
 

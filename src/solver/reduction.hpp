@@ -1,22 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "solver/system.hpp"
+#include "solver/reach.hpp"
 
 namespace reye::solver {
-
-/// Contact nodes that can take part for now; the others are condensed out, exactly.
-struct Reach {
-  std::vector<std::vector<char>> secondary, primary;  ///< per contact, per surface node: 1 when it may touch
-
-  static Reach all(const System& system);
-
-  /// The nodes that were active in `state` and what they met, with a margin of `margin` nodes and of a
-  /// quarter of the active ones on either side. Everything while nothing is in contact yet.
-  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, int margin);
-
-  bool operator==(const Reach&) const = default;
-};
 
 /// The system on the columns of the reach and of the supports:
 ///   S' = S_nn - S_nf S_ff^-1 S_fn,  f' = f_n - S_nf S_ff^-1 f_f,  q_f = S_ff^-1 (f_f - S_fn q_n)

@@ -20,6 +20,13 @@ struct Prepared {
       : problem(test::problem_of(text, gap)), state(sim::initial_state(problem)) {
     sim::begin_state(problem, state, cache);
   }
+  /// One iteration only, and so many cut-backs.
+  void make_hopeless(int cutbacks) {
+    problem.scene.max_cutbacks = cutbacks;
+    solver::NewtonOptions hopeless;
+    hopeless.max_iterations = 1;
+    cache.newton = solver::Newton(hopeless);
+  }
   const solver::System& system() { return sim::system_of(problem, state, cache); }
   solver::Sides sides() { return solver::positions(system(), system().contacts[0], state.solution.q); }
   sim::BlockSpan span(int step) const {
@@ -80,10 +87,7 @@ TEST(Approach, TouchingBodiesStay) {
 // A failed block must leave the state it started from untouched: it is a value, never half updated.
 TEST(Blocks, FailedStepLeavesTheState) {
   Prepared p(test::block_scene);
-  p.problem.scene.max_cutbacks = 0;
-  solver::NewtonOptions hopeless;
-  hopeless.max_iterations = 1;
-  p.cache.newton = solver::Newton(hopeless);
+  p.make_hopeless(0);
   const auto before = numbers(p.state);
   const auto shapes = p.state.shapes;
   const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), {});
@@ -95,10 +99,7 @@ TEST(Blocks, FailedStepLeavesTheState) {
 // An increment that does not converge must be halved, as often as allowed, and every halving say where and why.
 TEST(Blocks, CutBackHalvesAndSaysWhy) {
   Prepared p(test::block_scene);
-  p.problem.scene.max_cutbacks = 2;
-  solver::NewtonOptions hopeless;
-  hopeless.max_iterations = 1;
-  p.cache.newton = solver::Newton(hopeless);
+  p.make_hopeless(2);
   std::vector<std::string> log;
   sim::Observer observer;
   observer.log = [&](const std::string& line) { log.push_back(line); };
@@ -116,10 +117,7 @@ TEST(Blocks, CutBackHalvesAndSaysWhy) {
 // However many increments are cut, a state must keep the reasons of the first hundred only, and count all.
 TEST(Blocks, CutBackReasonsAreBounded) {
   Prepared p(test::block_scene);
-  p.problem.scene.max_cutbacks = 120;
-  solver::NewtonOptions hopeless;
-  hopeless.max_iterations = 1;
-  p.cache.newton = solver::Newton(hopeless);
+  p.make_hopeless(120);
   const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), {});
   EXPECT_EQ(outcome.state.counts.cutbacks, 120);
   EXPECT_EQ(outcome.state.cutback_reasons.size(), 100U);

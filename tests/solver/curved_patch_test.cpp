@@ -94,10 +94,7 @@ support::Assembly assembly(const Rings& s, int n) {
   a.inputs[0].boundary_loads = {{"inside", "left", inside, {0.0, 0.0}, {}, ""}};
   contact::ContactOptions o;
   o.dual = s.dual;
-  if (s.inner_secondary)
-    support::touch(a, o, {0, "right"}, {1, "left"});
-  else
-    support::touch(a, o, {1, "left"}, {0, "right"});
+  support::touch_either(a, o, s.inner_secondary, {0, "right"}, {1, "left"});
   return a;
 }
 

@@ -100,10 +100,7 @@ support::Assembly assembly(const Patch& s) {
   contact::ContactOptions o;
   o.friction = s.friction;
   o.dual = s.dual;
-  if (s.upper_secondary)
-    support::touch(a, o, {1, "bottom"}, {0, "top"});
-  else
-    support::touch(a, o, {0, "top"}, {1, "bottom"});
+  support::touch_either(a, o, s.upper_secondary, {1, "bottom"}, {0, "top"});
   return a;
 }
 

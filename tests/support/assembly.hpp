@@ -32,6 +32,12 @@ inline void touch(Assembly& a, const contact::ContactOptions& options, const con
   a.touches.push_back(std::move(t));
 }
 
+/// Two boundaries in contact, either of them carrying the multipliers.
+inline void touch_either(Assembly& a, const contact::ContactOptions& options, bool first_is_secondary,
+                         const contact::BoundaryRef& first, const contact::BoundaryRef& second) {
+  touch(a, options, first_is_secondary ? first : second, first_is_secondary ? second : first);
+}
+
 inline solver::System system_of(Assembly a) {
   for (const auto& t : a.touches) {
     a.inputs[t.secondary.body].contact_boundaries.push_back(t.secondary.boundary);

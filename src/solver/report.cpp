@@ -1,0 +1,60 @@
+#include "solver/report.hpp"
+
+#include <cstdio>
+
+namespace reye::solver {
+
+namespace {
+
+using Placed = std::vector<std::vector<PlacedNode>>;
+
+std::string short_number(double value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.1e", value);
+  return text;
+}
+
+std::string node_in_words(int mesh_node, const Vec2& x, const std::string& owner) {
+  char text[80];
+  std::snprintf(text, sizeof text, "node %d at (%.4g, %.4g) mm of ", mesh_node, x.x(), x.y());
+  return text + owner;
+}
+
+/// A secondary node in words; an empty text without one.
+std::string named(const System& system, const Placed& nodes, const Suspects::Node& node) {
+  if (node.contact < 0) return {};
+  const auto& setup = system.contacts[node.contact];
+  return node_in_words(setup.secondary_nodes[node.node].mesh_node, nodes[node.contact][node.node].position.x,
+                       "contact " + setup.options.name);
+}
+
+std::string least_balanced(const System& system, const Placed& nodes, const Suspects& suspects) {
+  if (suspects.unbalanced < 0) return suspects.inside;
+  for (std::size_t c = 0; c < nodes.size(); ++c)
+    for (std::size_t k = 0; k < nodes[c].size(); ++k)
+      for (int t = 0; t < nodes[c][k].position.count; ++t) {
+        if (nodes[c][k].column[t] != suspects.unbalanced) continue;
+        const auto& setup = system.contacts[c];
+        const auto ns = setup.secondary_nodes.size();
+        const auto& node = k < ns ? setup.secondary_nodes[k] : setup.primary_nodes[k - ns];
+        return node_in_words(node.mesh_node, nodes[c][k].position.x, "contact " + setup.options.name);
+      }
+  return "a support";
+}
+
+}  // namespace
+
+std::string no_convergence(const System& system, const Placed& nodes, const Suspects& suspects,
+                           const std::vector<Iteration>& table, const NewtonOptions& options) {
+  const Iteration& last = table.back();
+  std::string text = "no convergence in " + std::to_string(table.size() - 1) + " iterations: unbalanced force " +
+                     short_number(last.force);
+  if (last.force > options.force_tolerance) text += " (" + least_balanced(system, nodes, suspects) + ")";
+  text += ", unmet condition " + short_number(last.condition);
+  if (last.condition > options.condition_tolerance) text += " (" + named(system, nodes, suspects.unmet) + ")";
+  text += ", relative; " + std::to_string(last.changes) + " nodes still change status";
+  if (last.changes > 0 || suspects.circles) text += ", first " + named(system, nodes, suspects.asking);
+  return suspects.circles ? text + ": no status fits it" : text;
+}
+
+}  // namespace reye::solver

@@ -1,0 +1,52 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/condense.hpp"
+
+/// What is asked of the solver and what it tells.
+namespace reye::solver {
+
+struct NewtonOptions {
+  int max_iterations = 30;
+  double force_tolerance = 1e-10;      ///< of the largest force in the system
+  double condition_tolerance = 1e-9;   ///< of the largest multiplier
+  bool limit_reach = true;             ///< condense out contact nodes that are far from contact
+};
+
+/// One row of a Newton table.
+struct Iteration {
+  double force = 0.0;      ///< largest unbalanced force over the largest force
+  double condition = 0.0;  ///< largest unmet condition, as a traction over the largest multiplier
+  int changes = 0;         ///< nodes whose status changed
+};
+
+struct SolveReport {
+  bool converged = false;
+  std::string reason;  ///< empty when converged
+  std::vector<Iteration> table;
+  int solves = 0;
+};
+
+struct SolveResult {
+  SolverState state;
+  SolveReport report;
+};
+
+/// What stands out where no state is found.
+struct Suspects {
+  struct Node {
+    int contact = -1, node = -1;  ///< a secondary node; -1: none
+  };
+  int unbalanced = -1;     ///< reduced column with the largest unbalanced force, -1: inside a body
+  std::string inside;      ///< the place there, in words
+  Node unmet;              ///< the condition that was met worst
+  Node asking;             ///< the first node that asked for another status in the last decision
+  bool circles = false;    ///< the active set went round in circles, whatever the rule
+};
+
+/// Why there is no state, in words: how far off, and where. `nodes`: per contact, secondary ones first.
+std::string no_convergence(const System& system, const std::vector<std::vector<PlacedNode>>& nodes,
+                           const Suspects& suspects, const std::vector<Iteration>& table, const NewtonOptions& options);
+
+}  // namespace reye::solver
