@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sim/block.hpp"
@@ -38,10 +39,13 @@ body::NonlinearBody::Linearised at_start(const body::NonlinearBody& body, const 
   return out;
 }
 
-double peak_factor(const Problem& problem, const std::string& history) {
+/// The largest factor of a history in a step, in size; where the step does not play it, the one it starts from.
+double peak_factor(const Problem& problem, const scene::Step& step, const std::string& history) {
   if (history.empty()) return 1.0;
-  double peak = 0.0;
-  for (const auto& corner : problem.scene.histories.at(history))
+  const auto& corners = problem.scene.histories.at(history);
+  double peak = corners.front()[1];
+  if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) return peak;
+  for (const auto& corner : corners)
     if (std::abs(corner[1]) > std::abs(peak)) peak = corner[1];
   return peak;
 }
@@ -55,16 +59,16 @@ const body::Motion& motion_of(const Problem& problem, int b, const body::Support
   return column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
 }
 
-/// Force that drives body b along d: loaded support motions and loads at their peaks.
-double driving_force(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
+/// Force that drives body b along d: loaded support motions and loads at their peaks in a step.
+double driving_force(const Problem& problem, const scene::Step& step, const solver::System& system, int b, const Vec2& d) {
   double force = 0.0;
   const auto& op = system.bodies[b];
   for (const auto& column : support_columns(op))
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
-      force += column.direction.dot(d) * m.amplitude * peak_factor(problem, m.history);
+      force += column.direction.dot(d) * m.amplitude * peak_factor(problem, step, m.history);
   const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
-  for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, loads[i].history);
+  for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
   const Vector t = translation(problem, system, b, d), zero = Vector::Zero(t.size());
   const auto at_rest = [&](const auto& o) -> Vector {
     if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
@@ -117,22 +121,35 @@ bool held_along(const Problem& problem, const solver::System& system, int b, con
   return false;
 }
 
+namespace {
+
+/// Moves body b along d until its first node meets. The facet that is met changes on the way: repeat until nothing is
+/// left to close.
+void close_gap(const Problem& problem, State& state, const solver::System& system, int b, const Vec2& d) {
+  const Vector t = translation(problem, system, b, d), inside = interior_of(system.bodies[b], t);
+  for (int round = 0; round < 50; ++round) {
+    const auto way = free_way(problem, system, state, b, d);
+    if (!way || (round == 0 && *way <= 0.0)) break;
+    state.solution.q.segment(system.offset[b], t.size()) += *way * t;
+    if (inside.size() > 0) state.solution.interiors[b].y += *way * inside;
+    if (std::abs(*way) < 1e-14) break;
+  }
+}
+
+}  // namespace
+
 void approach(const Problem& problem, State& state, const solver::System& system) {
   for (int b = 0; b < problem.body_count(); ++b)
-    for (const Vec2& axis : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
-      if (held_along(problem, system, b, axis)) continue;
-      const double force = driving_force(problem, system, b, axis);
-      if (force == 0.0) continue;
-      const Vec2 d = force > 0.0 ? axis : Vec2(-axis);
-      const Vector t = translation(problem, system, b, d), inside = interior_of(system.bodies[b], t);
-      // The facet that is met changes on the way: repeat until nothing is left to close.
-      for (int round = 0; round < 50; ++round) {
-        const auto way = free_way(problem, system, state, b, d);
-        if (!way || (round == 0 && *way <= 0.0)) break;
-        state.solution.q.segment(system.offset[b], t.size()) += *way * t;
-        if (inside.size() > 0) state.solution.interiors[b].y += *way * inside;
-        if (std::abs(*way) < 1e-14) break;
+    for (const auto& step : problem.scene.steps) {
+      bool driven = false;
+      for (const Vec2& axis : {Vec2(1.0, 0.0), Vec2(0.0, 1.0)}) {
+        if (held_along(problem, system, b, axis)) continue;
+        const double force = driving_force(problem, step, system, b, axis);
+        if (force == 0.0) continue;
+        close_gap(problem, state, system, b, force > 0.0 ? axis : Vec2(-axis));
+        driven = true;
       }
+      if (driven) break;  // what a later step adds does not bring together what this one presses
     }
 }
 

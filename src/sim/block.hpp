@@ -24,7 +24,7 @@ struct BlockSpan {
 /// Zero displacement, fresh contacts.
 void begin_state(const Problem& problem, State& state, Cache& cache);
 
-/// Bodies apart and loaded by force are moved along the load, rigidly and by geometry alone, until the
+/// Bodies apart and loaded by force are moved along what loads them first, rigidly and by geometry alone, until the
 /// first secondary node meets its facet.
 void approach(const Problem& problem, State& state, const solver::System& system);
 

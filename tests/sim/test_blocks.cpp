@@ -78,6 +78,14 @@ TEST(Approach, HeldBodyStays) {
   EXPECT_EQ(p.state.solution.q.norm(), 0.0);
 }
 
+// A force of a later step must not keep apart what the first one presses together.
+TEST(Approach, LaterForcesWait) {
+  Prepared p(test::with(test::block_scene, {{"[history]", "[load.pull]\nedge = \"slider_top\"\ntraction_MPa = [0.0, 15.0]\n"
+                                                          "history = \"stroke\"\n[history]"}}),
+             0.2);
+  EXPECT_NEAR(lowest(p.sides().secondary), 0.0, 1e-12);
+}
+
 // Bodies that touch from the start must not be moved.
 TEST(Approach, TouchingBodiesStay) {
   Prepared p(test::block_scene);
