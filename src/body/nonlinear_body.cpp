@@ -148,6 +148,14 @@ struct NonlinearBody::Impl {
 NonlinearBody::NonlinearBody(ShapePtr shape, const BodyInput& input)
     : impl_(std::make_shared<const Impl>(std::move(shape), input)) {}
 
+NonlinearBody::NonlinearBody(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+
+NonlinearBody NonlinearBody::unyielding() const {
+  auto impl = std::make_shared<Impl>(*impl_);
+  impl->solid.material = material::unyielding(impl->solid.material);
+  return NonlinearBody(std::move(impl));
+}
+
 int NonlinearBody::dofs() const { return impl_->columns.retained; }
 int NonlinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
 const std::vector<int>& NonlinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }

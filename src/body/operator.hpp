@@ -164,6 +164,9 @@ class NonlinearBody {
   /// No displacement, virgin material, X unstressed.
   Interior start() const;
 
+  /// The same body, which keeps the plastic strain it has and answers by its elasticity alone (material::unyielding).
+  NonlinearBody unyielding() const;
+
   /// The equations at one state, with the factorisation that `interior_step` needs. Reused from call to call: the
   /// memory and the symbolic analysis stay. A copy shares them, so that only the last one linearised is valid.
   struct Linearised {
@@ -205,6 +208,7 @@ class NonlinearBody {
 
  private:
   struct Impl;
+  explicit NonlinearBody(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };
 

@@ -228,9 +228,8 @@ History compatible(const Mesh& mesh, const Solid& solid, const Vector& u, const 
                    const ElasticStates& states) {
   History history;
   if (states.empty()) return history;
-  const auto& law = std::get<material::HenckyJ2>(solid.material);
   for_each_point(mesh, solid, u, F0, [&](const auto& seen, const auto&, int number) {
-    history.push_back(material::plastic_state(law, solid.analysis, seen, states[number]));
+    history.push_back(material::plastic_state(solid.analysis, seen, states[number]));
   });
   return history;
 }

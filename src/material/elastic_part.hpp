@@ -1,5 +1,5 @@
 #pragma once
-#include <cmath>
+#include <limits>
 
 #include "material/finite.hpp"
 
@@ -36,33 +36,28 @@ inline ElasticState elastic_state(const Material& m, base::Analysis analysis, co
   return with_thickness(m, analysis, {scaled(twice, 0.5), state.accumulated});
 }
 
-/// eps_e with its deviator taken back to the yield surface where it lies outside, 3 mu e > sigma_y(p).
-inline Symmetric<double> admissible(const HenckyJ2& m, const ElasticState& state) {
-  const auto& e = state.strain;
-  const double mean = (e[0] + e[1] + e[3]) / 3.0;
-  const Symmetric<double> dev{e[0] - mean, e[1] - mean, e[2], e[3] - mean};
-  const double square = dev[0] * dev[0] + dev[1] * dev[1] + 2.0 * dev[2] * dev[2] + dev[3] * dev[3];
-  const double size = std::sqrt(2.0 / 3.0 * square);
-  const double bound = yield_stress(m.hardening, state.accumulated) / (3.0 * shear_modulus(m));
-  return size > bound ? combined(dev, bound / size, mean) : e;
-}
-
 /// The plastic state with which a strain leaves this elastic one: eps_p = eps - eps_e. Its trace is what eps has
-/// changed volume otherwise than the elastic strain says; in a sheet it has none, for the thickness is free.
-inline PlasticState plastic_state(const HenckyJ2& m, base::Analysis analysis, const Voigt<double>& strain,
-                                  const ElasticState& elastic) {
-  const auto e = admissible(m, elastic);
+/// changed volume otherwise than the elastic strain says; in a sheet it has none, for the thickness is free. eps_e may
+/// lie beyond the yield surface: taken back to it, it would become plastic strain that p does not know of.
+inline PlasticState plastic_state(base::Analysis analysis, const Voigt<double>& strain, const ElasticState& elastic) {
+  const auto& e = elastic.strain;
   PlasticState s{{strain[0] - e[0], strain[1] - e[1], 0.5 * strain[2] - e[2], strain[3] - e[3]}, elastic.accumulated};
   if (analysis == base::Analysis::plane_stress) s.strain[3] = -(s.strain[0] + s.strain[1]);
   return s;
 }
 
 /// The same of a deformation gradient: C_p^-1 = F^-1 exp(2 eps_e) F^-T.
-inline PlasticState plastic_state(const HenckyJ2& m, base::Analysis analysis, const Gradient<double>& F,
-                                  const ElasticState& elastic) {
-  auto s = updated(F, admissible(m, elastic), elastic.accumulated);
+inline PlasticState plastic_state(base::Analysis analysis, const Gradient<double>& F, const ElasticState& elastic) {
+  auto s = updated(F, elastic.strain, elastic.accumulated);
   if (analysis == base::Analysis::plane_stress) s.strain[3] = -(s.strain[0] + s.strain[1]);
   return s;
+}
+
+/// The same elasticity, never yielding: how what is plastic answers where nothing is loaded but only put at rest.
+inline Material unyielding(Material material) {
+  if (auto* j2 = std::get_if<HenckyJ2>(&material))
+    j2->hardening = LinearHardening{std::numeric_limits<double>::infinity(), 0.0};
+  return material;
 }
 
 }  // namespace reye::material

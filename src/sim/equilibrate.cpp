@@ -29,6 +29,14 @@ bool driven_only_by_friction(const Problem& problem, const solver::System& syste
   return free;
 }
 
+/// The bodies where no point flows. What a new mesh changes in the stress has either sign and is no load: were points
+/// at yield to flow by it, p would grow with each mesh, for what flows does not flow back.
+solver::System unyielding(solver::System system) {
+  for (auto& op : system.bodies)
+    if (const auto* body = std::get_if<body::NonlinearBody>(&op)) op = body->unyielding();
+  return system;
+}
+
 }  // namespace
 
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
@@ -48,7 +56,7 @@ std::vector<HeldTraction> held_tractions(const solver::System& system, const Sta
 
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held) {
-  const auto& system = timed_system(problem, state, cache);
+  const auto system = unyielding(timed_system(problem, state, cache));
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);
   std::vector<std::vector<contact::ContactStatus>> status;
