@@ -42,13 +42,13 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
                        std::to_string(order[j]) + "); a motion may be free that nothing holds");
 }
 
-/// L L^T - shift I, both triangles.
-Matrix product(const Matrix& L, double shift) {
+/// L L^T - diag(shift), both triangles.
+Matrix product(const Matrix& L, const Vector& shift) {
   const int n = static_cast<int>(L.rows());
   const double one = 1.0, zero = 0.0;
   Matrix S(n, n);
   if (n > 0) dsyrk_("L", "N", &n, &n, &one, L.data(), &n, &zero, S.data(), &n);
-  S.diagonal().array() -= shift;
+  S.diagonal() -= shift;
   S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
   return S;
 }
@@ -72,7 +72,7 @@ struct SchurFactor::Impl {
       return;
     }
     if (!known) analyse();
-    const double shift = add_shift();
+    const Vector shift = add_shift();
     L.factorise(K);
     check_pivots(L, K, interior());
     Lcc = L.trailing(retained);
@@ -86,12 +86,13 @@ struct SchurFactor::Impl {
     L.analyse(K, order);
   }
 
-  /// Adds the mean of diag K_cc to that diagonal; a much larger shift would cost digits of S.
-  double add_shift() {
-    if (retained == 0) return 0.0;
-    const double mean = K.diagonal().tail(retained).mean();
-    const double shift = mean > 0.0 ? mean : 1.0;
-    for (int j = interior(); j < K.cols(); ++j) K.coeffRef(j, j) += shift;
+  /// Doubles the diagonal of K_cc: each row by its own entry, for what is small in one unit is large in another.
+  Vector add_shift() {
+    Vector shift = K.diagonal().tail(retained);
+    for (int j = 0; j < retained; ++j) {
+      if (!(shift[j] > 0.0)) shift[j] = 1.0;
+      K.coeffRef(interior() + j, interior() + j) += shift[j];
+    }
     return shift;
   }
 

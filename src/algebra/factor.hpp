@@ -10,8 +10,8 @@ using base::SparseMatrix;
 using base::Vector;
 
 /// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
-/// rows), factorised once with c kept last and a positive shift sigma on the diagonal of K_cc:
-///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma I      (theory: exact whatever rigid motion is free)
+/// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
+///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma        (theory: exact whatever rigid motion is free)
 /// The symbolic analysis is kept: `refactor` with the same pattern reuses it.
 class SchurFactor {
  public:

@@ -71,6 +71,22 @@ TEST(schur, floating_motion_costs_nothing) {
   EXPECT_LT((f.schur() * along_x).norm(), 1e-12 * f.schur().norm());
 }
 
+// A retained column in another unit (a rotation beside displacements) must not cost the others a digit: S of the scaled
+// matrix is the scaled S.
+TEST(schur, columns_of_any_unit) {
+  const SparseMatrix K = grid(6, 5, 0.0);
+  constexpr int retained = 8;
+  const Matrix S = algebra::SchurFactor(K, retained).schur();
+  for (double unit : {1e-6, 1e6}) {
+    Vector scale = Vector::Ones(K.rows());
+    scale[K.rows() - 1] = unit;
+    const SparseMatrix scaled = scale.asDiagonal() * K * scale.asDiagonal();
+    const Vector back = scale.tail(retained).cwiseInverse();
+    const Matrix T = back.asDiagonal() * algebra::SchurFactor(scaled, retained).schur() * back.asDiagonal();
+    EXPECT_LT((T - S).cwiseAbs().maxCoeff(), 1e-13 * S.cwiseAbs().maxCoeff()) << unit;
+  }
+}
+
 // Condensed equations plus recovery must give the direct solution to 1e-11.
 TEST(schur, condense_and_recover_equal_direct_solution) {
   for (int retained : {0, 1, 20, 200}) {
