@@ -18,15 +18,6 @@ constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonli
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
-/// Extent of all contact surfaces [mm]: what a body may move by in one increment is of this order.
-double extent(const System& system) {
-  double largest = 0.0;
-  for (const auto& setup : system.contacts)
-    for (const auto* surface : {&setup.secondary, &setup.primary})
-      for (const Vec2& x : surface->X) largest = std::max(largest, (x - surface->X.front()).norm());
-  return largest;
-}
-
 }  // namespace
 
 void Newton::reset() {
@@ -56,6 +47,7 @@ void Newton::begin(const System& system, const SolverState& before, const Contro
     interfaces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
     lambda_[c] = before.contacts[c].lambda;
   }
+  arm_ = reduction_.restrict_to(system.arm);
   loads_ = reduction_.loads(system, controls.load_factors);
   for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
 }
@@ -116,7 +108,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   Iteration row;
   structural_ = residual(system, controls, q);
   Vector balance = structural_;
-  double largest = largest_of(structural_), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
+  double largest = largest_of(structural_.cwiseQuotient(arm_)), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
   suspects_.unmet = {};
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
@@ -147,13 +139,14 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   for (const auto& [column, value] : controls.prescribed) balance[reduction_.index(column)] = 0.0;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const Matrix& S = this->stiffness(b);
-    if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().maxCoeff());
+    const auto arm = arm_.segment(reduction_.first(static_cast<int>(b)), S.rows());
+    if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().cwiseQuotient(arm.cwiseAbs2()).maxCoeff());
   }
   largest = std::max(largest, nonlinear_.force_scale());
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
-  const double rounding = 1e-13 * stiffness * largest_of(q);  // of S q under rigid motion: no force
+  const double rounding = 1e-13 * stiffness * largest_of(q.cwiseProduct(arm_));  // of S q under rigid motion: no force
   Eigen::Index column = -1;
-  const double outside = balance.size() ? balance.cwiseAbs().maxCoeff(&column) : 0.0;
+  const double outside = balance.size() ? balance.cwiseQuotient(arm_).cwiseAbs().maxCoeff(&column) : 0.0;
   suspects_.unbalanced = inside > outside ? -1 : static_cast<int>(column);
   row.force = std::max(0.0, std::max(outside, inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
@@ -182,6 +175,13 @@ ActiveSetWatch::Set Newton::active_set() const {
   ActiveSetWatch::Set set;
   for (const auto& face : interfaces_) set.insert(set.end(), face.status().begin(), face.status().end());
   return set;
+}
+
+/// Whether a node of some contact is active.
+bool Newton::touching() const {
+  return std::any_of(interfaces_.begin(), interfaces_.end(), [](const auto& face) {
+    return std::any_of(face.status().begin(), face.status().end(), [](auto s) { return s != ContactStatus::inactive; });
+  });
 }
 
 /// Solves back what was out of reach, looks whether contact stayed inside, and takes the state over.
@@ -294,12 +294,14 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       ++report.solves;
       q += dq;
       // Far out the rounding of S q hides that nothing is in balance any more.
-      if (const double way = largest_of(dq), bound = 1e3 * extent(system); !system.contacts.empty() && !(way < bound)) {
+      const double way = largest_of(dq.cwiseProduct(arm_)), bound = 1e3 * system.extent;
+      if (!system.contacts.empty() && !(way < bound)) {
         report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
         return result;
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
+      if (!touching()) report.reason = "nothing is in contact, and a body has lost the contact that holds it; " + report.reason;
       return result;
     }
   }

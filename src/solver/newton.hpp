@@ -33,6 +33,7 @@ class Newton {
   Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
   int decide(int iteration, bool predicted, Allowed allowed);
   ActiveSetWatch::Set active_set() const;
+  bool touching() const;
   Vector step(const System& system, const Controls& controls, const Vector& q);
   Fit accept(const System& system, const Vector& q, SolveResult& result);
 
@@ -47,7 +48,7 @@ class Newton {
   std::vector<Sides> sides_;
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
-  Vector structural_, loads_;              ///< on the reduced columns
+  Vector structural_, loads_, arm_;        ///< on the reduced columns
   Suspects suspects_;
 };
 

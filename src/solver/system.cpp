@@ -42,6 +42,26 @@ std::vector<int> ordered(const std::vector<contact::Setup>& contacts) {
   return order;
 }
 
+double extent_of(const std::vector<contact::Setup>& contacts) {
+  double largest = 0.0;
+  for (const auto& setup : contacts)
+    for (const auto* surface : {&setup.secondary, &setup.primary})
+      for (const Vec2& x : surface->X) largest = std::max(largest, (x - surface->X.front()).norm());
+  return largest;
+}
+
+Vector arms(const System& system) {
+  Vector arm = Vector::Ones(system.dofs);
+  if (system.extent == 0.0) return arm;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    constexpr int turning = 2;  // column of a rigid body, motion of a support
+    if (std::holds_alternative<body::RigidBody>(system.bodies[b])) arm[system.offset[b] + turning] = system.extent;
+    for (const auto& s : std::visit([](const auto& o) { return o.support_columns(); }, system.bodies[b]))
+      if (s.motion == turning) arm[system.offset[b] + s.column] = system.extent;
+  }
+  return arm;
+}
+
 }  // namespace
 
 System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setup> contacts) {
@@ -53,6 +73,8 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
     system.dofs += std::visit([](const auto& b) { return b.dofs(); }, body);
   }
   system.elimination = ordered(system.contacts);
+  system.extent = extent_of(system.contacts);
+  system.arm = arms(system);
   return system;
 }
 

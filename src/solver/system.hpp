@@ -22,6 +22,9 @@ struct System {
   int dofs = 0;
   std::vector<contact::Setup> contacts;
   std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
+  double extent = 0.0;                   ///< of all contact surfaces [mm]
+  /// Per column, what makes its rotation a motion and its moment a force: `extent` where it turns, else one.
+  Vector arm;
 
   auto part(const Vector& q, int body) const {
     return q.segment(offset[body], std::visit([](const auto& b) { return b.dofs(); }, bodies[body]));
