@@ -30,7 +30,9 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
   status_last_ = status_;
   sign_last_ = sign_;
   const auto& o = setup_->options;
-  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && iteration >= 5;
+  const bool searching = iteration < 5;
+  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
+  const double c_normal = searching ? o.c_normal : 1.0, c_tangential = searching ? o.c_tangential : 1.0;
   const bool spread = late && wear_spreads();
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
@@ -45,7 +47,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
     // Nodes that touch at zero gap start active: the first matrix would be singular without them.
     const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
     // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
-    if (!start && lambda_n - (late && was ? 0.0 : o.c_normal * stiffness * opened) <= 0.0) {
+    if (!start && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= 0.0) {
       status_[j] = ContactStatus::inactive;
       continue;
     }
@@ -56,10 +58,10 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
     } else if ((iteration == 0 && !predicted) || options_.held) {
       status_[j] = ContactStatus::stick;
     } else {
-      const double trial = lambda[j].dot(tangent) + o.c_tangential * stiffness * tangent.dot(motion(node)) / D;
+      const double trial = lambda[j].dot(tangent) + c_tangential * stiffness * tangent.dot(motion(node)) / D;
       // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
       // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
-      const double bound = friction_ * (was ? lambda_n : lambda_n - o.c_normal * stiffness * opened);
+      const double bound = friction_ * (was ? lambda_n : lambda_n - c_normal * stiffness * opened);
       const double sign = trial < 0.0 ? -1.0 : 1.0;
       // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
       const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;

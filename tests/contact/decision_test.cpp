@@ -57,6 +57,24 @@ TEST(decision, own_wear_stays_out) {
       }
 }
 
+// The factors c must steer the first iterations only: from the sixth on what they would throw out or keep is decided by
+// the natural scale, or an iteration under a large one goes on for ever.
+TEST(decision, factors_steer_the_first_iterations) {
+  for (double c0 : {1e-6, 1.0, 1e6}) {
+    auto options = frictional(0.3);
+    options.c_normal = c0;
+    auto c = flat(options, 1e-3);
+    c.setup.stiffness.assign(c.xs.size(), 1e4);  // lambda - c E / h gap: 100 - 10 c
+    support::press(c, 100.0, 0.0);
+    c.before.status.assign(c.xs.size(), ContactStatus::stick);
+    for (int iteration : {1, 7}) {
+      auto face = support::interface_of(c, 0);
+      face.decide(c.lambda, iteration);
+      EXPECT_EQ(count(face, ContactStatus::inactive), c0 > 1.0 && iteration == 1 ? 6 : 0) << c0 << " " << iteration;
+    }
+  }
+}
+
 // Wear of earlier increments must open a node: it counts as gap.
 TEST(decision, earlier_wear_opens) {
   auto c = flat(frictional(0.3));
