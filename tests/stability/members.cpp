@@ -83,8 +83,8 @@ void wear_beyond_explicit(Table& t) {
       return words("@mm3_per_J(%.6g)", 1e3 * times * 4.0 * h / (3.14159265 * modulus * slide * jump) / (2.0 * mu));
     };
     const std::string name = words("explicit_x_%g", times);
-    // A slip that is not imposed: what wears sticks or slips by what it has worn. At 10^4 no status fits that Newton
-    // can find.
+    // Slip that is not imposed: what wears sticks or slips by what it has worn. At 10^4 times the limit that does not
+    // converge, however short the increment.
     const auto limit = [&](Member m) { return times > 1e3 ? m.refused("no convergence") : m; };
     const auto add = [&](Member m, double h, double mu) {
       t.push_back(wear_by(m.set("contact.pad.friction", words("%g", mu)), coefficient(h, mu)));
