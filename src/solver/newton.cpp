@@ -18,6 +18,16 @@ constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonli
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
+/// Nodes just out of reach go along with their neighbour in reach. Left behind, a slide of more than a facet in one
+/// increment would turn the facet at the rim round, and with it the averaged normal beside it.
+void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, const std::vector<Vec2>& before,
+               std::vector<Vec2>& x) {
+  for (const auto& facet : surface.facets)
+    for (int in : facet)
+      for (int out : facet)
+        if (in >= 0 && out >= 0 && near[in] && !near[out]) x[out] = before[out] + x[in] - before[in];
+}
+
 }  // namespace
 
 void Newton::reset() {
@@ -40,9 +50,10 @@ void Newton::begin(const System& system, const SolverState& before, const Contro
   nodes_.resize(n);
   lambda_.resize(n);
   sides_.resize(n);
+  start_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
     const auto& setup = system.contacts[c];
-    sides_[c] = positions(system, setup, before.q);
+    start_[c] = sides_[c] = positions(system, setup, before.q);
     interfaces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
     interfaces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
     lambda_[c] = before.contacts[c].lambda;
@@ -74,7 +85,12 @@ void Newton::place(const System& system, const Vector& q, bool everything) {
     for (std::size_t j = 0; j < ns; ++j) put(setup.secondary_nodes[j], reach_.secondary[c][j], nodes[j], sides_[c].secondary[j]);
     for (std::size_t l = 0; l < setup.primary_nodes.size(); ++l)
       put(setup.primary_nodes[l], reach_.primary[c][l], nodes[ns + l], sides_[c].primary[l]);
-    if (everything) interfaces_[c].limit_to({}, {});
+    if (everything) {
+      interfaces_[c].limit_to({}, {});
+    } else {
+      carry_rim(setup.secondary, reach_.secondary[c], start_[c].secondary, sides_[c].secondary);
+      carry_rim(setup.primary, reach_.primary[c], start_[c].primary, sides_[c].primary);
+    }
     interfaces_[c].integrate(sides_[c].secondary, sides_[c].primary);
   }
 }

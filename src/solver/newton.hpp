@@ -45,7 +45,7 @@ class Newton {
   NonlinearBodies nonlinear_;
   std::vector<contact::Interface> interfaces_;
   Multipliers lambda_;
-  std::vector<Sides> sides_;
+  std::vector<Sides> sides_, start_;            ///< where the surface nodes are, and where the increment found them
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
   Vector structural_, loads_, arm_;        ///< on the reduced columns

@@ -136,4 +136,44 @@ TEST(condensation, reach_changes_nothing) {
   }
 }
 
+/// A wide block, its bottom secondary with facets of 0.05, pressed on a crown and dragged along it by `drag`.
+Assembly wide_slider(double drag) {
+  Assembly a;
+  a.meshes = {support::mapped(support::rectangle({.corner = {1, 0}, .size = {2, 1}, .nx = 30, .ny = 5}),
+                              [](const base::Vec2& x) {
+                                return base::Vec2(x.x(), x.y() * (1.0 - 0.005 * (x.x() - 2.0) * (x.x() - 2.0)));
+                              }),
+              support::rectangle({.corner = {0, 1}, .size = {4, 1}, .nx = 80, .ny = 5})};
+  a.inputs = {support::elastic(1000.0, 0.3), support::elastic(2000.0, 0.25)};
+  a.inputs[0].supports = {support::fixed_edge("base", "bottom")};
+  a.inputs[1].supports = {support::fixed_edge("holder", "top")};
+  a.inputs[1].supports[0].x = support::moved(drag);
+  a.inputs[1].supports[0].y = support::moved(-0.0003);
+  contact::ContactOptions c;
+  c.friction = 0.5;
+  support::touch(a, c, {1, "bottom"}, {0, "top"});
+  return a;
+}
+
+// A slide of more than a facet in one increment must converge, in as many steps and to the same state as with all nodes in
+// reach.
+TEST(condensation, slides_past_the_rim_of_the_reach) {
+  const auto system = support::system_of(wide_slider(0.0));
+  solver::NewtonOptions all;
+  all.limit_reach = false;
+  solver::Newton limited, whole(all);
+  auto state = support::fresh(system), other = state;
+  for (double drag : {0.0, 0.07, 0.14, 0.21}) {
+    const auto a = wide_slider(drag);
+    const auto controls = support::controls_of(a, system, 1.0);
+    const auto one = limited.solve(system, state, controls), two = whole.solve(system, other, controls);
+    ASSERT_TRUE(one.report.converged) << "drag " << drag << ": " << one.report.reason;
+    ASSERT_TRUE(two.report.converged) << "drag " << drag << ": " << two.report.reason;
+    EXPECT_LE(one.report.solves, two.report.solves + 1) << "drag " << drag;
+    state = one.state;
+    other = two.state;
+    EXPECT_LT((state.q - other.q).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.lpNorm<Eigen::Infinity>());
+  }
+}
+
 }  // namespace
