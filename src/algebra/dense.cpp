@@ -36,35 +36,47 @@ void equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   }
 }
 
-/// Solves op(A) x = b in place, op the identity ("N") or the transpose ("T").
-Vector solve(Matrix& A, const Vector& b, const char* trans) {
-  single_thread();
-  const int n = static_cast<int>(A.rows()), one = 1;
-  if (A.cols() != n || b.size() != n) throw SolveError("dense solve: sizes do not match");
-  if (n == 0) return b;
-  Vector rows(n), columns(n), work(4 * n);
-  equilibrate(A, rows, columns);
-  const bool transposed = *trans == 'T';
-  Vector x = (transposed ? columns : rows).cwiseProduct(b);
+}  // namespace
 
-  std::vector<int> pivots(static_cast<size_t>(n)), iwork(static_cast<size_t>(n));
+void DenseFactor::factor(Matrix& A) {
+  single_thread();
+  LU_.swap(A);
+  const int n = static_cast<int>(LU_.rows());
+  if (LU_.cols() != n) throw SolveError("dense solve: the matrix is not square");
+  rows_.resize(n);
+  columns_.resize(n);
+  if (n == 0) return;
+  equilibrate(LU_, rows_, columns_);
+  work_.resize(4 * n);
+  pivots_.resize(static_cast<size_t>(n));
+  iwork_.resize(static_cast<size_t>(n));
   int info = 0;
   double rcond = 0.0;
-  const double norm = dlange_("1", &n, &n, A.data(), &n, work.data());
-  dgetrf_(&n, &n, A.data(), &n, pivots.data(), &info);
-  if (info == 0) dgecon_("1", &n, A.data(), &n, &norm, &rcond, work.data(), iwork.data(), &info);
+  const double norm = dlange_("1", &n, &n, LU_.data(), &n, work_.data());
+  dgetrf_(&n, &n, LU_.data(), &n, pivots_.data(), &info);
+  if (info == 0) dgecon_("1", &n, LU_.data(), &n, &norm, &rcond, work_.data(), iwork_.data(), &info);
   if (info != 0 || !(rcond > std::numeric_limits<double>::epsilon()))
     throw SolveError("dense solve: the matrix of " + std::to_string(n) + " rows is singular to working precision" +
                      (info > 0 ? " (zero pivot " + std::to_string(info - 1) + ")" : ""));
-  dgetrs_(trans, &n, &one, A.data(), &n, pivots.data(), x.data(), &n, &info);
-  x.array() *= (transposed ? rows : columns).array();
+}
+
+Vector DenseFactor::solve(const Vector& b, const char* trans) const {
+  const int n = static_cast<int>(LU_.rows()), one = 1;
+  if (b.size() != n) throw SolveError("dense solve: sizes do not match");
+  if (n == 0) return b;
+  const bool transposed = *trans == 'T';
+  Vector x = (transposed ? columns_ : rows_).cwiseProduct(b);
+  int info = 0;
+  dgetrs_(trans, &n, &one, LU_.data(), &n, pivots_.data(), x.data(), &n, &info);
+  x.array() *= (transposed ? rows_ : columns_).array();
   if (!x.allFinite()) throw SolveError("dense solve: the solution is not finite");
   return x;
 }
 
-}  // namespace
-
-Vector solve_dense(Matrix& A, const Vector& b) { return solve(A, b, "N"); }
-Vector solve_dense_transposed(Matrix& At, const Vector& b) { return solve(At, b, "T"); }
+Vector solve_dense(Matrix& A, const Vector& b) {
+  DenseFactor factor;
+  factor.factor(A);
+  return factor.solve(b);
+}
 
 }  // namespace reye::algebra

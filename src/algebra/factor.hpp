@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "base/linalg.hpp"
 
@@ -51,11 +52,25 @@ class Cholesky {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Solves the dense square system A x = b by LU with partial pivoting (LAPACK); A is overwritten.
+/// LU of a dense square matrix with partial pivoting (LAPACK), rows and columns scaled before. Work space is kept.
+class DenseFactor {
+ public:
+  /// Takes the storage of A and leaves it some other. Throws base::SolveError when A is singular to working precision.
+  void factor(Matrix& A);
+
+  /// x of A x = b, or of A^T x = b. Throws base::SolveError when x is not finite.
+  Vector solve(const Vector& b) const { return solve(b, "N"); }
+  Vector solve_transposed(const Vector& b) const { return solve(b, "T"); }
+
+ private:
+  Vector solve(const Vector& b, const char* trans) const;
+  Matrix LU_;
+  Vector rows_, columns_, work_;
+  std::vector<int> pivots_, iwork_;
+};
+
+/// Solves the dense square system A x = b; A is overwritten.
 /// Throws base::SolveError when A is singular to working precision or x is not finite.
 Vector solve_dense(Matrix& A, const Vector& b);
-
-/// The same with the matrix given transposed: one equation per column, as it is assembled fastest.
-Vector solve_dense_transposed(Matrix& At, const Vector& b);
 
 }  // namespace reye::algebra

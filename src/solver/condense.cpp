@@ -1,7 +1,5 @@
 #include "solver/condense.hpp"
 
-#include "algebra/factor.hpp"
-
 namespace reye::solver {
 
 using contact::ContactStatus;
@@ -11,6 +9,7 @@ void Condenser::start(const System& system, const Vector& rhs) {
   elimination_.resize(system.contacts.size());
   At_.setZero(rhs.size(), rhs.size());
   b_ = rhs;
+  factored_ = false;
 }
 
 /// What turns with q turns the arms of its forces, too: second derivatives of positions in the tangent.
@@ -51,10 +50,11 @@ void Condenser::add_contact(const System& system, int contact, contact::Interfac
   turn(system, system.contacts[contact], face.forces(lambda), reduction, q);
 }
 
-/// lambda = constant + slope dq from the balance of each active node.
+/// dlambda = constant + slope dq from the balance of each active node.
 void Condenser::express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) const {
   const int ns = face.setup().secondary_count();
   elim.place.assign(ns, -1);
+  elim.from.clear();
   int count = 0;
   for (int j = 0; j < ns; ++j)
     if (face.active(j)) {
@@ -62,7 +62,6 @@ void Condenser::express(const contact::Interface& face, const std::vector<Placed
       count += 2;
     }
   elim.slope.setZero(At_.rows(), count);
-  elim.constant.setZero(count);
   for (int j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
     const double D = face.rows()[j].D;
@@ -72,84 +71,111 @@ void Condenser::express(const contact::Interface& face, const std::vector<Placed
         const double share = p.terms[t].direction[c] / D;
         if (share == 0.0) continue;
         elim.slope.col(elim.place[j] + c) -= share * At_.col(nodes[j].column[t]);
-        elim.constant[elim.place[j] + c] += share * b_[nodes[j].column[t]];
+        elim.from.push_back({nodes[j].column[t], elim.place[j] + c, share});
       }
   }
 }
 
-/// Adds factor * lambda to the rows of a node.
-void Condenser::load(const PlacedNode& node, const Elimination& elim, int from, double factor) {
+/// Adds factor * dlambda to the rows of a node.
+void Condenser::load(const PlacedNode& node, Elimination& elim, int from, double factor) {
   for (int t = 0; t < node.position.count; ++t)
     for (int c = 0; c < 2; ++c) {
       const double weight = factor * node.position.terms[t].direction[c];
       if (weight == 0.0) continue;
       At_.col(node.column[t]) += weight * elim.slope.col(from + c);
-      b_[node.column[t]] -= weight * elim.constant[from + c];
+      elim.to.push_back({node.column[t], from + c, weight});
     }
 }
 
-void Condenser::eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                          const std::vector<Vec2>& lambda) {
+void Condenser::eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes) {
   auto& elim = elimination_[contact];
-  express(face, nodes, elim);
-  const int ns = face.setup().secondary_count();
-  for (int j = 0; j < ns; ++j) {
-    if (elim.place[j] < 0) continue;
-    const auto& row = face.rows()[j];
-    for (const auto& [k, share] : row.off) load(nodes[k], elim, elim.place[j], share);
-    for (const auto& [l, M] : row.M) load(nodes[ns + l], elim, elim.place[j], -M);
+  if (!factored_) {
+    express(face, nodes, elim);
+    elim.to.clear();
+    const int ns = face.setup().secondary_count();
+    for (int j = 0; j < ns; ++j) {
+      if (elim.place[j] < 0) continue;
+      const auto& row = face.rows()[j];
+      for (const auto& [k, share] : row.off) load(nodes[k], elim, elim.place[j], share);
+      for (const auto& [l, M] : row.M) load(nodes[ns + l], elim, elim.place[j], -M);
+    }
+    conditions(face, nodes, elim, linearised_[contact]);
   }
-  conditions(face, nodes, lambda, elim, linearised_[contact]);
+  right_hand_side(face, elim);
 }
 
 /// Conditions replace the rows of a node's free columns, scaled to the stiffness of their surroundings.
-void Condenser::conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda,
-                           const Elimination& elim, const contact::Linearised& linearised) {
+void Condenser::conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
+                           const contact::Linearised& linearised) {
   const auto ns = elim.place.size();
-  std::vector<int> target(2 * ns, -1);
-  std::vector<double> scale(2 * ns, 0.0);
+  std::vector<int> of_row(2 * ns, -1);
+  elim.conditions.clear();
   for (std::size_t j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
-    const int node = static_cast<int>(j), first = nodes[j].position.count - nodes[j].free;
+    const int first = nodes[j].position.count - nodes[j].free;
     const bool traction = face.status()[j] == ContactStatus::slip || face.held();
     for (int t = 0; t < nodes[j].free; ++t) {
-      const int row = nodes[j].column[first + t];
-      target[2 * j + t] = row;
-      scale[2 * j + t] = t == 1 && traction ? face.rows()[j].D : face.setup().stiffness[j];
-      At_.col(row).setZero();
-      b_[row] = -scale[2 * j + t] * (t == 0 ? face.residual_normal(node) : face.residual_tangential(node));
+      const int row = 2 * static_cast<int>(j) + t;
+      of_row[row] = static_cast<int>(elim.conditions.size());
+      const double scale = t == 1 && traction ? face.rows()[j].D : face.setup().stiffness[j];
+      elim.conditions.push_back({nodes[j].column[first + t], row, scale});
+      At_.col(elim.conditions.back().column).setZero();
     }
   }
   const int multipliers = face.dofs();
+  weight_.setZero(elim.slope.cols(), static_cast<Eigen::Index>(elim.conditions.size()));
   for (const auto& e : linearised.rows) {
-    const int row = target[e.row];
-    if (row < 0) continue;
-    const double value = scale[e.row] * e.value;
+    const int k = of_row[e.row];
+    if (k < 0) continue;
+    const auto& condition = elim.conditions[k];
+    const double value = condition.scale * e.value;
     if (e.col >= multipliers) {
-      const int j = (e.col - multipliers) / 2, c = (e.col - multipliers) % 2;
-      At_.col(row) += value * elim.slope.col(elim.place[j] + c);
-      b_[row] -= value * (elim.constant[elim.place[j] + c] - lambda[j][c]);
+      weight_(elim.place[(e.col - multipliers) / 2] + (e.col - multipliers) % 2, k) += value;
       continue;
     }
     const auto& node = nodes[e.col / 2];
     for (int t = 0; t < node.position.count; ++t)
-      At_(node.column[t], row) += value * node.position.terms[t].direction[e.col % 2];
+      At_(node.column[t], condition.column) += value * node.position.terms[t].direction[e.col % 2];
   }
+  elim.met.clear();
+  for (Eigen::Index k = 0; k < weight_.cols(); ++k)
+    for (Eigen::Index i = 0; i < weight_.rows(); ++i) {
+      if (weight_(i, k) == 0.0) continue;
+      const int column = elim.conditions[k].column;
+      At_.col(column) += weight_(i, k) * elim.slope.col(i);
+      elim.met.push_back({column, static_cast<int>(i), weight_(i, k)});
+    }
+}
+
+/// What elimination makes of the residuals.
+void Condenser::right_hand_side(const contact::Interface& face, Elimination& elim) {
+  elim.constant.setZero(elim.slope.cols());
+  for (const auto& s : elim.from) elim.constant[s.component] += s.factor * b_[s.column];
+  for (const auto& s : elim.to) b_[s.column] -= s.factor * elim.constant[s.component];
+  for (const auto& c : elim.conditions)
+    b_[c.column] = -c.scale * (c.row % 2 == 0 ? face.residual_normal(c.row / 2) : face.residual_tangential(c.row / 2));
+  for (const auto& s : elim.met) b_[s.column] -= s.factor * elim.constant[s.component];
 }
 
 void Condenser::fix(int column, double by) {
-  At_.col(column).setZero();
-  At_(column, column) = 1.0;
+  if (!factored_) {
+    At_.col(column).setZero();
+    At_(column, column) = 1.0;
+  }
   b_[column] = by;
 }
 
-Vector Condenser::solve() { return algebra::solve_dense_transposed(At_, b_); }
+Vector Condenser::solve() {
+  if (!factored_) factor_.factor(At_);
+  factored_ = true;
+  return factor_.solve_transposed(b_);
+}
 
-void Condenser::recover(int contact, const Vector& dq, std::vector<Vec2>& lambda) const {
+void Condenser::advance(int contact, const Vector& dq, std::vector<Vec2>& lambda) const {
   const auto& elim = elimination_[contact];
   const Vector step = elim.constant + elim.slope.transpose() * dq;
   for (std::size_t j = 0; j < lambda.size(); ++j)
-    lambda[j] = elim.place[j] < 0 ? Vec2::Zero() : Vec2(step.segment<2>(elim.place[j]));
+    lambda[j] = elim.place[j] < 0 ? Vec2::Zero() : Vec2(lambda[j] + step.segment<2>(elim.place[j]));
 }
 
 }  // namespace reye::solver

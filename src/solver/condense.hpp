@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "algebra/factor.hpp"
 #include "solver/reduction.hpp"
 #include "solver/system.hpp"
 
@@ -14,12 +15,16 @@ struct PlacedNode {
   int free = 0;                               ///< number of its own free columns: they come last
 };
 
-/// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node
-/// gives lambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions.
+/// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node gives
+/// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. Once solved, the
+/// matrix serves other residuals, too: `again`.
 class Condenser {
  public:
-  /// An empty matrix; `rhs`: minus the bodies' residual.
+  /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included.
   void start(const System& system, const Vector& rhs);
+
+  /// The last matrix with another right-hand side; of what follows, `eliminate`, `fix` and `solve` renew that alone.
+  void again(const Vector& rhs) { b_ = rhs; }
 
   /// Tangent of a body whose columns start at `at`.
   void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
@@ -29,8 +34,7 @@ class Condenser {
                    const std::vector<Vec2>& lambda, const Reduction& reduction, const Vector& q);
 
   /// Eliminates the multipliers of one contact; contacts come in the order of System::elimination.
-  void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                 const std::vector<Vec2>& lambda);
+  void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes);
 
   /// Moves a column by a given amount.
   void fix(int column, double by);
@@ -38,24 +42,39 @@ class Condenser {
   /// dq. Throws base::SolveError when the matrix is singular.
   Vector solve();
 
-  /// lambda of a contact after the step dq; zero at inactive nodes.
-  void recover(int contact, const Vector& dq, std::vector<Vec2>& lambda) const;
+  /// Takes lambda of a contact along the step dq; zero at inactive nodes.
+  void advance(int contact, const Vector& dq, std::vector<Vec2>& lambda) const;
 
  private:
+  /// A share of one reduced column's equation, of or for a component of dlambda.
+  struct Share {
+    int column = 0, component = 0;
+    double factor = 0.0;
+  };
+  struct Condition {
+    int column = 0, row = 0;  ///< row: 2 * node (normal), 2 * node + 1 (tangential)
+    double scale = 0.0;
+  };
   struct Elimination {
-    Matrix slope;            ///< d(lambda)/dq, one component per column
+    Matrix slope;                       ///< d(lambda)/dq, one component per column
     Vector constant;
-    std::vector<int> place;  ///< first column of a node, -1 when inactive
+    std::vector<int> place;             ///< first column of a node, -1 when inactive
+    std::vector<Share> from, to, met;   ///< dlambda from balances, into the rows it loads, into the conditions
+    std::vector<Condition> conditions;
   };
   void express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) const;
-  void load(const PlacedNode& node, const Elimination& elim, int from, double factor);
-  void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda,
-                  const Elimination& elim, const contact::Linearised& linearised);
+  void load(const PlacedNode& node, Elimination& elim, int from, double factor);
+  void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
+                  const contact::Linearised& linearised);
+  void right_hand_side(const contact::Interface& face, Elimination& elim);
   void turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
             const Vector& q);
 
   Matrix At_;  ///< transposed: one equation per column
   Vector b_;
+  algebra::DenseFactor factor_;
+  bool factored_ = false;
+  Matrix weight_;  ///< of the conditions in the components of dlambda: one condition per column
   std::vector<contact::Linearised> linearised_;
   std::vector<Elimination> elimination_;
   std::vector<std::vector<Vec2>> turned_;  ///< per body: forces on its contact nodes

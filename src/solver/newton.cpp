@@ -119,12 +119,11 @@ Vector Newton::residual(const System& system, const Controls& controls, const Ve
   return r;
 }
 
-/// Balance and conditions at (q, lambda); structural_ keeps the bodies' residual without contact.
+/// Balance and conditions at (q, lambda); balance_ keeps the unbalanced forces.
 Iteration Newton::measure(const System& system, const Controls& controls, const Vector& q, bool fresh) {
   Iteration row;
-  structural_ = residual(system, controls, q);
-  Vector balance = structural_;
-  double largest = largest_of(structural_.cwiseQuotient(arm_)), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
+  balance_ = residual(system, controls, q);
+  double largest = largest_of(balance_.cwiseQuotient(arm_)), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
   suspects_.unmet = {};
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
@@ -133,7 +132,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
     largest = std::max(largest, largest_of(f));
     for (std::size_t k = 0; k < nodes_[c].size(); ++k)
       for (int t = 0; t < nodes_[c][k].position.count; ++t)
-        balance[nodes_[c][k].column[t]] += nodes_[c][k].position.terms[t].direction.dot(f.segment<2>(2 * static_cast<int>(k)));
+        balance_[nodes_[c][k].column[t]] += nodes_[c][k].position.terms[t].direction.dot(f.segment<2>(2 * static_cast<int>(k)));
     for (std::size_t j = 0; j < lambda_[c].size(); ++j) {
       const int node = static_cast<int>(j);
       if (!face.active(node)) continue;
@@ -152,7 +151,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
       count(face.status()[j] == ContactStatus::slip || face.held() ? std::abs(r) : overlap(r));
     }
   }
-  for (const auto& [column, value] : controls.prescribed) balance[reduction_.index(column)] = 0.0;
+  for (const auto& [column, value] : controls.prescribed) balance_[reduction_.index(column)] = 0.0;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const Matrix& S = this->stiffness(b);
     const auto arm = arm_.segment(reduction_.first(static_cast<int>(b)), S.rows());
@@ -162,7 +161,7 @@ Iteration Newton::measure(const System& system, const Controls& controls, const 
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
   const double rounding = 1e-13 * stiffness * largest_of(q.cwiseProduct(arm_));  // of S q under rigid motion: no force
   Eigen::Index column = -1;
-  const double outside = balance.size() ? balance.cwiseQuotient(arm_).cwiseAbs().maxCoeff(&column) : 0.0;
+  const double outside = balance_.size() ? balance_.cwiseQuotient(arm_).cwiseAbs().maxCoeff(&column) : 0.0;
   suspects_.unbalanced = inside > outside ? -1 : static_cast<int>(column);
   row.force = std::max(0.0, std::max(outside, inside) - rounding) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
@@ -214,26 +213,30 @@ Newton::Fit Newton::accept(const System& system, const Vector& q, SolveResult& r
   return Fit::good;
 }
 
-/// One semi-smooth Newton step about (q, lambda): returns dq and takes lambda over. Throws base::SolveError when the
-/// matrix is singular.
-Vector Newton::step(const System& system, const Controls& controls, const Vector& q) {
-  condenser_.start(system, -structural_);
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int at = reduction_.first(static_cast<int>(b));
-    if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-      condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
-    else
-      condenser_.add_body(at, stiffness(b));
+/// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and takes
+/// lambda along. Throws base::SolveError when the matrix is singular.
+Vector Newton::step(const System& system, const Controls& controls, const Vector& q, bool chord) {
+  if (chord) {
+    condenser_.again(-balance_);
+  } else {
+    condenser_.start(system, -balance_);
+    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+      const int at = reduction_.first(static_cast<int>(b));
+      if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
+        condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
+      else
+        condenser_.add_body(at, stiffness(b));
+    }
+    for (std::size_t c = 0; c < interfaces_.size(); ++c)
+      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
   }
-  for (std::size_t c = 0; c < interfaces_.size(); ++c)
-    condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
-  for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c], lambda_[c]);
+  for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c]);
   for (const auto& [column, value] : controls.prescribed) {
     const int at = reduction_.index(column);
     condenser_.fix(at, value - q[at]);
   }
   const Vector dq = condenser_.solve();
-  for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.recover(static_cast<int>(c), dq, lambda_[c]);
+  for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
   return dq;
 }
 
@@ -253,11 +256,13 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     report.reason = error.what();
     return result;
   }
-  const auto small = [&](const Iteration& row) {
-    return row.force < options_.force_tolerance && row.condition < options_.condition_tolerance;
+  /// Of the tolerances.
+  const auto error_of = [&](const Iteration& row) {
+    return std::max(row.force / options_.force_tolerance, row.condition / options_.condition_tolerance);
   };
   ActiveSetWatch watch;
-  bool late = false;
+  ChordRule rule;
+  bool late = false, on_chord = false;
   suspects_ = {};
   int renewals = 0, limit = most_on_one_tangent;
   for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
@@ -267,7 +272,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     const int stage = late ? options_.max_iterations : iteration;
     const int changes = decide(stage, predicted, one_by_one ? Allowed::none : Allowed::all);
     Iteration row = measure(system, controls, q, fresh);
-    if (one_by_one && changes > 0 && small(row)) {
+    if (one_by_one && changes > 0 && error_of(row) < 1.0) {
       decide(stage, predicted, Allowed::one);
       row = measure(system, controls, q, fresh);
     }
@@ -280,10 +285,13 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       report.reason = "the residual is not finite after " + std::to_string(iteration) + " iterations";
       return result;
     }
-    bool met = iteration > 0 && changes == 0 && small(row);
+    const double off = error_of(row);
+    bool chord = options_.chords && rule.allows(off, changes);
+    // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
+    bool met = iteration > 0 && changes == 0 && off < (on_chord && chord ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
     if (met && !late && decide(options_.max_iterations, predicted, one_by_one ? Allowed::one : Allowed::all) != 0) {
-      met = false;
+      met = chord = false;
       late = true;
       measure(system, controls, q, fresh);
     }
@@ -299,6 +307,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       report.reason = nonlinear_.renew(q, lambda_);
       if (!report.reason.empty()) return result;
       watch = {};
+      rule = {};
       limit = most_on_one_tangent;
       iteration = 0;
       since = -1;
@@ -306,8 +315,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     }
     if (iteration == options_.max_iterations || suspects_.circles) break;
     try {
-      const Vector dq = step(system, controls, q);
+      const Vector dq = step(system, controls, q, chord);
+      on_chord = chord;
       ++report.solves;
+      report.matrices += chord ? 0 : 1;
       q += dq;
       // Far out the rounding of S q hides that nothing is in balance any more.
       const double way = largest_of(dq.cwiseProduct(arm_)), bound = 1e3 * system.extent;
@@ -331,9 +342,10 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   const bool predicted = controls.continues > 0.0 && last_step_.size() == before.q.size();
   SolveResult result = iterate(system, before, controls, predicted);
   if (predicted && !result.report.converged) {
-    const int solves = result.report.solves;
+    const int solves = result.report.solves, matrices = result.report.matrices;
     result = iterate(system, before, controls, false);
     result.report.solves += solves;
+    result.report.matrices += matrices;
   }
   if (!result.report.converged) return result;
   last_step_ = result.state.q - before.q;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "solver/active_set_watch.hpp"
+#include "solver/chord_rule.hpp"
 #include "solver/nonlinear_bodies.hpp"
 #include "solver/reduction.hpp"
 #include "solver/report.hpp"
@@ -34,7 +35,7 @@ class Newton {
   int decide(int iteration, bool predicted, Allowed allowed);
   ActiveSetWatch::Set active_set() const;
   bool touching() const;
-  Vector step(const System& system, const Controls& controls, const Vector& q);
+  Vector step(const System& system, const Controls& controls, const Vector& q, bool chord);
   Fit accept(const System& system, const Vector& q, SolveResult& result);
 
   NewtonOptions options_;
@@ -48,7 +49,7 @@ class Newton {
   std::vector<Sides> sides_, start_;            ///< where the surface nodes are, and where the increment found them
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
-  Vector structural_, loads_, arm_;        ///< on the reduced columns
+  Vector balance_, loads_, arm_;           ///< on the reduced columns
   Suspects suspects_;
 };
 

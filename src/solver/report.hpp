@@ -12,6 +12,7 @@ struct NewtonOptions {
   double force_tolerance = 1e-10;      ///< of the largest force in the system
   double condition_tolerance = 1e-9;   ///< of the largest multiplier
   bool limit_reach = true;             ///< condense out contact nodes that are far from contact
+  bool chords = true;                  ///< keep a factorised matrix while the error falls fast; false: Newton's every time
 };
 
 /// One row of a Newton table.
@@ -25,7 +26,8 @@ struct SolveReport {
   bool converged = false;
   std::string reason;  ///< empty when converged
   std::vector<Iteration> table;
-  int solves = 0;
+  int solves = 0;    ///< steps taken
+  int matrices = 0;  ///< built and factorised for them
 };
 
 struct SolveResult {

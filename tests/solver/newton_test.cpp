@@ -39,10 +39,13 @@ struct Played {
   solver::SolveReport report;
 };
 
+/// Newton's steps alone.
+const solver::NewtonOptions no_chords{.chords = false};
+
 /// One increment from rest, and one more that goes on.
 Played play(const Assembly& a, double first = 1.0, double second = 1.2) {
   const auto system = support::system_of(a);
-  solver::Newton newton;
+  solver::Newton newton(no_chords);
   const auto start = newton.solve(system, support::fresh(system), support::controls_of(a, system, first));
   expect_quadratic_tail(start.report);
   if (!start.report.converged) return {support::fresh(system), start.report};
@@ -110,6 +113,26 @@ TEST(newton, quadratic_with_a_turning_rigid_body) {
   o.rotation = 0.035;
   const auto played = play(support::blocks(o));
   EXPECT_GT(played.state.contacts[0].frictional_work, 0.0);
+}
+
+// Chords must lead to the state that Newton's steps lead to, with fewer matrices, wear included.
+TEST(newton, chords_change_nothing_but_the_cost) {
+  const wear::Law law{LawKind::energy, 1e-3, 2e-3};
+  const auto a = support::blocks({.friction = 0.3, .wear = law, .press = 0.03, .drag = 0.1, .angle = 0.4});
+  const auto system = support::system_of(a);
+  const auto controls = support::controls_of(a, system);
+  const auto steps = solver::Newton(no_chords).solve(system, support::fresh(system), controls);
+  const auto chords = solver::Newton().solve(system, support::fresh(system), controls);
+  ASSERT_TRUE(steps.report.converged && chords.report.converged) << chords.report.reason;
+  EXPECT_EQ(steps.report.matrices, steps.report.solves);
+  EXPECT_LT(chords.report.matrices, steps.report.matrices);
+  EXPECT_LT((chords.state.q - steps.state.q).norm(), 1e-11 * steps.state.q.norm());
+  double largest = 0.0, difference = 0.0;
+  for (std::size_t j = 0; j < steps.state.contacts[0].lambda.size(); ++j) {
+    largest = std::max(largest, steps.state.contacts[0].lambda[j].norm());
+    difference = std::max(difference, (chords.state.contacts[0].lambda[j] - steps.state.contacts[0].lambda[j]).norm());
+  }
+  EXPECT_LT(difference, 1e-9 * largest);
 }
 
 // A solve that runs out of iterations must be a result that says so, and keeps its table.

@@ -16,11 +16,12 @@ struct Row {
   solver::Iteration at;
 };
 
-/// Newton tables of all increments of a scene's steps, each from the accepted state before it.
+/// Newton tables of all increments of a scene's steps, each from the accepted state before it; without chords.
 std::vector<Row> newton_rows(const std::string& text) {
   const auto problem = prepared(text);
   auto state = sim::initial_state(problem);
   sim::Cache cache;
+  cache.newton = solver::Newton({.chords = false});
   sim::begin_state(problem, state, cache);
   const auto& system = sim::system_of(problem, state, cache);
   std::vector<Row> rows;

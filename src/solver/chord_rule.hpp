@@ -1,0 +1,20 @@
+#pragma once
+
+namespace reye::solver {
+
+/// Tells when Newton may go on a chord, with the matrix of an earlier iteration: to build and factorise a new one costs
+/// several times what the residuals do. It may while no node changes status and every step takes the error to a tenth.
+class ChordRule {
+ public:
+  /// Of every iteration before its step: error of the state and number of nodes that changed status.
+  bool allows(double error, int changes) {
+    const bool allowed = changes == 0 && error < 0.1 * last_;
+    last_ = error;
+    return allowed;
+  }
+
+ private:
+  double last_ = 0.0;  ///< without a matrix nothing is allowed
+};
+
+}  // namespace reye::solver
