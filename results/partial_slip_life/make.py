@@ -1,16 +1,22 @@
 #!/usr/bin/env python3
-"""Partial-slip fretting towards its state without further wear (references B4), for several element sizes."""
+"""Partial-slip fretting towards its state without further wear (references B4), for several element sizes; and the
+edge forces of a flat punch, pressed and sheared, on the same meshes (reye-bench), which tell where its stick edge ends."""
+import json
 import math
 import pathlib
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import figure, run, value_at, write_csv, write_measured  # noqa: E402
+from wear_case import REYE, figure, run, value_at, write_csv, write_measured  # noqa: E402
 
 A, P0, R, MU = 0.0913360, 836.410, 6.0, 0.6
 C = A * math.sqrt(0.5)
 LIMIT = 0.15674e-3                # largest depth of the limit [mm]
-SIZES = {20: 0.009, 40: 0.0045, 80: 0.00225}   # elements across the first contact
+SIZES = {(1, 20): 0.009, (1, 40): 0.0045, (1, 80): 0.00225,
+         (2, 20): 0.009, (2, 30): 0.006, (2, 40): 0.0045}   # order, elements across the first contact
+SECOND_ORDER = [('material = "steel"\nmesh', 'material = "steel"\norder = 2\nmesh'),
+                ("friction  =", 'dual      = "linear"\nfriction  =')]
 
 
 def largest_depth(c):
@@ -30,10 +36,19 @@ def centre(rows):
     return sum(r["x_mm"] * r["pressure_MPa"] for r in rows) / force
 
 
+def edge_ratios():
+    """Edge force of a sheared over that of a pressed flat punch, by order and elements across."""
+    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), "--benchmark_filter=^punch", "--benchmark_format=json"],
+                          check=True, capture_output=True, text=True).stdout
+    return {tuple(int(n) for n in b["name"].split("/")[1:3]): b["edge_ratio"] for b in json.loads(told)["benchmarks"]}
+
+
 def main():
     measured, sizes, profiles, growth = {}, [], [], []
-    for across, h in SIZES.items():
-        result = run("partial_slip_life", f"across_{across}", [("size_mm = 0.0045", f"size_mm = {h}")])
+    ratios = edge_ratios()
+    for (order, across), h in SIZES.items():
+        result = run("partial_slip_life", f"order_{order}_across_{across}",
+                     [("size_mm = 0.0045", f"size_mm = {h}"), *(SECOND_ORDER if order == 2 else [])])
         frames = result.frames("secondary")
         depth = {cycle: max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
         rows = frames[-1][1]
@@ -41,12 +56,17 @@ def main():
         pressure = value_at(rows, "pressure_MPa", centre(rows)) / P0
         wear = [d for _, d in sorted(depth.items())]   # at the ends of blocks: inside, history.csv has what is yet to be extrapolated
         counts = result.summary["counts"]
-        sizes.append([across, h, depth[1000.0] / LIMIT, depth[10000.0] / LIMIT, own, C, pressure,
+        ratio = ratios[order, across]
+        # Sticking needs ratio Q / mu <= P (1 - (c/a)^2), the part of the load that a flat punch of half width c carries.
+        expected = min(C, A * math.sqrt(1.0 - 0.5 * ratio))
+        sizes.append([order, across, h, ratio, expected, depth[1000.0] / LIMIT, depth[10000.0] / LIMIT, own, C, pressure,
                       counts["cycles_solved"], result.summary["estimated_error"]["cycle_jump"], result.summary["cpu_s"]])
-        growth += [[across, cycle * 2.5e-3, d / LIMIT] for cycle, d in depth.items()]
-        profiles += [[across, r["x_mm"], 1e3 * r["wear_depth_mm"], r["pressure_MPa"], r["status"]]
+        growth += [[order, across, cycle * 2.5e-3, d / LIMIT] for cycle, d in depth.items()]
+        profiles += [[order, across, r["x_mm"], 1e3 * r["wear_depth_mm"], r["pressure_MPa"], r["status"]]
                      for r in rows if abs(r["x_mm"]) < 0.125]
-        if across == 40:
+        measured[f"edge_order_{order}_across_{across}"] = own / C
+        measured[f"edge_ratio_order_{order}_across_{across}"] = ratio
+        if (order, across) == (1, 40):
             measured.update({
                 "cycles_solved": counts["cycles_solved"],
                 "depth_at_2.5_over_limit": depth[1000.0] / LIMIT,
@@ -58,12 +78,13 @@ def main():
                 "largest_drop_of_depth": max(0.0, max(a - b for a, b in zip(wear, wear[1:]))) / wear[-1],
                 "cpu_s": result.summary["cpu_s"],
                 "ledger": result.contact["ledger_relative_error"]})
-    write_csv("sizes.csv", ["across", "h_mm", "depth_at_2.5", "depth_at_25", "stick_edge_mm", "exact_c_mm",
-                            "p0_ratio", "cycles_solved", "estimate", "cpu_s"], sizes)
-    write_csv("profiles.csv", ["across", "x_mm", "depth_um", "pressure_MPa", "status"], profiles)
-    write_csv("growth.csv", ["across", "alpha_N_mm3_per_J", "depth_over_limit"], growth)
+    write_csv("sizes.csv", ["order", "across", "h_mm", "punch_edge_ratio", "expected_edge_mm", "depth_at_2.5", "depth_at_25",
+                            "stick_edge_mm", "exact_c_mm", "p0_ratio", "cycles_solved", "estimate", "cpu_s"], sizes)
+    write_csv("profiles.csv", ["order", "across", "x_mm", "depth_um", "pressure_MPa", "status"], profiles)
+    write_csv("growth.csv", ["order", "across", "alpha_N_mm3_per_J", "depth_over_limit"], growth)
     write_measured(measured)
-    lines = ", ".join(f"'< grep ^{n}, profiles.csv' using 2:3 with linespoints pt 7 ps 0.4 title '{n} elements across'" for n in SIZES)
+    lines = ", ".join(f"'< grep ^{k},{n}, profiles.csv' using 3:4 with linespoints pt 7 ps 0.4 title 'order {k}, {n} across'"
+                      for k, n in SIZES if n != 20)
     figure(f"a = {A}\nc = {C}\nset samples 1000\nset xrange [-0.125:0.125]\nset yrange [0:0.4]\n"
            f"w(x) = abs(x) <= c ? 0 : (a**2 * acosh(abs(x) / c) - abs(x) * sqrt(x**2 - c**2)) / {2.0 * R} * 1e3\n"
            "set xlabel 'x [mm]'\nset ylabel 'depth [um]'\n"
