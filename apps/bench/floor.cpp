@@ -34,7 +34,9 @@ base::SparseMatrix ordered_stiffness(const sim::Problem& problem, const mesh::Me
     for (std::size_t i = 0; i < last.size(); ++i)
       for (int c = 0; last[i] == wanted && c < 2; ++c) to.indices()[2 * static_cast<int>(i) + c] = place++;
   }
-  return base::SparseMatrix(K.twistedBy(to));
+  base::SparseMatrix ordered;
+  ordered = K.twistedBy(to);
+  return ordered;
 }
 
 struct Costs {
