@@ -18,7 +18,10 @@ std::string words(const char* format, double value) {
 
 /// Flat blocks: sharp corners of the slider press on the base.
 Member flat(const std::string& group, const std::string& name) {
-  Member m{group, name, {}, rubbing, {}, {}, {}, 500, {}, 0.0};
+  Member m;
+  m.group = group;
+  m.name = name;
+  m.scene = rubbing;
   m.blocks.slider = {.x0 = 1.0, .x1 = 3.0, .nx = 8, .ny = 4};
   m.blocks.base = {.x0 = 0.0, .x1 = 4.0, .y0 = -1.0, .nx = 14, .ny = 4};
   return m;
