@@ -1,0 +1,71 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/active_set_watch.hpp"
+#include "solver/nonlinear_bodies.hpp"
+#include "solver/reduction.hpp"
+#include "solver/report.hpp"
+
+namespace reye::solver {
+
+/// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: what an iteration places,
+/// decides, measures and solves. Work space is kept between increments; so are the reach and the last increment, until
+/// `forget`.
+class Increment {
+ public:
+  void forget();
+  /// `accepted` is the state that this increment has led to.
+  void remember(const SolverState& before, const SolverState& accepted);
+  /// Whether `before` is of the system whose last increment is remembered.
+  bool follows(const SolverState& before) const { return last_step_.size() == before.q.size(); }
+
+  /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
+  void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
+
+  /// From `before`, or where the last increment would lead that goes on `continues` times as far. Returns q; throws
+  /// base::SolveError when a nonlinear body can not be linearised there.
+  Vector begin(const System& system, const SolverState& before, const Controls& controls, double continues);
+
+  /// Moves the surfaces to where q puts them, and integrates.
+  void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
+  /// Number of nodes that ask for another status; those that are allowed to get it.
+  int decide(int iteration, bool predicted, Allowed allowed);
+  /// Balance and conditions at (q, lambda).
+  Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
+  /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
+  /// takes lambda along. Throws base::SolveError when the matrix is singular.
+  Vector step(const System& system, const Controls& controls, const Vector& q, bool chord);
+  /// Linearises nonlinear bodies anew where contact left them. Returns why it can not be done.
+  std::string renew(Vector& q);
+  /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
+  bool accept(const System& system, const Vector& q, SolverState& state);
+
+  bool nonlinear() const { return nonlinear_.any(); }
+  bool touching() const;  ///< whether a node of some contact is active
+  ActiveSetWatch::Set active_set() const;
+  double way(const Vector& dq) const;  ///< largest motion of a step [mm], rotations at the contacts' extent
+  /// Why no state was found, with the nodes concerned.
+  std::string not_found(const System& system, const std::vector<Iteration>& table, const NewtonOptions& options,
+                        bool circles) const;
+
+ private:
+  void integrate(const System& system, const Vector& q, bool everything);
+  Vector residual(const System& system, const Controls& controls, const Vector& q) const;
+  const Matrix& stiffness(std::size_t body) const;
+
+  Reach reach_;
+  Reduction reduction_;
+  bool reach_chosen_ = false;
+  Vector last_step_;                            ///< dq of the last accepted increment
+  NonlinearBodies nonlinear_;
+  std::vector<contact::Interface> interfaces_;
+  Multipliers lambda_;
+  std::vector<Sides> sides_, start_;            ///< where the surface nodes are, and where the increment found them
+  std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
+  Condenser condenser_;
+  Vector balance_, loads_, arm_;                ///< on the reduced columns
+  Suspects suspects_;
+};
+
+}  // namespace reye::solver
