@@ -151,6 +151,7 @@ NonlinearBody::NonlinearBody(ShapePtr shape, const BodyInput& input)
 NonlinearBody::NonlinearBody(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 NonlinearBody NonlinearBody::unyielding() const {
+  if (!material::has_history(impl_->solid.material)) return *this;
   auto impl = std::make_shared<Impl>(*impl_);
   impl->solid.material = material::unyielding(impl->solid.material);
   return NonlinearBody(std::move(impl));
