@@ -1,13 +1,10 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scene/read.hpp"
-#include "sim/problem.hpp"
+#include "support/problem.hpp"
 
 /// Problems made from scene text.
 namespace reye::test {
@@ -70,17 +67,9 @@ inline std::string with(std::string text, const std::vector<std::pair<std::strin
   return text;
 }
 
-/// The problem of a scene beside its geometry, both written to a folder that is removed again.
+/// The problem of a scene with the two blocks beside it.
 inline sim::Problem problem_of(const std::string& scene_text, double gap = 0.0) {
-  auto name = (std::filesystem::temp_directory_path() / "reye_sim_XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-  const std::filesystem::path folder(name);
-  std::ofstream(folder / "blocks.geo") << two_blocks(gap);
-  std::ofstream(folder / "scene.toml") << scene_text;
-  const auto scene = scene::read((folder / "scene.toml").string());
-  const auto problem = sim::prepare(scene);
-  std::filesystem::remove_all(folder);
-  return problem;
+  return support::problem_from({{"blocks.geo", two_blocks(gap)}, {"scene.toml", scene_text}});
 }
 
 }  // namespace reye::test

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/errors.hpp"
 #include "material/parameters.hpp"
-#include "scene/read.hpp"
 #include "scene/rewrite.hpp"
 #include "sim/block.hpp"
+#include "support/problem.hpp"
 
 namespace reye::test {
 
@@ -31,17 +29,9 @@ std::string scene_of(const Member& member) {
 }
 
 sim::Problem prepared(const Member& member) {
-  auto name = (std::filesystem::temp_directory_path() / "reye_stability_XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-  const std::filesystem::path folder(name);
-  std::ofstream(folder / "slider.msh") << slider_file(member.blocks, member.units.length);
-  std::ofstream(folder / "base.msh") << base_file(member.blocks, member.units.length);
-  std::ofstream(folder / "scene.toml") << scene_of(member);
-  const struct Remove {
-    const std::filesystem::path& folder;
-    ~Remove() { std::filesystem::remove_all(folder); }
-  } remove{folder};
-  return sim::prepare(scene::read((folder / "scene.toml").string()));
+  return support::problem_from({{"slider.msh", slider_file(member.blocks, member.units.length)},
+                                {"base.msh", base_file(member.blocks, member.units.length)},
+                                {"scene.toml", scene_of(member)}});
 }
 
 /// Watches one run.
