@@ -37,6 +37,18 @@ class Run:
         return self.frames(side)[-1][1]
 
 
+def benchmarks(pattern):
+    """What reye-bench tells of the benchmarks whose name fits a pattern: name, label, counters of each.
+    One that failed ends the case."""
+    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), f"--benchmark_filter={pattern}", "--benchmark_format=json"],
+                          check=True, capture_output=True, text=True).stdout
+    runs = json.loads(told)["benchmarks"]
+    for run in runs:
+        if run.get("error_occurred"):
+            raise SystemExit(f"{run['name']}: {run['error_message']}")
+    return runs
+
+
 def read_csv(path):
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))

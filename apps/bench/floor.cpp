@@ -2,11 +2,10 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <ctime>
 
 #include "algebra/factor.hpp"
-#include "fem/stiffness.hpp"
+#include "factorisations.hpp"
 #include "scene/read.hpp"
 #include "sim/block.hpp"
 
@@ -19,13 +18,11 @@ using namespace reye;
 double cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// The stiffness of a body, rigid motions held, with the dofs of its contact nodes last.
-base::SparseMatrix ordered_stiffness(const sim::Problem& problem, const mesh::Mesh& mesh, int body, int& retained) {
-  const auto& input = problem.inputs[body];
-  auto K = fem::stiffness(mesh, input.material, problem.scene.analysis, input.b_bar);
-  const double mean = K.diagonal().mean();
-  for (Eigen::Index i = 0; i < K.rows(); ++i) K.coeffRef(i, i) += 1e-6 * mean;
+base::SparseMatrix ordered_stiffness(const sim::Problem& problem, const sim::State& state, int body, int& retained) {
+  const auto K = bench::held_stiffness(problem, state, body);
+  const auto& mesh = state.shapes[body]->mesh;
   std::vector<char> last(mesh.X.size(), 0);
-  for (const auto& name : input.contact_boundaries)
+  for (const auto& name : problem.inputs[body].contact_boundaries)
     for (int node : mesh::nodes_of(mesh.boundaries.at(name))) last[static_cast<std::size_t>(node)] = 1;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to(K.rows());
   int place = 0;
@@ -49,7 +46,7 @@ Costs factorisation(const sim::Problem& problem, const sim::State& state) {
   Costs costs;
   for (int b = 0; b < problem.body_count(); ++b) {
     int retained = 0;
-    const auto K = ordered_stiffness(problem, state.shapes[b]->mesh, b, retained);
+    const auto K = ordered_stiffness(problem, state, b, retained);
     costs.dofs += K.rows();
     costs.retained += retained / 2;
     double start = cpu();
@@ -92,10 +89,6 @@ void floor_of_a_cycle(benchmark::State& run) {
     cycles.push_back(cpu() - start);
     costs.push_back(factorisation(problem, state));
   }
-  const auto middle = [](std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-    return v[v.size() / 2];
-  };
   std::vector<double> plain, condensed;
   for (const auto& c : costs) {
     plain.push_back(c.plain);
@@ -105,10 +98,10 @@ void floor_of_a_cycle(benchmark::State& run) {
   getrusage(RUSAGE_SELF, &used);
   run.counters["dofs"] = static_cast<double>(costs.front().dofs);
   run.counters["contact_nodes"] = static_cast<double>(costs.front().retained);
-  run.counters["factorisation_s"] = middle(plain);
-  run.counters["condensing_in_factorisations"] = middle(condensed) / middle(plain);
-  run.counters["cycle_s"] = middle(cycles);
-  run.counters["cycle_in_factorisations"] = middle(cycles) / middle(plain);
+  run.counters["factorisation_s"] = bench::median(plain);
+  run.counters["condensing_in_factorisations"] = bench::median(condensed) / bench::median(plain);
+  run.counters["cycle_s"] = bench::median(cycles);
+  run.counters["cycle_in_factorisations"] = bench::median(cycles) / bench::median(plain);
   run.counters["peak_kB_per_dof"] = static_cast<double>(used.ru_maxrss) / static_cast<double>(costs.front().dofs);
 }
 

@@ -1,11 +1,10 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
 #include "algebra/factor.hpp"
-#include "fem/stiffness.hpp"
+#include "factorisations.hpp"
 #include "scene/read.hpp"
 #include "sim/block.hpp"
 
@@ -18,20 +17,12 @@ using clock_type = std::chrono::steady_clock;
 
 double since(clock_type::time_point start) { return std::chrono::duration<double>(clock_type::now() - start).count(); }
 
-double median(std::vector<double> v) {
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
-
 /// Seconds of assembling nothing and factorising once, ordering included, both bodies.
 double factorisation(const sim::Problem& problem, const sim::State& state, long& dofs) {
   double seconds = 0.0;
   dofs = 0;
   for (int b = 0; b < problem.body_count(); ++b) {
-    const auto& input = problem.inputs[b];
-    auto K = fem::stiffness(state.shapes[b]->mesh, input.material, problem.scene.analysis, input.b_bar);
-    const double mean = K.diagonal().mean();
-    for (Eigen::Index i = 0; i < K.rows(); ++i) K.coeffRef(i, i) += 1e-6 * mean;  // rigid motions held
+    const auto K = bench::held_stiffness(problem, state, b);
     dofs += K.rows();
     const auto start = clock_type::now();
     const algebra::Cholesky factor(K);
@@ -69,10 +60,10 @@ void remesh(benchmark::State& run) {
     factor.push_back(factorisation(problem, state, dofs));
   }
   run.counters["dofs"] = static_cast<double>(dofs);
-  run.counters["gmsh_s"] = median(gmsh);
-  run.counters["own_s"] = median(own);
-  run.counters["factorisation_s"] = median(factor);
-  run.counters["own_in_factorisations"] = median(own) / median(factor);
+  run.counters["gmsh_s"] = bench::median(gmsh);
+  run.counters["own_s"] = bench::median(own);
+  run.counters["factorisation_s"] = bench::median(factor);
+  run.counters["own_in_factorisations"] = bench::median(own) / bench::median(factor);
 }
 
 BENCHMARK(remesh)->Arg(1)->Arg(2)->Arg(4)->Iterations(5)->Unit(benchmark::kMillisecond);

@@ -1,21 +1,17 @@
 #!/usr/bin/env python3
 """What condensing and a whole wear cycle cost in plain factorisations of the same stiffness, at two sizes (reye-bench)."""
-import json
 import math
 import pathlib
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, write_csv, write_measured  # noqa: E402
+from wear_case import benchmarks, write_csv, write_measured  # noqa: E402
 
 COLUMNS = ("dofs", "contact_nodes", "factorisation_s", "condensing_in_factorisations", "cycle_s", "cycle_in_factorisations")
 
 
 def main():
-    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), "--benchmark_filter=^floor", "--benchmark_format=json"],
-                          check=True, capture_output=True, text=True).stdout
-    rows = [[run[c] for c in COLUMNS] for run in json.loads(told)["benchmarks"]]
+    rows = [[run[c] for c in COLUMNS] for run in benchmarks("^floor")]
     write_csv("floor.csv", COLUMNS, rows)
     measured = {}
     for row in rows:

@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
 """Plastic state from mesh to mesh by each choice: error against h, and what a hundred transfers leave (reye-bench)."""
-import json
 import math
 import pathlib
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, figure, write_csv, write_measured  # noqa: E402
+from wear_case import benchmarks, figure, write_csv, write_measured  # noqa: E402
 
 ERROR = ("way", "cells", "n", "error")
 DECAY = ("way", "cells", "front", "times", "peak", "integral", "error", "least")
@@ -18,9 +16,7 @@ def rows(runs, name, columns):
 
 
 def main():
-    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), "--benchmark_filter=^gauss_", "--benchmark_format=json"],
-                          check=True, capture_output=True, text=True).stdout
-    runs = json.loads(told)["benchmarks"]
+    runs = benchmarks("^gauss_")
     error, decay = rows(runs, "gauss_error", ERROR), rows(runs, "gauss_decay", DECAY)
     write_csv("error.csv", ERROR, error)
     write_csv("decay.csv", DECAY, decay)

@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """Partial-slip fretting towards its state without further wear (references B4), for several element sizes; and the
 edge forces of a flat punch, pressed and sheared, on the same meshes (reye-bench), which tell where its stick edge ends."""
-import json
 import math
 import pathlib
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, figure, run, value_at, write_csv, write_measured  # noqa: E402
+from wear_case import benchmarks, figure, run, value_at, write_csv, write_measured  # noqa: E402
 
 A, P0, R, MU = 0.0913360, 836.410, 6.0, 0.6
 C = A * math.sqrt(0.5)
@@ -38,9 +36,7 @@ def centre(rows):
 
 def edge_ratios():
     """Edge force of a sheared over that of a pressed flat punch, by order and elements across."""
-    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), "--benchmark_filter=^punch", "--benchmark_format=json"],
-                          check=True, capture_output=True, text=True).stdout
-    return {tuple(int(n) for n in b["name"].split("/")[1:3]): b["edge_ratio"] for b in json.loads(told)["benchmarks"]}
+    return {tuple(int(n) for n in b["name"].split("/")[1:3]): b["edge_ratio"] for b in benchmarks("^punch")}
 
 
 def main():

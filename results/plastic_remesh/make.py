@@ -1,23 +1,17 @@
 #!/usr/bin/env python3
 """Plastic bodies pressed together and meshed anew many times: what each choice leaves of their plastic strain (reye-bench)."""
-import json
 import pathlib
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, figure, write_csv, write_measured  # noqa: E402
+from wear_case import benchmarks, figure, write_csv, write_measured  # noqa: E402
 
 PLAYS = ("held", "released", "pressed", "swung")
 
 
 def main():
-    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), "--benchmark_filter=^plastic_remesh",
-                           "--benchmark_format=json"], check=True, capture_output=True, text=True).stdout
     rows, measured = [], {}
-    for run in json.loads(told)["benchmarks"]:
-        if run.get("error_occurred"):
-            raise SystemExit(f"{run['name']}: {run['error_message']}")
+    for run in benchmarks("^plastic_remesh"):
         _, _, play, times, _ = run["name"].split("/")
         way, play, times = run["label"], PLAYS[int(play)], int(times)
         rows.append([way, play, 0, 1.0, 1.0])
