@@ -114,7 +114,8 @@ std::string probe_table(const RunData& run) {
 std::string error_table(const RunData& run) {
   const Json& error = part(run.summary, "estimated_error");
   std::vector<Row> rows;
-  for (const auto& [key, label] : {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh")})
+  for (const auto& [key, label] : {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
+                                  std::pair("kinematics", "of small strain")})
     if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
   return table({"Estimated relative error", ""}, rows);
 }

@@ -99,6 +99,7 @@ std::string summary_json(const sim::Summary& s) {
             {"estimated_error",
              {{"cycle_jump", value(s.error_cycle_jump)},
               {"discretisation", value(s.error_discretisation)},
+              {"kinematics", value(s.error_small_strain)},
               {"life_cycles", life_errors(s)}}},
             {"counts", counts(s.counts)},
             {"wall_s", value(s.wall_s)},

@@ -13,12 +13,21 @@ base::Analysis analysis_of(const Entry& root) {
   return base::Analysis::plane_strain;
 }
 
+namespace {
+
+std::optional<base::Kinematics> kinematics_of(const Entry& body) {
+  const auto name = body.text("kinematics");
+  if (name == "auto") return std::nullopt;
+  return name == "finite" ? base::Kinematics::finite : base::Kinematics::small;
+}
+
+}  // namespace
+
 std::map<std::string, BodyMaterial> body_materials_of(const Entry& root) {
   std::map<std::string, BodyMaterial> materials;
   for (const auto& entry : root.all("body"))
     materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar"),
-                               .kinematics = entry.text("kinematics") == "finite" ? base::Kinematics::finite
-                                                                                  : base::Kinematics::small};
+                               .kinematics = kinematics_of(entry)};
   return materials;
 }
 

@@ -51,8 +51,9 @@ constexpr Key table[] = {
     {"body.*.rigid", Type::flag, "", "false", any, "the body does not deform"},
     {"body.*.b_bar", Type::flag, "", "", any,
      "cure against volumetric locking, B-bar or (finite) F-bar; without it on for quads of order 1 in plane strain and axisymmetry"},
-    {"body.*.kinematics", Type::text, "", "small", one_of("small|finite"),
-     "strain measure; of the secondary body also that of its contact: per length on X (small) or on x (finite)"},
+    {"body.*.kinematics", Type::text, "", "small", one_of("small|finite|auto"),
+     "strain measure; of the secondary body also that of its contact: per length on X (small) or on x (finite); auto: small "
+     "where a trial estimates its error at 1 % or less, else finite, as `plan` tells; linear_elastic is then hencky"},
     {"body.*.order", Type::whole, "", "1", one_of("1|2"),
      "polynomial order of the elements: 2 puts a node on every edge, on curves of the outline; a mesh file of second order stays one"},
     {"body.*.mesh.element", Type::text, "", "quad", one_of("quad|tri"), "kind of the elements"},

@@ -25,7 +25,7 @@ using History = std::vector<std::array<double, 2>>;
 struct BodyMaterial {
   std::string material;  ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
-  base::Kinematics kinematics = base::Kinematics::small;
+  std::optional<base::Kinematics> kinematics = base::Kinematics::small;  ///< empty: the run chooses
 };
 
 struct Step {

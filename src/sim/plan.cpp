@@ -4,6 +4,7 @@
 
 #include "material/parameters.hpp"
 #include "sim/block.hpp"
+#include "sim/kinematics.hpp"
 
 namespace reye::sim {
 
@@ -21,6 +22,20 @@ const char* cell_name(mesh::CellKind kind) { return kind == mesh::CellKind::quad
 const char* law_name(const material::Material& material) {
   constexpr const char* names[] = {"linear elastic", "St Venant-Kirchhoff", "neo-Hookean", "Hencky", "Hencky with J2 plasticity"};
   return names[material.index()];
+}
+
+/// Why a body that leaves it to the run is strained as it is.
+void tell_kinematics(const Problem& p, int b, Plan& plan) {
+  if (!p.kinematics[b]) return;
+  const auto& [largest, failure] = *p.kinematics[b];
+  const bool finite = p.inputs[b].kinematics == base::Kinematics::finite;
+  const std::string start = "  kinematics auto: " + std::string(finite ? "finite strain, for " : "small strain, for ");
+  if (!failure.empty() && largest.error() <= small_strain_bound)
+    plan.lines.push_back(start + "the trial at small strain failed: " + failure);
+  else
+    plan.lines.push_back(start + text("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation %.2g %%), bound %g %%",
+                                      100.0 * largest.error(), finite ? " or more" : "", 100.0 * largest.strain, 100.0 * largest.rotation,
+                                      100.0 * small_strain_bound));
 }
 
 void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
@@ -46,7 +61,8 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
   plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
                             mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
-  plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames");
+  plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames" +
+                         (p.kinematics[b] ? " and, for the estimate of small strain, once a block" : ""));
 }
 
 std::string friction_of(const contact::ContactOptions& o) {
@@ -85,7 +101,10 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
 
 Plan make_plan(const Problem& p, const solver::System& system) {
   Plan plan;
-  for (int b = 0; b < p.body_count(); ++b) tell_body(p, system, b, plan);
+  for (int b = 0; b < p.body_count(); ++b) {
+    tell_body(p, system, b, plan);
+    tell_kinematics(p, b, plan);
+  }
   for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
   for (const auto& step : p.scene.steps) {
     if (step.cycles > 0.0)

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "cad/geometry.hpp"
 #include "scene/read.hpp"
+#include "sim/kinematics.hpp"
 #include "sim/plan.hpp"
 #include "sim/problem.hpp"
 
@@ -200,7 +201,7 @@ body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& bo
   if (body.rigid) return input;
   const auto& choice = scene.body_material.at(body.name);
   input.material = scene.materials.at(choice.material);
-  input.kinematics = choice.kinematics;
+  input.kinematics = choice.kinematics.value_or(base::Kinematics::small);
   input.b_bar = choice.b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
                                       scene.analysis != base::Analysis::plane_stress);
   return input;
@@ -229,6 +230,8 @@ Problem built(const scene::Scene& scene) {
                                         std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
     p.rigid.push_back(options.rigid);
     p.inputs.push_back(body_input(scene, options));
+    const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
+    p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
   }
   p.support_of.resize(p.inputs.size());
   Resolver resolve(scene, p.shapes);
@@ -241,10 +244,10 @@ Problem built(const scene::Scene& scene) {
   check_rigid_motions(p, issues);
   refuse(issues);
   Cache cache;
-  const auto& system = system_of(p, initial_state(p), cache);
-  check_facing(system, issues);
+  check_facing(system_of(p, initial_state(p), cache), issues);
   refuse(issues);
-  p.plan = make_plan(p, system);
+  if (choose_kinematics(p)) cache.shapes.clear();  // these bodies are other ones now
+  p.plan = make_plan(p, system_of(p, initial_state(p), cache));
   return p;
 }
 

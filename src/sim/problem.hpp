@@ -8,6 +8,7 @@
 #include "adapt/relocation.hpp"
 #include "body/operator.hpp"
 #include "contact/setup.hpp"
+#include "fem/distortion.hpp"
 #include "scene/scene.hpp"
 #include "sim/records.hpp"
 #include "solver/newton.hpp"
@@ -28,6 +29,12 @@ struct PlacedContact {
   double modulus_MPa = 0.0;  ///< stiffness scale of the pair
 };
 
+/// What decided the kinematics of a body that left it to the run: a trial at small strain.
+struct KinematicsChoice {
+  fem::Distortion largest;  ///< that it met
+  std::string failure;      ///< why it failed; empty when it did not
+};
+
 /// What each body and contact is, what is skipped and why: what `plan` prints is what runs.
 struct Plan {
   std::vector<std::string> lines;
@@ -43,6 +50,7 @@ struct Problem {
   std::vector<PlacedSupport> supports;           ///< in the order of the scene
   std::vector<PlacedContact> contacts;
   std::vector<body::ShapePtr> shapes;            ///< at the start
+  std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene says it
   Plan plan;
 
   int body_count() const { return static_cast<int>(inputs.size()); }
@@ -69,6 +77,7 @@ struct State {
   std::map<std::string, double> life_cycles;     ///< limits reached so far
   std::map<std::string, double> life_error;      ///< of those, by the error known of the cycle jump [cycles]
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
+  std::optional<double> small_strain_error;      ///< largest estimate so far where small strain was chosen
   Counts counts;
   bool shown = false;                            ///< this very state is a frame already: none is written twice
   std::vector<std::string> cutback_reasons;      ///< of the first `told_cutbacks`

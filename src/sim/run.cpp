@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
 #include "sim/jump.hpp"
+#include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
 
@@ -164,12 +166,26 @@ class Runner {
     state_.step_cycles += state_.cycle - cycle_before;
     ++state_.step_blocks;
     ++state_.counts.blocks;
+    watch_strain();
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
     const bool remeshed = state_.counts.remeshes > remeshes_before;
     if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed})) show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
+  }
+
+  /// Small strain that the trial found good enough may cease to be so as bodies wear.
+  void watch_strain() {
+    const auto now = small_strain_error(p_, state_, system_of(p_, state_, cache_));
+    const double before = state_.small_strain_error.value_or(0.0);
+    if (!now || *now <= before) return;
+    state_.small_strain_error = now;
+    if (before > small_strain_bound || *now <= small_strain_bound || !observer_.log) return;
+    char text[160];
+    std::snprintf(text, sizeof text, "warning: cycle %g: small strain was chosen, but its estimated error is now %.2g %%; "
+                  "kinematics = \"finite\" is without it", state_.cycle, 100.0 * *now);
+    observer_.log(text);
   }
 
   bool fail(const std::string& reason) {
@@ -210,6 +226,7 @@ class Runner {
     }
     s.life_error = state_.life_error;
     s.error_cycle_jump = state_.jump_error;
+    s.error_small_strain = state_.small_strain_error;
     s.counts = state_.counts;
     s.room_seconds = cache_.seconds;
     return s;

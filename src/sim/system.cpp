@@ -1,4 +1,5 @@
 #include "material/parameters.hpp"
+#include "sim/kinematics.hpp"
 #include "sim/problem.hpp"
 
 namespace reye::sim {
@@ -7,6 +8,7 @@ State initial_state(const Problem& problem) {
   State state;
   state.shapes = problem.shapes;
   for (const auto& [name, history] : problem.scene.histories) state.factors[name] = history.front()[1];
+  state.small_strain_error = chosen_small_error(problem);
   return state;
 }
 

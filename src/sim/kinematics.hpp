@@ -1,0 +1,21 @@
+#pragma once
+#include "sim/problem.hpp"
+
+namespace reye::sim {
+
+/// Estimated relative error up to which a body that leaves its kinematics to the run is small-strained.
+inline constexpr double small_strain_bound = 0.01;
+
+/// Decides between small and finite strain for the bodies that leave it to the run. A trial, with these bodies at small
+/// strain and without wear, plays every step once: a body whose error passes the bound at the end of an increment is
+/// finitely strained, and all are where the trial fails. LinearElastic, which is no law of finite strain, becomes there
+/// Hencky's of the same constants. True: some body is now finitely strained that was not.
+bool choose_kinematics(Problem& problem);
+
+/// Largest estimated error of the bodies whose small strain was chosen; empty where there is none.
+std::optional<double> chosen_small_error(const Problem& problem);
+
+/// The same at a state, in place of in the trial.
+std::optional<double> small_strain_error(const Problem& problem, const State& state, const solver::System& system);
+
+}  // namespace reye::sim
