@@ -12,8 +12,8 @@ struct Distortion {
   double strain = 0.0;
   double rotation = 0.0;
 
-  /// Relative error of small strain, to first order: strain measures, areas and densities differ by |eps|, the direction
-  /// of stress by |omega|. Instability, as of a slender column, is not seen.
+  /// Relative error of small strain, to first order: strain measures, areas and densities differ by |eps|, the
+  /// direction of stress by |omega|. Instability, as of a slender column, is not seen.
   double error() const { return strain + rotation; }
 };
 

@@ -17,7 +17,8 @@ bool small(const body::BodyInput& input) { return input.kinematics == base::Kine
 Problem trial_of(const Problem& problem) {
   Problem trial = problem;
   bool nonlinear = false;
-  for (int b = 0; b < trial.body_count(); ++b) nonlinear = nonlinear || (!trial.rigid[b] && is_nonlinear(trial.inputs[b]));
+  for (int b = 0; b < trial.body_count(); ++b)
+    nonlinear = nonlinear || (!trial.rigid[b] && is_nonlinear(trial.inputs[b]));
   auto& scene = trial.scene;
   scene.steps.clear();
   std::set<std::string> played;
@@ -36,8 +37,8 @@ Problem trial_of(const Problem& problem) {
   return trial;
 }
 
-void keep_largest(std::optional<KinematicsChoice>& choice, const fem::Distortion& now) {
-  if (choice && now.error() > choice->largest.error()) choice->largest = now;
+void keep_largest(KinematicsChoice& choice, const fem::Distortion& now) {
+  if (now.error() > choice.largest.error()) choice.largest = now;
 }
 
 void take_finite(body::BodyInput& input) {
@@ -58,7 +59,8 @@ bool choose_kinematics(Problem& problem) {
   Observer watch;
   watch.frame = [&](const Frame& frame) {
     for (std::size_t b = 0; b < choices.size(); ++b)
-      if (choices[b]) keep_largest(choices[b], fem::distortion(*frame.bodies[b].mesh, trial.scene.analysis, frame.bodies[b].u));
+      if (const auto& body = frame.bodies[b]; choices[b])
+        keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis, body.u));
   };
   watch.interrupted = over;
   const Summary summary = run(trial, state, watch);
@@ -86,7 +88,8 @@ std::optional<double> small_strain_error(const Problem& problem, const State& st
   for (int b = 0; b < problem.body_count(); ++b)
     if (problem.kinematics[b] && small(problem.inputs[b])) {
       const auto u = recovered(problem, state, system, b);
-      largest = std::max(largest.value_or(0.0), fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, u).error());
+      const auto now = fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, u);
+      largest = std::max(largest.value_or(0.0), now.error());
     }
   return largest;
 }

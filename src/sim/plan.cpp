@@ -33,9 +33,9 @@ void tell_kinematics(const Problem& p, int b, Plan& plan) {
   if (!failure.empty() && largest.error() <= small_strain_bound)
     plan.lines.push_back(start + "the trial at small strain failed: " + failure);
   else
-    plan.lines.push_back(start + text("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation %.2g %%), bound %g %%",
-                                      100.0 * largest.error(), finite ? " or more" : "", 100.0 * largest.strain, 100.0 * largest.rotation,
-                                      100.0 * small_strain_bound));
+    plan.lines.push_back(start + text("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation "
+                                      "%.2g %%), bound %g %%", 100.0 * largest.error(), finite ? " or more" : "",
+                                      100.0 * largest.strain, 100.0 * largest.rotation, 100.0 * small_strain_bound));
 }
 
 void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {

@@ -183,8 +183,8 @@ class Runner {
     state_.small_strain_error = now;
     if (before > small_strain_bound || *now <= small_strain_bound || !observer_.log) return;
     char text[160];
-    std::snprintf(text, sizeof text, "warning: cycle %g: small strain was chosen, but its estimated error is now %.2g %%; "
-                  "kinematics = \"finite\" is without it", state_.cycle, 100.0 * *now);
+    std::snprintf(text, sizeof text, "warning: cycle %g: small strain was chosen, but its estimated error is now "
+                  "%.2g %%; kinematics = \"finite\" is without it", state_.cycle, 100.0 * *now);
     observer_.log(text);
   }
 

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sim/block.hpp"
+#include "sim/rules.hpp"
+#include "verification/wear_scene.hpp"
+
+using namespace reye;
+using namespace reye::verification;
+
+// What a run leaves out where it is not needed must not be seen in its results: the same scene with and without it.
+namespace {
+
+constexpr double same = 1e-9;  ///< relative
+
+/// Tight, so that what remains is not the solver's tolerance.
+const solver::NewtonOptions tight{.force_tolerance = 1e-12, .condition_tolerance = 1e-11};
+
+/// Plays all steps of a scene block by block, as a run does but with a solver and a watch of one's own.
+struct Player {
+  sim::Problem problem;
+  solver::NewtonOptions options = tight;
+  sim::Cache cache{};
+  sim::State state{};
+  sim::Observer observer{};
+  std::function<void()> between{};  ///< after each block
+
+  explicit Player(const std::string& text) : problem(prepared(text)) {}
+
+  void begin() {
+    cache.newton = solver::Newton(options);
+    state = sim::initial_state(problem);
+    sim::begin_state(problem, state, cache);
+  }
+
+  const sim::State& play() {
+    if (!state.approached) begin();
+    for (const auto& step : problem.scene.steps) {
+      const bool cycles = step.cycles > 0.0;
+      for (double left = cycles ? step.cycles : 1.0; left > 0.0; left -= cycles ? step.jump : 1.0) {
+        auto outcome = sim::play_block(problem, state, cache, {&step, cycles ? step.jump : 1.0, cycles, left <= step.jump}, observer);
+        EXPECT_EQ(outcome.failure, "");
+        state = std::move(outcome.state);
+        if (between) between();
+      }
+    }
+    return state;
+  }
+};
+
+/// Largest difference over the largest value.
+template <class Values>
+double apart(const Values& a, const Values& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double difference = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < std::min<std::size_t>(a.size(), b.size()); ++i) {
+    const auto size = [](const auto& x) {
+      if constexpr (requires { x.norm(); })
+        return x.norm();
+      else
+        return std::abs(x);
+    };
+    difference = std::max(difference, size(typename Values::value_type(a[i] - b[i])));
+    largest = std::max(largest, size(b[i]));
+  }
+  return largest > 0.0 ? difference / largest : difference;
+}
+
+/// All that evolves.
+void expect_same(const sim::State& a, const sim::State& b, const std::string& what) {
+  SCOPED_TRACE(what);
+  ASSERT_EQ(a.shapes.size(), b.shapes.size());
+  for (std::size_t k = 0; k < a.shapes.size(); ++k) EXPECT_LT(apart(a.shapes[k]->mesh.X, b.shapes[k]->mesh.X), same);
+  EXPECT_LT(apart(a.solution.q, b.solution.q), same);
+  for (std::size_t k = 0; k < a.solution.interiors.size(); ++k)
+    if (a.solution.interiors[k].y.size() == b.solution.interiors[k].y.size())
+      EXPECT_LT(apart(a.solution.interiors[k].y, b.solution.interiors[k].y), same);
+  for (std::size_t c = 0; c < a.solution.contacts.size(); ++c) {
+    const auto &p = a.solution.contacts[c], &q = b.solution.contacts[c];
+    EXPECT_LT(apart(p.lambda, q.lambda), same);
+    EXPECT_LT(apart(p.slip, q.slip), same);
+    EXPECT_LT(apart(p.removed_secondary, q.removed_secondary), same);
+    EXPECT_LT(apart(p.removed_primary, q.removed_primary), same);
+    EXPECT_NEAR(p.frictional_work, q.frictional_work, same * std::abs(q.frictional_work));
+    EXPECT_EQ(p.status, q.status);
+  }
+}
+
+/// Fretting, coarse and short: partial slip, then wear with the shape following.
+std::string fretting(const Replacements& changes = {}) {
+  return replaced(scene_text("fretting_demo", {{"size_mm = 0.020", "size_mm = 0.04"},
+                                               {"increments = 40", "increments = 16"},
+                                               {"cycles = 18000", "cycles = 1800"}}),
+                  changes);
+}
+
+/// Finite strain: a rubber pin that wears.
+std::string pin(const Replacements& changes = {}) {
+  return replaced(scene_text("rubber_pin_wear", {{"size_mm = 0.08", "size_mm = 0.16"}, {"cycles = 200", "cycles = 20"},
+                                                     {"[output]", "[remesh]\nautomatic = false\n[output]"}}), changes);
+}
+
+const std::pair<const char*, std::string> scenes[] = {{"fretting", fretting()}, {"pin", pin()}};
+
+/// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they went
+/// different ways, told by the last digits.
+bool expect_unseen(const std::string& text, const std::string& what, const std::function<void(Player&)>& change) {
+  Player usual(text), other(text);
+  usual.play();
+  change(other);
+  other.play();
+  expect_same(usual.state, other.state, what);
+  return usual.state.solution.q != other.state.solution.q;
+}
+
+}  // namespace
+
+// Contact nodes far from contact that are condensed out, and the whole boundary in every iteration.
+TEST(Skips, ReachIsLimited) {
+  for (const auto& [name, text] : scenes)
+    EXPECT_TRUE(expect_unseen(text, name, [](Player& p) { p.options.limit_reach = false; }));
+}
+
+// A factorised matrix that is kept while the error falls fast, and a new one in every iteration.
+TEST(Skips, MatricesAreKept) {
+  for (const auto& [name, text] : scenes)
+    EXPECT_TRUE(expect_unseen(text, name, [](Player& p) { p.options.chords = false; }));
+}
+
+// What the solver keeps from one increment to the next (its extrapolated start, its reach, the symbolic factorisation of
+// nonlinear bodies), and a new solver for each.
+TEST(Skips, SolverIsKept) {
+  for (const auto& [name, text] : scenes)
+    EXPECT_TRUE(expect_unseen(text, name, [](Player& p) {
+      p.observer.increment = [&p](const sim::IncrementRecord&) { p.cache.newton = solver::Newton(p.options); };
+    }));
+}
+
+// Operators, their factorisations and all other derived data that are kept from block to block, and none of it.
+TEST(Skips, CacheIsKept) {
+  for (const auto& [name, text] : scenes)
+    expect_unseen(text, name, [](Player& p) {
+      p.between = [&p] {
+        p.cache.shapes.clear();
+        p.cache.newton = solver::Newton(p.options);
+      };
+    });
+}
+
+// Frames and rows of the history that nobody asks for, and all of them: not a bit of the results is touched.
+TEST(Skips, OutputIsBuiltWhenAskedFor) {
+  for (const auto& [name, text] : scenes) {
+    Player plain(text), watched(text);
+    watched.problem.scene.output.frames.every_increment = true;
+    int frames = 0, rows = 0;
+    watched.observer.frame = [&](const sim::Frame&) { ++frames; };
+    watched.observer.increment = [&](const sim::IncrementRecord&) { ++rows; };
+    const auto &a = plain.play(), &b = watched.play();
+    EXPECT_GT(frames, 10);
+    EXPECT_GE(rows, frames);
+    EXPECT_EQ(a.solution.q, b.solution.q) << name;
+    EXPECT_EQ(a.solution.contacts[0].lambda, b.solution.contacts[0].lambda) << name;
+    EXPECT_EQ(a.solution.contacts[0].removed_secondary, b.solution.contacts[0].removed_secondary) << name;
+  }
+}
+
+// A contact that does not wear, without wear in its equations and without shape steps, and one whose coefficients are all
+// but zero.
+TEST(Skips, WearIsAbsent) {
+  Player none(fretting({{"3.222e-5", "0.0"}, {"2.111e-5", "0.0"}})), tiny(fretting({{"3.222e-5", "1e-25"}, {"2.111e-5", "1e-25"}}));
+  EXPECT_FALSE(none.problem.contacts[0].options.wear.wears());
+  EXPECT_TRUE(tiny.problem.contacts[0].options.wear.wears());
+  none.play();
+  auto worn = tiny.play();
+  EXPECT_GT(worn.solution.contacts[0].frictional_work, 0.0);
+  EXPECT_GT(apart(worn.solution.contacts[0].removed_secondary, none.state.solution.contacts[0].removed_secondary), 0.0);
+  for (auto* removed : {&worn.solution.contacts[0].removed_secondary, &worn.solution.contacts[0].removed_primary})
+    std::fill(removed->begin(), removed->end(), 0.0);
+  expect_same(none.state, worn, "wear");
+}
+
+// A frictionless contact, without stick and slip in its equations, and one whose friction is all but zero.
+TEST(Skips, FrictionIsAbsent) {
+  const Replacements no_wear{{"3.222e-5", "0.0"}, {"2.111e-5", "0.0"}};
+  Player none(replaced(fretting(no_wear), {{"friction  = 0.9", "friction  = 0.0"}}));
+  Player tiny(replaced(fretting(no_wear), {{"friction  = 0.9", "friction  = 1e-14"}}));
+  none.play();
+  tiny.play();
+  EXPECT_LT(apart(none.state.solution.q, tiny.state.solution.q), same);
+  EXPECT_LT(apart(none.state.solution.contacts[0].lambda, tiny.state.solution.contacts[0].lambda), same);
+}
+
+// A linear elastic body of small strain, condensed once, and the same one linearised and condensed in every iteration.
+TEST(Skips, LinearBodiesAreCondensedOnce) {
+  const std::string text = "shape = \"off\"\n" + fretting({{"jump = 600", "jump = 60"}, {"cycles = 1800", "cycles = 180"}});
+  EXPECT_TRUE(expect_unseen(text, "linear", [](Player& p) {
+    p.state = sim::initial_state(p.problem);
+    const auto& usual = sim::system_of(p.problem, p.state, p.cache);
+    std::vector<body::Operator> bodies;
+    for (int b = 0; b < p.problem.body_count(); ++b)
+      bodies.emplace_back(body::NonlinearBody(p.state.shapes[b], p.problem.inputs[b]));
+    p.cache.system = solver::make_system(std::move(bodies), usual.contacts);
+    p.begin();
+  }));
+}
