@@ -163,6 +163,8 @@ const std::vector<int>& NonlinearBody::contact_nodes() const { return impl_->col
 const std::vector<SupportColumn>& NonlinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& NonlinearBody::loads() const { return impl_->names; }
 
+bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
+
 NodeFreedom NonlinearBody::freedom(int contact_node) const {
   return impl_->columns.freedom[impl_->columns.contact_nodes[contact_node]];
 }

@@ -161,6 +161,9 @@ class NonlinearBody {
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const;                                        ///< before condensation
 
+  /// Whether the tangent is: with a law and a cure that keep it so (fem::Solid::symmetric), and no pressure that follows.
+  bool symmetric() const;
+
   /// No displacement, virgin material, X unstressed.
   Interior start() const;
 

@@ -1,5 +1,6 @@
 #include "sim/plan.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "material/parameters.hpp"
@@ -38,6 +39,26 @@ void tell_kinematics(const Problem& p, int b, Plan& plan) {
                                       100.0 * largest.strain, 100.0 * largest.rotation, 100.0 * small_strain_bound));
 }
 
+/// Whether wear moves the boundary of a body.
+bool wears(const Problem& p, int b) {
+  return p.scene.shape && std::any_of(p.contacts.begin(), p.contacts.end(), [&](const PlacedContact& contact) {
+    const auto here = [b](const contact::BoundaryRef& ref) { return ref.body == b; };
+    const auto& wear = contact.options.wear;
+    return (wear.secondary > 0.0 && here(contact.secondary)) ||
+           (wear.primary > 0.0 && std::any_of(contact.primary.begin(), contact.primary.end(), here));
+  });
+}
+
+/// What the displacements inside a linear body are wanted for.
+std::string solved_back_for(const Problem& p, int b) {
+  const bool triggers = wears(p, b) && p.scene.remesh.automatic, estimate = p.kinematics[b].has_value();
+  std::string uses = "only for frames";
+  if (triggers || estimate) uses += " and, once a block, for ";
+  if (triggers) uses += "the triggers of remeshing";
+  if (estimate) uses += triggers ? " and the estimate of small strain" : "the estimate of small strain";
+  return uses;
+}
+
 void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
   const auto& name = p.inputs[b].name;
   const auto& mesh = p.shapes[b]->mesh;
@@ -54,6 +75,7 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
     if (finite && !can_renew(p, b))
       plan.skipped.push_back("body " + name + " keeps its reference however poor deformation makes its elements: it wears, or loads or "
                              "supports are counted on the shape it started from");
+    if (body->symmetric()) plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
     if (!material::has_history(p.inputs[b].material)) plan.skipped.push_back("body " + name + " is elastic: no history");
     return;
   }
@@ -61,8 +83,8 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
   plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
                             mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
-  plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back only for frames" +
-                         (p.kinematics[b] ? " and, for the estimate of small strain, once a block" : ""));
+  plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
+                         solved_back_for(p, b));
 }
 
 std::string friction_of(const contact::ContactOptions& o) {
@@ -86,15 +108,47 @@ std::string blocks_of(const scene::Step& step) {
   return text("chosen for an error of %g %%, the first of %g", 100.0 * step.jump_tolerance, step.jump);
 }
 
+/// Whether some of its nodes lie on linear bodies, where those out of reach need not be iterated on.
+bool condenses(const Problem& p, const contact::Setup& setup) {
+  const auto linear = [&](const contact::SurfaceNode& node) {
+    return !p.rigid[node.body] && !is_nonlinear(p.inputs[node.body]);
+  };
+  return std::any_of(setup.secondary_nodes.begin(), setup.secondary_nodes.end(), linear) ||
+         std::any_of(setup.primary_nodes.begin(), setup.primary_nodes.end(), linear);
+}
+
 void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
   plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
                             setup.secondary_count(), o.secondary.c_str(), setup.primary_count(), friction_of(o).c_str(),
                             wear_of(o.wear).c_str()));
-  if (o.friction == 0.0) plan.skipped.push_back("contact " + o.name + " is frictionless: no stick and no slip rows");
+  if (o.friction == 0.0)
+    plan.skipped.push_back("contact " + o.name + " is frictionless: no node sticks, its shear is zero");
+  else if (o.imposed)
+    plan.skipped.push_back("contact " + o.name + " has its sliding imposed: no node sticks");
+  if (condenses(p, setup))
+    plan.skipped.push_back("contact " + o.name + ": nodes far from where it touches are condensed out until it comes near");
   if (!o.wear.wears()) plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
   else if (!p.scene.shape) plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");
   if (o.wear.wears() && o.wear.primary == 0.0) plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
+}
+
+void tell_remeshing(const Problem& p, Plan& plan) {
+  if (p.scene.remesh.every_blocks > 0) return;
+  bool possible = false;
+  for (int b = 0; b < p.body_count(); ++b) possible = possible || (!p.rigid[b] && (wears(p, b) || can_renew(p, b)));
+  if (!p.scene.remesh.automatic)
+    plan.skipped.push_back("remesh.automatic = false: no trigger is looked at, no body is meshed anew");
+  else if (!possible)
+    plan.skipped.push_back("no boundary moves by wear and no reference may be renewed: no body is meshed anew");
+}
+
+void tell_output(const Problem& p, Plan& plan) {
+  const auto& [cycles, blocks, decade, remeshes, increments, last_block] = p.scene.output.frames;
+  if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
+    plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered there alone");
+  if (const int n = p.scene.output.history_every_blocks; n > 1)
+    plan.skipped.push_back(text("history: rows of every %dth block of a step, of its first and last", n));
 }
 
 }  // namespace
@@ -113,6 +167,8 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     else
       plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), step.increments, step.wear ? "" : ", no wear"));
   }
+  tell_remeshing(p, plan);
+  tell_output(p, plan);
   for (const auto& limit : p.scene.limits)
     if (limit.wear_factor)
       plan.lines.push_back(text("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
