@@ -38,6 +38,12 @@ PointStress point_stress(const Mesh& mesh, int cell, const CellStrains& s, const
   return values;
 }
 
+/// sigma : C^-1 : sigma = ((1 + nu) sigma : sigma - nu (tr sigma)^2) / E, of (11, 22, 12, 33).
+double energy(const Eigen::Vector4d& s, double E, double nu) {
+  const double trace = s[0] + s[1] + s[3];
+  return ((1.0 + nu) * (s.squaredNorm() + s[2] * s[2]) - nu * trace * trace) / E;
+}
+
 }  // namespace
 
 SparseMatrix stiffness(const Mesh& mesh, const material::Material& material, Analysis analysis, bool b_bar) {
@@ -68,6 +74,28 @@ std::vector<Stress> nodal_stress(const Mesh& mesh, const material::Material& mat
   std::vector<Stress> result;
   for (const auto& value : average.values()) result.push_back({value[0], value[1], value[2], value[3]});
   return result;
+}
+
+StressError recovered_error(const Mesh& mesh, const material::Material& material, Analysis analysis, bool b_bar,
+                            const base::Points& u) {
+  const auto nodal = nodal_stress(mesh, material, analysis, b_bar, u);
+  const Eigen::Matrix4d C = material::tangent(material, analysis);
+  const auto [E, nu] = std::visit([](const auto& m) { return std::array{m.E_MPa, m.nu}; }, material);
+  const auto rule = stiffness_rule(mesh.kind);
+  StressError sum;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    const CellStrains s = strain_points(mesh, cell, analysis, b_bar);
+    const PointStress computed = point_stress(mesh, cell, s, C, u);
+    for (int g = 0; g < s.count; ++g) {
+      const NodeValues N = shape_functions(mesh.kind, rule[g].xi);
+      Eigen::Vector4d smooth = Eigen::Vector4d::Zero();
+      for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a)
+        smooth += N[a] * Eigen::Map<const Eigen::Vector4d>(nodal[mesh.cells[cell][a]].data());
+      sum.difference += s.points[g].volume * energy(smooth - computed.col(g), E, nu);
+      sum.energy += s.points[g].volume * energy(computed.col(g), E, nu);
+    }
+  }
+  return sum;
 }
 
 }  // namespace reye::fem

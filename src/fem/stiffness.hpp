@@ -23,4 +23,15 @@ using Stress = std::array<double, 4>;
 std::vector<Stress> nodal_stress(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis,
                                  bool b_bar, const base::Points& u);
 
+/// Energies of stress in a body, int sigma : C^-1 : sigma dV [mJ per mm; mJ].
+struct StressError {
+  double difference = 0.0;  ///< of recovered less computed stress
+  double energy = 0.0;      ///< of the computed stress
+};
+
+/// Zienkiewicz and Zhu's estimate: the stress at the nodes (`nodal_stress`), interpolated, against that of the cells.
+/// Root of difference over energy is the relative error in the energy norm.
+StressError recovered_error(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis, bool b_bar,
+                            const base::Points& u);
+
 }  // namespace reye::fem

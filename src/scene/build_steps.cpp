@@ -110,6 +110,7 @@ Output output_of(const Entry& root) {
                    .last_block = frames.flag("last_block")};
   output.history_every_blocks = entry.at("history").whole("every_blocks");
   output.checkpoint_s = entry.number("checkpoint_s");
+  output.estimate_error = entry.flag("estimate_error");
   for (const auto& probe : entry.all("probes"))
     output.probes.push_back({.name = probe.name(),
                              .body = probe.text("body"),

@@ -181,6 +181,8 @@ constexpr Key table[] = {
      "rows of history.csv of each so many blocks of a step, and of its first and last"},
     {"output.checkpoint_s", Type::number, "s", "0", at_least(0.0),
      "least wall time between two checkpoints; 0: one at each block end. However the run ends, its last block end is kept"},
+    {"output.estimate_error", Type::flag, "", "false", any,
+     "true: the run is played again on elements twice as long, which tells the error of the mesh; takes some 0.4 of a long run's time"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
 

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
+#include "sim/discretisation.hpp"
 #include "sim/jump.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
@@ -117,6 +118,7 @@ class Runner {
     const auto start = clock::now();
     const double cpu = cpu_seconds();
     play();
+    if (p_.scene.output.estimate_error && summary_.status == RunStatus::done) estimate();
     Summary s = summarise_run();
     s.wall_s = std::chrono::duration<double>(clock::now() - start).count();
     s.cpu_s = cpu_seconds() - cpu;
@@ -194,6 +196,19 @@ class Runner {
     if (observer_.log) observer_.log("failed: " + reason);
     show("last good state");
     return false;
+  }
+
+  /// What the mesh puts wrong; an interruption here leaves a run that goes on with the estimate.
+  void estimate() {
+    const MeshError error = mesh_error(p_, state_, cache_, observer_);
+    summary_.error_discretisation = error.surface;
+    summary_.error_energy_norm = error.energy_norm;
+    if (error.companion == RunStatus::interrupted) {
+      summary_.status = RunStatus::interrupted;
+      summary_.reason = error.reason;
+    } else if (!error.surface && observer_.log) {
+      observer_.log("no estimate of the mesh's error: " + error.reason);
+    }
   }
 
   void show(const std::string& step) {

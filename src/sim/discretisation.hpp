@@ -1,0 +1,35 @@
+#pragma once
+#include "sim/run.hpp"
+
+/// How far a run may be from one on a mesh without end.
+namespace reye::sim {
+
+/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch, its
+/// kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends (`leaves_zone`).
+scene::Scene coarser(const Problem& problem, const State& state);
+
+/// How far apart the ends of a run are on two meshes, the largest of all contacts; a point of one mesh is compared with
+/// the nearest one of the other.
+struct MeshDifference {
+  /// Of sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest depth.
+  std::optional<double> wear;
+  /// Of secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
+  std::optional<double> traction;
+};
+
+MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std::vector<SurfaceRecord>& coarse,
+                               base::Analysis analysis);
+
+/// What the mesh is estimated to put wrong, both relative.
+struct MeshError {
+  RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
+  std::string reason;                     ///< why there is no error of the surface; empty when there is
+  std::optional<double> surface;          ///< of depths, or of tractions where nothing wears
+  std::optional<double> energy_norm;      ///< of the stress in linear bodies, by recovery (`fem::recovered_error`)
+};
+
+/// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The
+/// errors of the two fall with powers of the element size that are known, so that their difference tells what is left.
+MeshError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
+
+}  // namespace reye::sim
