@@ -105,6 +105,13 @@ void probe(const Problem& problem, const Frame& frame, Summary& summary) {
     }
 }
 
+std::string in_words(const MeshError& error) {
+  if (!error.surface) return "no estimate of the mesh's error: " + error.reason;
+  char text[80];
+  std::snprintf(text, sizeof text, "estimated error of the mesh %.3g %%", 100.0 * *error.surface);
+  return text;
+}
+
 /// One run in progress: the loop over steps and blocks.
 class Runner {
  public:
@@ -206,8 +213,8 @@ class Runner {
     if (error.companion == RunStatus::interrupted) {
       summary_.status = RunStatus::interrupted;
       summary_.reason = error.reason;
-    } else if (!error.surface && observer_.log) {
-      observer_.log("no estimate of the mesh's error: " + error.reason);
+    } else if (observer_.log) {
+      observer_.log(in_words(error));
     }
   }
 
