@@ -1,4 +1,5 @@
 """Runs of a scene of geo/ with some of its words replaced, and their tables; used by the make.py of the wear cases."""
+import bisect
 import csv
 import json
 import os
@@ -81,6 +82,34 @@ def value_at(rows, key, x=0.0):
             t = (x - a["x_mm"]) / (b["x_mm"] - a["x_mm"])
             return a[key] + t * (b[key] - a[key])
     raise ValueError(f"no row at x = {x}")
+
+
+class Line:
+    """Values over increasing x as straight lines between their points, zero outside."""
+
+    def __init__(self, points):
+        self.x, self.f = zip(*points)
+
+    def __call__(self, x):
+        k = bisect.bisect_right(self.x, x) - 1
+        if k < 0 or k + 1 >= len(self.x):
+            return 0.0
+        t = (x - self.x[k]) / (self.x[k + 1] - self.x[k])
+        return self.f[k] + t * (self.f[k + 1] - self.f[k])
+
+
+def worn_profile(rows, most_y=0.5):
+    """[(x, depth)] of a side along increasing x; of a round one its lower part."""
+    return sorted((r["x_mm"], r["wear_depth_mm"]) for r in rows if r["y_mm"] < most_y)
+
+
+def profile_error(points, exact):
+    """int |w - w'| over int w', at the places of the exact points."""
+    line = Line(points)
+
+    def integral(f):
+        return sum(0.5 * (f(*a) + f(*b)) * (b[0] - a[0]) for a, b in zip(exact, exact[1:]))
+    return integral(lambda x, w: abs(w - line(x))) / integral(lambda x, w: w)
 
 
 def half_width(points):

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""The estimated error of the mesh (`output.estimate_error`) against the true one: Hertz, Cattaneo-Mindlin (references B1, B2),
+gross slip (B8), fretting (C1)."""
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import contact_case as cc  # noqa: E402
+from wear_case import figure, profile_error, read_csv, run, worn_profile, write_csv, write_measured  # noqa: E402
+
+LOW_A, LOW_P0 = 0.2, 109.89011    # p0 / E* = 1e-3
+A, C, P0, MU = 0.0913360, 0.0645843, 836.410, 0.6
+A0 = 0.0358622                    # half width before wear
+ASKED = ("[output]\n", "[output]\nestimate_error = true\n")
+SECOND = ('material = "steel"', 'material = "steel"\norder = 2')
+ONLY_LOADING = [('[[step]]\nname = "unload"\nplay = ["unload"]\nincrements = 20\n', ""),
+                ('[[step]]\nname = "reverse"\nplay = ["reverse"]\nincrements = 20\n', ""),
+                ("every_increment = true", "every_cycles = 1"), ("increments = 10", "increments = 5")]
+TO_ONE = [('\n[[step]]\nname = "to S = 10"\ncycles = 4500\njump = 100\n', ""), ("half_width_mm = 0.1", "half_width_mm = 0.065"),
+          ("every_cycles = 500", "every_cycles = 1000"), ("jump = 1\n", "jump = 5\n"), ("jump = 10\n", "jump = 30\n")]
+
+
+def meshes(a, old_size):
+    """(order, intervals per half width, position, words of the scene) of all meshes."""
+    for order in (1, 2):
+        for n in (5, 10, 20):
+            for shift in range(cc.SHIFTS):
+                size = order * a / n
+                yield order, n, shift, cc.zone(old_size, size, shift * size / cc.SHIFTS) + ([SECOND] if order == 2 else [])
+
+
+def traction_error(rows, pressure, shear, norm):
+    """Of pressure and shear together, relative."""
+    return math.hypot(cc.l2_error(cc.profile(rows, "pressure_MPa"), pressure), cc.l2_error(cc.profile(rows, "shear_MPa"), shear)) / norm
+
+
+def hertz():
+    for order, n, shift, words in meshes(LOW_A, "0.010"):
+        done = run("hertz_halfplane", f"hertz_{order}_{n}_{shift}",
+                   words + [("increments = 5", "increments = 1\n\n[output]\nestimate_error = true")])
+        yield order, n, shift, done, traction_error(done.last("secondary"), lambda x: cc.hertz(x, LOW_A, LOW_P0), lambda x: 0.0,
+                                                    LOW_P0 * (4.0 * LOW_A / 3.0) ** 0.5)
+
+
+def cattaneo_mindlin():
+    norm = P0 * math.sqrt(4.0 * A / 3.0 + cc.l2_error([(-A, 0.0), (A, 0.0)], lambda x: cc.mindlin(x, A, C, MU), 4000) ** 2)
+    for order, n, shift, words in meshes(A, "0.0045"):
+        done = run("cattaneo_mindlin", f"shear_{order}_{n}_{shift}", words + ONLY_LOADING + [ASKED])
+        yield order, n, shift, done, traction_error(done.last("secondary"), lambda x: cc.hertz(x, A, P0),
+                                                    lambda x: cc.mindlin(x, A, C, MU * P0), norm)
+
+
+def wear_error(done, reference, frame=-1):
+    """The larger side's, of the profile and of the largest depth."""
+    errors = []
+    for side in ("secondary", "primary"):
+        found, exact = (worn_profile(r.frames(side)[frame][1]) for r in (done, reference))
+        deepest = [max(w for _, w in profile) for profile in (found, exact)]
+        errors += [profile_error(found, exact), abs(deepest[0] / deepest[1] - 1.0)]
+    return max(errors)
+
+
+def gross_slip():
+    def played(name, order, n, words):
+        return run("line_contact_gross_slip", name, TO_ONE + cc.zone("0.0018", order * A0 / n, 0.0) + words)
+    reference = played("line_fine", 2, 80, [SECOND])
+    for order, n in ((1, 5), (1, 10), (1, 20), (1, 40), (2, 5), (2, 10), (2, 20)):
+        done = played(f"line_{order}_{n}", order, n, [ASKED] + ([SECOND] if order == 2 else []))
+        yield order, n, 0, done, wear_error(done, reference)
+
+
+def fretting():
+    blocks = [("jump = 100", "jump = 500")]
+    reference = run("fretting_mccoll", "fretting_fine", blocks + [("size_mm = 0.010", "size_mm = 0.005")])
+    rows = []
+    for size in (0.04, 0.02, 0.01):
+        done = run("fretting_mccoll", f"fretting_{size}", blocks + [("size_mm = 0.010", f"size_mm = {size}"), ASKED])
+        rows += [(size, cycle, wear_error(done, reference, k))
+                 for k, (cycle, _) in enumerate(done.frames("secondary")) if cycle > 0.0]
+        yield 1, size, 0, done, wear_error(done, reference)
+    write_csv("errors_over_cycles.csv", ["size_mm", "cycle", "error"], rows)
+
+
+def main():
+    rows, measured = [], {}
+    for case in (hertz, cattaneo_mindlin, gross_slip, fretting):
+        name, ratios, costs = case.__name__, [], []
+        for order, mesh, shift, done, error in case():
+            found = done.summary["estimated_error"]
+            if found["discretisation"] is None:  # too few elements touch on the coarse mesh
+                rows.append((name, order, mesh, shift, error, "", "", found["energy_norm"], ""))
+                continue
+            ratios.append(found["discretisation"] / error)
+            spent = done.summary["room_seconds"]["error"]
+            costs.append(spent / (done.summary["wall_s"] - spent))
+            rows.append((name, order, mesh, shift, error, found["discretisation"], ratios[-1], found["energy_norm"], costs[-1]))
+        measured[f"{name}_smallest_ratio"], measured[f"{name}_largest_ratio"] = min(ratios), max(ratios)
+        measured[f"{name}_estimates"] = len(ratios)
+        measured[f"{name}_cost_of_finest"] = costs[-1]
+        measured[f"{name}_mean_ratio"] = math.exp(sum(map(math.log, ratios)) / len(ratios))
+    fine = [float(r["error"]) for r in read_csv("errors_over_cycles.csv") if float(r["size_mm"]) == 0.01]
+    measured["fretting_error_after_1000_cycles_over_that_at_the_end"] = fine[0] / fine[-1]
+    write_csv("estimates.csv", ["case", "order", "mesh", "position", "error", "estimate", "ratio", "energy_norm", "time_over_run"], rows)
+    write_measured(measured)
+    points = ", ".join(f"'< grep ^{case}, estimates.csv' using 5:6 with points pt {pt} title '{case.replace('_', ' ')}'"
+                       for case, pt in (("hertz", 1), ("cattaneo_mindlin", 2), ("gross_slip", 7), ("fretting", 5)))
+    figure("set logscale xy\nset format xy '%.0e'\nset xlabel 'true error'\nset ylabel 'estimated error'\nset key top left notitle\n"
+           f"plot {points}, x with lines lc 'black' title 'equal', 3*x with lines dt 2 lc 'black' title 'a factor 3', "
+           "x/3 with lines dt 2 lc 'black' notitle\n")
+
+
+if __name__ == "__main__":
+    main()
