@@ -47,6 +47,16 @@ TEST(Discretisation, ATenthMore) {
   EXPECT_EQ(sim::mesh_difference(fine, fine, base::Analysis::plane_strain).wear, 0.0);
 }
 
+// In axisymmetry a place must count by its radius: p = 1 against 1 + x / 10 for 1 <= x <= 3 is off by a tenth of
+// root int x^2 x dx over int x dx = 5.
+TEST(Discretisation, RingsCountByTheirRadius) {
+  auto fine = side(1000, [](double) { return 1.0; }), coarse = side(1000, [](double x) { return 1.0 + 0.1 * (x + 2.0); });
+  for (auto* s : {&fine, &coarse})
+    for (double& x : s->x_mm) x += 2.0;
+  const auto apart = sim::mesh_difference({fine}, {coarse}, base::Analysis::axisymmetric);
+  EXPECT_NEAR(apart.traction.value(), 0.1 * std::sqrt(5.0), 1e-5);
+}
+
 // A smooth profile that is straight between the coarse nodes must be off by the second power of their distance.
 TEST(Discretisation, OrderOfInterpolation) {
   std::vector<double> apart;
