@@ -23,4 +23,5 @@ foreach(component cholmod umfpack amd camd colamd ccolamd suitesparseconfig)
 endforeach()
 
 find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+find_package(OpenMP REQUIRED)   # only to tell CHOLMOD to do without
 find_path(CEREAL_INCLUDE_DIR cereal/cereal.hpp REQUIRED)

@@ -61,11 +61,12 @@ Costs factorisation(const sim::Problem& problem, const sim::State& state) {
   return costs;
 }
 
-/// geo/fretting_mccoll with a fine zone of 5 um elements, range / 100 mm deep: pressed, run in, worn for one block, then
+/// geo/fretting_mccoll as it is (range 0), or with a fine zone of 5 um elements, range / 100 mm deep: pressed, run in, worn for one block, then
 /// measured over the next: both sides wear, the shape moves, the block is closed.
 void floor_of_a_cycle(benchmark::State& run) {
   auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/fretting_mccoll/scene.toml");
   for (auto& zone : scene.geometry.fine_zones) {
+    if (run.range(0) == 0) continue;
     zone.size_mm = 0.005;
     zone.depth_mm = 0.01 * static_cast<double>(run.range(0));
   }
@@ -105,6 +106,6 @@ void floor_of_a_cycle(benchmark::State& run) {
   run.counters["peak_kB_per_dof"] = static_cast<double>(used.ru_maxrss) / static_cast<double>(costs.front().dofs);
 }
 
-BENCHMARK(floor_of_a_cycle)->Name("floor")->Arg(10)->Arg(60)->Iterations(5)->Unit(benchmark::kSecond);
+BENCHMARK(floor_of_a_cycle)->Name("floor")->Arg(0)->Arg(10)->Arg(60)->Iterations(5)->Unit(benchmark::kSecond);
 
 }  // namespace

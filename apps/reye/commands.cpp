@@ -82,11 +82,11 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
 }
 
 /// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether it can go on.
-sim::Summary play(const sim::Problem& problem, sim::State state, output::RunWriter& writer, Checkpoints& checkpoints,
-                  bool quiet) {
+sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State state, output::RunWriter& writer,
+                  Checkpoints& checkpoints, bool quiet) {
   try {
     ProgressLine line(!quiet);
-    const sim::Summary summary = sim::run(problem, state, observer_of(writer, checkpoints, line));
+    const sim::Summary summary = sim::run(problem, state, observer_of(writer, checkpoints, line), cache);
     line.end();
     checkpoints.finish();
     writer.finish(summary);
@@ -144,7 +144,8 @@ int run(const Request& request) {
   const std::string dir = folder_of(request, scene);
   if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
     throw base::InputError({{"--out", dir, *refusal}});
-  const sim::Problem problem = sim::prepare(scene);
+  sim::Cache cache;
+  const sim::Problem problem = sim::prepare(scene, &cache);
   for (const auto& text : problem.plan.lines) spdlog::info("{}", text);
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
@@ -153,7 +154,7 @@ int run(const Request& request) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error with a reason, not the end at once
   Checkpoints checkpoints(problem, writer);
   sim::State state = starting_state(request, problem, writer, checkpoints);
-  const sim::Summary summary = play(problem, std::move(state), writer, checkpoints, request.quiet);
+  const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
   tell_result(summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
 }

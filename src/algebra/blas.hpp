@@ -3,12 +3,11 @@
 // The few BLAS and LAPACK routines used (Fortran calling convention, column-major, 32-bit integers).
 extern "C" {
 void openblas_set_num_threads(int count);
-void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha, const double* a,
-            const int* lda, const double* beta, double* c, const int* ldc);
+void omp_set_max_active_levels(int count);
+void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
             const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
             const int* ldc);
-double dlange_(const char* norm, const int* m, const int* n, const double* a, const int* lda, double* work);
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* pivots,
              double* b, const int* ldb, int* info);
@@ -18,10 +17,12 @@ void dgecon_(const char* norm, const int* n, const double* a, const int* lda, co
 
 namespace reye::algebra {
 
-/// BLAS on one thread: on shared cores more threads cost up to ten times the time, and results then
-/// depend on their number. Called before any factorisation; later calls are free.
+/// BLAS and CHOLMOD on the thread that calls: on shared cores more threads cost up to ten times the time, and results
+/// then depend on their number. CHOLMOD's parallel regions ask for four threads each, one region per supernode, whatever
+/// OMP_NUM_THREADS says: where no level may be active they are run through by the caller alone (a fifth of the time of a
+/// short run). Called before any factorisation; later calls are free.
 inline void single_thread() {
-  static const bool done = (openblas_set_num_threads(1), true);
+  static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -23,17 +24,31 @@ double scale_for(double largest, const char* what, Eigen::Index index) {
 }
 
 /// Scales rows, then columns, to a largest entry in [1, 2): rows of equilibrium [N/mm] and rows of
-/// contact conditions [mm] become comparable, so that the condition number means something.
-void equilibrate(Matrix& A, Vector& rows, Vector& columns) {
+/// contact conditions [mm] become comparable, so that the condition number means something. Returns the largest column
+/// sum of what results.
+double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   const Eigen::Index n = A.rows();
-  if (!A.allFinite()) throw SolveError("dense solve: the matrix holds a value that is not finite");
-  const Vector row_max = A.cwiseAbs().rowwise().maxCoeff();
-  for (Eigen::Index i = 0; i < n; ++i) rows[i] = scale_for(row_max[i], "row", i);
-  A.array().colwise() *= rows.array();
+  rows.setZero();
+  for (Eigen::Index j = 0; j < n; ++j) rows = rows.cwiseMax(A.col(j).cwiseAbs());
+  // The largest may be hidden by a NaN, the sum not.
+  if (!std::isfinite(A.sum())) throw SolveError("dense solve: the matrix holds a value that is not finite");
+  for (Eigen::Index i = 0; i < n; ++i) rows[i] = scale_for(rows[i], "row", i);
+  double norm = 0.0;
   for (Eigen::Index j = 0; j < n; ++j) {
-    columns[j] = scale_for(A.col(j).cwiseAbs().maxCoeff(), "column", j);
-    A.col(j) *= columns[j];
+    auto column = A.col(j);
+    column.array() *= rows.array();
+    columns[j] = scale_for(column.cwiseAbs().maxCoeff(), "column", j);
+    column *= columns[j];
+    norm = std::max(norm, column.cwiseAbs().sum());
   }
+  return norm;
+}
+
+/// Whether a pivot is so small against the largest that the condition has to be looked at. Pivots of an equilibrated
+/// matrix fall with its smallest singular value; those of a matrix that is singular to working precision end as round-off.
+bool doubtful(const Matrix& LU) {
+  const auto pivots = LU.diagonal().cwiseAbs();
+  return !(pivots.minCoeff() > 1e-9 * pivots.maxCoeff());
 }
 
 }  // namespace
@@ -46,15 +61,16 @@ void DenseFactor::factor(Matrix& A) {
   rows_.resize(n);
   columns_.resize(n);
   if (n == 0) return;
-  equilibrate(LU_, rows_, columns_);
-  work_.resize(4 * n);
+  const double norm = equilibrate(LU_, rows_, columns_);
   pivots_.resize(static_cast<size_t>(n));
-  iwork_.resize(static_cast<size_t>(n));
   int info = 0;
-  double rcond = 0.0;
-  const double norm = dlange_("1", &n, &n, LU_.data(), &n, work_.data());
   dgetrf_(&n, &n, LU_.data(), &n, pivots_.data(), &info);
-  if (info == 0) dgecon_("1", &n, LU_.data(), &n, &norm, &rcond, work_.data(), iwork_.data(), &info);
+  double rcond = 1.0;
+  if (info == 0 && doubtful(LU_)) {
+    work_.resize(4 * n);
+    iwork_.resize(static_cast<size_t>(n));
+    dgecon_("1", &n, LU_.data(), &n, &norm, &rcond, work_.data(), iwork_.data(), &info);
+  }
   if (info != 0 || !(rcond > std::numeric_limits<double>::epsilon()))
     throw SolveError("dense solve: the matrix of " + std::to_string(n) + " rows is singular to working precision" +
                      (info > 0 ? " (zero pivot " + std::to_string(info - 1) + ")" : ""));

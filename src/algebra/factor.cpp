@@ -42,12 +42,14 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
                        std::to_string(order[j]) + "); a motion may be free that nothing holds");
 }
 
-/// L L^T - diag(shift), both triangles.
+/// L L^T - diag(shift), both triangles. LAPACK multiplies a triangle with its own transpose as U U^T; L turned round in
+/// rows and columns is such a U.
 Matrix product(const Matrix& L, const Vector& shift) {
   const int n = static_cast<int>(L.rows());
-  const double one = 1.0, zero = 0.0;
-  Matrix S(n, n);
-  if (n > 0) dsyrk_("L", "N", &n, &n, &one, L.data(), &n, &zero, S.data(), &n);
+  Matrix U = L.reverse();
+  int info = 0;
+  if (n > 0) dlauum_("U", &n, U.data(), &n, &info);
+  Matrix S = U.reverse();
   S.diagonal() -= shift;
   S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
   return S;
@@ -63,15 +65,19 @@ struct SchurFactor::Impl {
 
   int interior() const { return static_cast<int>(K.rows()) - retained; }
 
-  void factorise(const SparseMatrix& fresh) {
+  /// `like`: a factor whose analysis will do if it is of this pattern; its own.
+  void factorise(const SparseMatrix& fresh, const Impl& like) {
     SparseMatrix next = checked(fresh);
-    const bool known = L.analysed() && same_pattern(K, next);
+    const bool known = like.L.analysed() && like.retained == retained && same_pattern(like.K, next);
     K = std::move(next);
     if (interior() == 0) {  // nothing to eliminate: no definiteness needed either
       S = Matrix(K);
       return;
     }
-    if (!known) analyse();
+    if (!known)
+      analyse();
+    else if (&like != this)
+      L.share_analysis(like.L);
     const Vector shift = add_shift();
     L.factorise(K);
     check_pivots(L, K, interior());
@@ -105,16 +111,17 @@ struct SchurFactor::Impl {
   }
 };
 
-SchurFactor::SchurFactor(const SparseMatrix& K, int retained) : impl_(std::make_unique<Impl>()) {
+SchurFactor::SchurFactor(const SparseMatrix& K, int retained, const SchurFactor* like)
+    : impl_(std::make_unique<Impl>()) {
   if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
   impl_->retained = retained;
-  impl_->factorise(K);
+  impl_->factorise(K, like ? *like->impl_ : *impl_);
 }
 SchurFactor::~SchurFactor() = default;
 SchurFactor::SchurFactor(SchurFactor&&) noexcept = default;
 SchurFactor& SchurFactor::operator=(SchurFactor&&) noexcept = default;
 
-void SchurFactor::refactor(const SparseMatrix& K) { impl_->factorise(K); }
+void SchurFactor::refactor(const SparseMatrix& K) { impl_->factorise(K, *impl_); }
 int SchurFactor::size() const { return static_cast<int>(impl_->K.rows()); }
 int SchurFactor::retained() const { return impl_->retained; }
 const Matrix& SchurFactor::schur() const { return impl_->S; }

@@ -13,11 +13,11 @@ using base::Vector;
 /// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
 /// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
 ///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma        (theory: exact whatever rigid motion is free)
-/// The symbolic analysis is kept: `refactor` with the same pattern reuses it.
+/// The symbolic analysis is kept: `refactor` with the same pattern reuses it, and so does a factor made `like` another.
 class SchurFactor {
  public:
   /// K: n x n, both triangles stored. Throws base::SolveError when K_ii is not positive definite.
-  SchurFactor(const SparseMatrix& K, int retained);
+  SchurFactor(const SparseMatrix& K, int retained, const SchurFactor* like = nullptr);
   ~SchurFactor();
   SchurFactor(SchurFactor&&) noexcept;
   SchurFactor& operator=(SchurFactor&&) noexcept;

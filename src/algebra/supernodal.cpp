@@ -33,6 +33,14 @@ cholmod_sparse view(SparseMatrix& K) {
   return A;
 }
 
+/// For a factor that outlives the workspace it was made with.
+void free_factor(cholmod_factor* factor) {
+  cholmod_common common;
+  cholmod_start(&common);
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+}
+
 const int* ints(const void* p) { return static_cast<const int*>(p); }
 
 }  // namespace
@@ -74,6 +82,15 @@ void Supernodal::analyse(SparseMatrix& K, std::span<int> order) {
   common_.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
   cholmod_sparse A = view(K);
   factor_ = cholmod_analyze_p(&A, order.empty() ? nullptr : order.data(), nullptr, 0, &common_);
+  check("symbolic analysis");
+  analysis_.reset(cholmod_copy_factor(factor_, &common_), free_factor);
+  check("symbolic analysis");
+}
+
+void Supernodal::share_analysis(const Supernodal& other) {
+  release();
+  analysis_ = other.analysis_;
+  factor_ = cholmod_copy_factor(analysis_.get(), &common_);
   check("symbolic analysis");
 }
 

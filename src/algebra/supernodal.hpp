@@ -1,6 +1,7 @@
 #pragma once
 #include <cholmod.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ class Supernodal {
 
   /// Symbolic analysis. `order` empty: AMD with postordering; else the given elimination order, kept as it is.
   void analyse(base::SparseMatrix& K, std::span<int> order);
+  /// Takes the symbolic analysis of another factor over, of a matrix with the same pattern.
+  void share_analysis(const Supernodal& other);
   bool analysed() const { return factor_ != nullptr; }
   /// Numeric factorisation with the analysed pattern.
   void factorise(base::SparseMatrix& K);
@@ -42,6 +45,7 @@ class Supernodal {
 
   cholmod_common common_;
   cholmod_factor* factor_ = nullptr;
+  std::shared_ptr<cholmod_factor> analysis_;  ///< without numbers; shared by all factors of the pattern
 };
 
 /// Fill-reducing order (approximate minimum degree) of the leading `count` rows of K.

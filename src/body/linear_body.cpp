@@ -28,11 +28,11 @@ struct LinearBody::Impl {
   std::vector<LoadColumn> names;
   std::vector<CondensedLoad> loads;
 
-  Impl(ShapePtr s, const BodyInput& input)
+  Impl(ShapePtr s, const BodyInput& input, const algebra::SchurFactor* like)
       : shape(std::move(s)),
         columns(number_columns(shape->mesh, input)),
         B(columns.expansion()),
-        factor(reduced_stiffness(input), columns.retained) {
+        factor(reduced_stiffness(input), columns.retained, like) {
     for_each_load(input, [&](const auto& load) {
       Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
       Vector condensed = factor.condense(full);
@@ -49,8 +49,8 @@ struct LinearBody::Impl {
   }
 };
 
-LinearBody::LinearBody(ShapePtr shape, const BodyInput& input)
-    : impl_(std::make_shared<const Impl>(std::move(shape), input)) {}
+LinearBody::LinearBody(ShapePtr shape, const BodyInput& input, const LinearBody* like)
+    : impl_(std::make_shared<const Impl>(std::move(shape), input, like ? &like->impl_->factor : nullptr)) {}
 
 int LinearBody::dofs() const { return impl_->columns.retained; }
 int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }

@@ -82,7 +82,8 @@ void for_each_load(const BodyInput& input, Take&& take) {
 /// contact nodes first (in the order of `contact_nodes`), then the columns of its supports.
 class LinearBody {
  public:
-  LinearBody(ShapePtr shape, const BodyInput& input);
+  /// `like`: the body at an earlier shape; on the same cells its symbolic analysis serves again.
+  LinearBody(ShapePtr shape, const BodyInput& input, const LinearBody* like = nullptr);
 
   int dofs() const;
   const std::vector<int>& contact_nodes() const;               ///< mesh nodes

@@ -127,6 +127,7 @@ class Interface {
   template <class Visit>
   void for_records(int node, Visit visit) const;
   void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
+  void add_up(std::vector<WearEntry>& entries);
   void collect_primary_wear(int node, const Eleven& work);
   void collect_wear_between(int node, const Eleven& work);
   void wear_entries(int node, double slope, std::vector<Entry>& out) const;
@@ -152,6 +153,7 @@ class Interface {
   std::vector<ContactStatus> status_, status_last_;
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
+  std::vector<double> column_sum_;                                       ///< of `add_up`, zero between its calls
 };
 
 }  // namespace reye::contact

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "contact/interface.hpp"
 
 namespace reye::contact {
@@ -119,14 +121,30 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
   });
 }
 
+/// Leaves one entry per column: every active node that a primary node meets repeats its list.
+void Interface::add_up(std::vector<WearEntry>& entries) {
+  column_sum_.resize(static_cast<std::size_t>(placement_.dofs()) + 2 * rows_.size(), 0.0);
+  std::size_t kept = 0;
+  for (const auto& entry : entries) {
+    double& sum = column_sum_[entry.col];
+    if (sum == 0.0) entries[kept++].col = entry.col;
+    sum += entry.value;
+  }
+  entries.resize(kept);
+  for (auto& entry : entries) entry.value = std::exchange(column_sum_[entry.col], 0.0);
+}
+
 /// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
 void Interface::collect_primary_wear(int node, const Eleven& work) {
   const double coefficient = setup_->options.wear.primary * options_.jump, D = spread_[node];
   const bool linear = setup_->secondary.order == 1;
+  std::vector<WearEntry> own;
+  chain(node, work, [&](int col, double value) { own.push_back({col, value}); });
+  add_up(own);
   for (const auto& [l, T] : cover_[node]) {
     const double factor = coefficient / setup_->primary.area[l] * thickness(options_.thickness_primary, l);
     auto& slopes = primary_slope_[l];
-    chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * T / D * value}); });
+    for (const auto& entry : own) slopes.push_back({entry.col, factor * T / D * entry.value});
     for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {
       for (std::size_t k = 0; k < record.primaries.size(); ++k) {
         if (record.primaries[k] != l) continue;
@@ -203,6 +221,8 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
         collect_primary_wear(node, c.work);
         collect_wear_between(node, c.work);
       }
+  for (auto* side : {&primary_slope_, &secondary_slope_})
+    for (auto& slopes : *side) add_up(slopes);
   const Eleven anchor_shear = options_.anchor < 0 ? Eleven() : node_duals(options_.anchor, lambda).lambda_t;
   for (const auto& [node, c] : duals) {
     const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };

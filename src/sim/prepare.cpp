@@ -9,6 +9,7 @@
 #include "sim/kinematics.hpp"
 #include "sim/plan.hpp"
 #include "sim/problem.hpp"
+#include "sim/timer.hpp"
 
 namespace reye::sim {
 
@@ -220,7 +221,7 @@ std::vector<Issue> as_written(const scene::Scene& scene, std::vector<Issue> issu
   return issues;
 }
 
-Problem built(const scene::Scene& scene) {
+Problem built(const scene::Scene& scene, Cache& cache) {
   Problem p;
   p.scene = scene;
   cad::Geometry geometry = cad::build(scene.geometry);
@@ -243,19 +244,21 @@ Problem built(const scene::Scene& scene) {
   check_secondary_edges(p, issues);
   check_rigid_motions(p, issues);
   refuse(issues);
-  Cache cache;
-  check_facing(system_of(p, initial_state(p), cache), issues);
+  const double before = cpu_seconds();
+  check_facing(timed_system(p, initial_state(p), cache), issues);
   refuse(issues);
   if (choose_kinematics(p)) cache.shapes.clear();  // these bodies are other ones now
-  p.plan = make_plan(p, system_of(p, initial_state(p), cache));
+  p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
+  cache.cpu_s = cpu_seconds() - before;
   return p;
 }
 
 }  // namespace
 
-Problem prepare(const scene::Scene& scene) {
+Problem prepare(const scene::Scene& scene, Cache* cache) {
+  Cache own;
   try {
-    return built(scene);
+    return built(scene, cache ? *cache : own);
   } catch (const base::InputError& error) {
     throw scene::located(scene, as_written(scene, error.issues()));
   }

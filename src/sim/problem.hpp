@@ -90,10 +90,12 @@ struct Cache {
   solver::Newton newton;
   adapt::RelocationCache relocation;
   std::map<std::string, double> seconds;         ///< wall time by room
+  double cpu_s = 0.0;                            ///< processor time that went into it before the run
 };
 
-/// Reads geometry, finds names, meshes, checks. Throws base::InputError with located lines.
-Problem prepare(const scene::Scene& scene);
+/// Reads geometry, finds names, meshes, checks. Throws base::InputError with located lines. `cache`: takes the equations
+/// that were set up to be looked at; a run that is given it goes on with them.
+Problem prepare(const scene::Scene& scene, Cache* cache = nullptr);
 
 /// Finite strain or a material with history: not condensed once, but linearised in every iteration.
 bool is_nonlinear(const body::BodyInput& input);

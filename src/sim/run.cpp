@@ -13,19 +13,13 @@
 #include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
+#include "sim/timer.hpp"
 
 namespace reye::sim {
 
 namespace {
 
 using clock = std::chrono::steady_clock;
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto s = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  return s(usage.ru_utime) + s(usage.ru_stime);
-}
 
 double peak_rss_MB() {
   rusage usage{};
@@ -115,7 +109,8 @@ std::string in_words(const MeshError& error) {
 /// One run in progress: the loop over steps and blocks.
 class Runner {
  public:
-  Runner(const Problem& problem, State& state, const Observer& observer) : p_(problem), state_(state), observer_(observer) {
+  Runner(const Problem& problem, State& state, const Observer& observer, Cache& cache)
+      : p_(problem), state_(state), observer_(observer), cache_(cache) {
     solver::NewtonOptions options;
     options.max_iterations = problem.scene.max_newton;
     cache_.newton = solver::Newton(options);
@@ -128,7 +123,7 @@ class Runner {
     if (p_.scene.output.estimate_error && summary_.status == RunStatus::done) estimate();
     Summary s = summarise_run();
     s.wall_s = std::chrono::duration<double>(clock::now() - start).count();
-    s.cpu_s = cpu_seconds() - cpu;
+    s.cpu_s = cpu_seconds() - cpu + cache_.cpu_s;
     s.peak_rss_MB = peak_rss_MB();
     return s;
   }
@@ -257,14 +252,19 @@ class Runner {
   const Problem& p_;
   State& state_;
   const Observer& observer_;
-  Cache cache_;
+  Cache& cache_;
   Summary summary_;
 };
 
 }  // namespace
 
+Summary run(const Problem& problem, State& state, const Observer& observer, Cache& cache) {
+  return Runner(problem, state, observer, cache).go();
+}
+
 Summary run(const Problem& problem, State& state, const Observer& observer) {
-  return Runner(problem, state, observer).go();
+  Cache cache;
+  return run(problem, state, observer, cache);
 }
 
 }  // namespace reye::sim

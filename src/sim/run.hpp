@@ -18,7 +18,8 @@ struct Observer {
 };
 
 /// Plays all steps from `state` on; `state` ends as the last accepted one. A failed solve or shape is a
-/// summary with a reason, never an exception.
+/// summary with a reason, never an exception. `cache`: of `prepare`, if it was kept.
+Summary run(const Problem& problem, State& state, const Observer& observer, Cache& cache);
 Summary run(const Problem& problem, State& state, const Observer& observer);
 
 }  // namespace reye::sim

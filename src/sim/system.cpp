@@ -20,7 +20,7 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
   if (cache.shapes == state.shapes) return cache.system;
   std::vector<body::Operator> bodies;
   for (std::size_t b = 0; b < state.shapes.size(); ++b) {
-    const bool kept = b < cache.shapes.size() && cache.shapes[b] == state.shapes[b];
+    const bool known = b < cache.shapes.size(), kept = known && cache.shapes[b] == state.shapes[b];
     if (kept)
       bodies.push_back(cache.system.bodies[b]);
     else if (problem.rigid[b])
@@ -28,7 +28,8 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
     else if (is_nonlinear(problem.inputs[b]))
       bodies.emplace_back(body::NonlinearBody(state.shapes[b], problem.inputs[b]));
     else
-      bodies.emplace_back(body::LinearBody(state.shapes[b], problem.inputs[b]));
+      bodies.emplace_back(body::LinearBody(state.shapes[b], problem.inputs[b],
+                                           known ? std::get_if<body::LinearBody>(&cache.system.bodies[b]) : nullptr));
   }
   std::vector<contact::Setup> contacts;
   for (const auto& c : problem.contacts)

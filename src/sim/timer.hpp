@@ -1,4 +1,6 @@
 #pragma once
+#include <sys/resource.h>
+
 #include <chrono>
 
 #include "sim/problem.hpp"
@@ -18,6 +20,14 @@ class Timer {
   double& seconds_;
   clock::time_point start_;
 };
+
+/// Processor time of this program so far, all its threads [s].
+inline double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto s = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  return s(usage.ru_utime) + s(usage.ru_stime);
+}
 
 inline const solver::System& timed_system(const Problem& problem, const State& state, Cache& cache) {
   Timer timer(cache, "body");

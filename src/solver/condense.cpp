@@ -1,5 +1,7 @@
 #include "solver/condense.hpp"
 
+#include <utility>
+
 namespace reye::solver {
 
 using contact::ContactStatus;
@@ -124,27 +126,28 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
   }
   const int multipliers = face.dofs();
   weight_.setZero(elim.slope.cols(), static_cast<Eigen::Index>(elim.conditions.size()));
+  elim.met.clear();
   for (const auto& e : linearised.rows) {
     const int k = of_row[e.row];
     if (k < 0) continue;
     const auto& condition = elim.conditions[k];
     const double value = condition.scale * e.value;
     if (e.col >= multipliers) {
-      weight_(elim.place[(e.col - multipliers) / 2] + (e.col - multipliers) % 2, k) += value;
+      const int component = elim.place[(e.col - multipliers) / 2] + (e.col - multipliers) % 2;
+      double& weight = weight_(component, k);
+      if (weight == 0.0) elim.met.push_back({k, component, 0.0});
+      weight += value;
       continue;
     }
     const auto& node = nodes[e.col / 2];
     for (int t = 0; t < node.position.count; ++t)
       At_(node.column[t], condition.column) += value * node.position.terms[t].direction[e.col % 2];
   }
-  elim.met.clear();
-  for (Eigen::Index k = 0; k < weight_.cols(); ++k)
-    for (Eigen::Index i = 0; i < weight_.rows(); ++i) {
-      if (weight_(i, k) == 0.0) continue;
-      const int column = elim.conditions[k].column;
-      At_.col(column) += weight_(i, k) * elim.slope.col(i);
-      elim.met.push_back({column, static_cast<int>(i), weight_(i, k)});
-    }
+  for (auto& s : elim.met) {  // a weight that passed through zero is met twice, and counts once
+    s.factor = std::exchange(weight_(s.component, s.column), 0.0);
+    s.column = elim.conditions[s.column].column;
+    At_.col(s.column) += s.factor * elim.slope.col(s.component);
+  }
 }
 
 /// What elimination makes of the residuals.

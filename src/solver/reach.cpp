@@ -43,11 +43,11 @@ Reach Reach::round_contact(const System& system, const std::vector<contact::Cont
       for (const auto& [l, M] : state.reference[j].M) primary[l] = 1;
     }
     if (active == 0) return all(system);
-    widen(setup.secondary, secondary, margin + active / 4);
+    widen(setup.secondary, secondary, margin + active / 16);
     for (std::size_t j = 0; j < secondary.size(); ++j)
       if (secondary[j])
         for (const auto& [l, M] : state.reference[j].M) primary[l] = 1;
-    widen(setup.primary, primary, margin + active / 4);
+    widen(setup.primary, primary, margin + active / 16);
     reach.secondary.push_back(std::move(secondary));
     reach.primary.push_back(std::move(primary));
   }

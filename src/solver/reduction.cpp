@@ -1,6 +1,5 @@
 #include "solver/reduction.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace reye::solver {
@@ -41,12 +40,11 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
     if (!linear) continue;
     const Matrix& S = linear->tangent({});
     part.S = S(part.near, part.near);
-    part.f_far = Vector::Zero(static_cast<Eigen::Index>(part.far.size()));
+    part.own = Vector::Zero(static_cast<Eigen::Index>(part.far.size()));
     if (part.far.empty()) continue;
     const Matrix coupling = S(part.far, part.near);
-    const Eigen::LLT<Matrix> factor(S(part.far, part.far));
-    part.inverse = factor.solve(Matrix::Identity(part.f_far.size(), part.f_far.size()));
-    part.G = factor.solve(coupling);
+    part.factor.compute(S(part.far, part.far));
+    part.G = part.factor.solve(coupling);
     part.S.noalias() -= coupling.transpose() * part.G;
     part.S = 0.5 * (part.S + part.S.transpose()).eval();
   }
@@ -61,9 +59,12 @@ Vector Reduction::loads(const System& system, const std::vector<Vector>& load_fa
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
     if (!linear || load_factors[b].size() == 0) continue;
     const Vector full = -linear->residual(Vector::Zero(linear->dofs()), load_factors[b]);
-    part.f_far = full(part.far);
+    const Vector far = full(part.far);
     Vector near = full(part.near);
-    if (!part.far.empty()) near -= part.G.transpose() * part.f_far;
+    if (!part.far.empty()) {
+      near -= part.G.transpose() * far;
+      part.own = part.factor.solve(far);
+    }
     f.segment(first_[b], near.size()) = near;
   }
   return f;
@@ -80,7 +81,7 @@ Vector Reduction::expand(const Vector& reduced) const {
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     const auto& part = parts_[b];
     if (part.far.empty()) continue;
-    const Vector far = part.inverse * part.f_far - part.G * reduced.segment(first_[b], static_cast<Eigen::Index>(part.near.size()));
+    const Vector far = part.own - part.G * reduced.segment(first_[b], static_cast<Eigen::Index>(part.near.size()));
     for (std::size_t i = 0; i < part.far.size(); ++i) q[offset_[b] + part.far[i]] = far[static_cast<Eigen::Index>(i)];
   }
   return q;

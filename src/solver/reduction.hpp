@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Cholesky>
 #include <vector>
 
 #include "solver/reach.hpp"
@@ -18,7 +19,7 @@ class Reduction {
   int first(int body) const { return first_[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
-  /// Forces of all loads, f' on the kept columns; remembers f_f for `expand`.
+  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`.
   Vector loads(const System& system, const std::vector<Vector>& load_factors);
   const Matrix& stiffness(int body) const { return parts_[body].S; }  ///< empty for a rigid body
   /// All global columns from the kept ones; `scatter` leaves those out of reach at zero.
@@ -30,8 +31,8 @@ class Reduction {
     std::vector<int> near, far;  ///< columns of the body's q
     Matrix S;                    ///< S'
     Matrix G;                    ///< S_ff^-1 S_fn
-    Matrix inverse;              ///< S_ff^-1
-    Vector f_far;
+    Eigen::LLT<Matrix> factor;   ///< of S_ff
+    Vector own;                  ///< S_ff^-1 f_f
   };
   std::vector<int> kept_, index_, first_, offset_;
   std::vector<Part> parts_;
