@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <ctime>
+#include <stdexcept>
 
 #include "algebra/factor.hpp"
 #include "factorisations.hpp"
@@ -10,7 +11,7 @@
 #include "sim/block.hpp"
 
 /// What a wear cycle costs in plain factorisations of the stiffness of its bodies: the floor that no method goes below
-/// which factorises at all. Both measured in turn in one run, CPU time.
+/// which factorises at all, both measured in turn in one run; and how it grows with the bodies. CPU time.
 namespace {
 
 using namespace reye;
@@ -61,51 +62,83 @@ Costs factorisation(const sim::Problem& problem, const sim::State& state) {
   return costs;
 }
 
-/// geo/fretting_mccoll as it is (range 0), or with a fine zone of 5 um elements, range / 100 mm deep: pressed, run in, worn for one block, then
-/// measured over the next: both sides wear, the shape moves, the block is closed.
-void floor_of_a_cycle(benchmark::State& run) {
-  auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/fretting_mccoll/scene.toml");
-  for (auto& zone : scene.geometry.fine_zones) {
-    if (run.range(0) == 0) continue;
-    zone.size_mm = 0.005;
-    zone.depth_mm = 0.01 * static_cast<double>(run.range(0));
+/// geo/fretting_mccoll as it is (depth 0), or with a fine zone of 5 um elements, depth / 100 mm deep; pressed, run in and
+/// worn for one block: both sides wear, the shape moves, the block is closed.
+class Fretting {
+ public:
+  explicit Fretting(long depth) : problem(sim::prepare(scene_of(depth), &cache_)), state(sim::initial_state(problem)) {
+    sim::begin_state(problem, state, cache_);
+    for (const auto& step : problem.scene.steps) play(step);
   }
-  const auto problem = sim::prepare(scene);
-  sim::Cache cache;
-  auto state = sim::initial_state(problem);
-  sim::begin_state(problem, state, cache);
-  const auto& steps = problem.scene.steps;
-  const auto block = [&](const scene::Step& step) {
-    const sim::BlockSpan span{&step, step.cycles > 0.0 ? step.jump : 1.0, step.cycles > 0.0};
-    auto outcome = sim::play_block(problem, state, cache, span, {});
-    if (!outcome.failure.empty()) run.SkipWithError(outcome.failure.c_str());
-    state = std::move(outcome.state);
-  };
-  for (const auto& step : steps) block(step);
-  std::vector<double> cycles;
-  std::vector<Costs> costs;
-  for (auto _ : run) {
+
+  /// CPU seconds of one more block.
+  double cycle() {
     const double start = cpu();
-    block(steps.back());
-    cycles.push_back(cpu() - start);
-    costs.push_back(factorisation(problem, state));
+    play(problem.scene.steps.back());
+    return cpu() - start;
   }
-  std::vector<double> plain, condensed;
-  for (const auto& c : costs) {
-    plain.push_back(c.plain);
-    condensed.push_back(c.condensed);
+
+ private:
+  static scene::Scene scene_of(long depth) {
+    auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/fretting_mccoll/scene.toml");
+    if (depth == 0) return scene;
+    for (auto& zone : scene.geometry.fine_zones) {
+      zone.size_mm = 0.005;
+      zone.depth_mm = 0.01 * static_cast<double>(depth);
+    }
+    return scene;
   }
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
-  run.counters["dofs"] = static_cast<double>(costs.front().dofs);
-  run.counters["contact_nodes"] = static_cast<double>(costs.front().retained);
+
+  void play(const scene::Step& step) {
+    const sim::BlockSpan span{&step, step.cycles > 0.0 ? step.jump : 1.0, step.cycles > 0.0};
+    auto outcome = sim::play_block(problem, state, cache_, span, {});
+    if (!outcome.failure.empty()) throw std::runtime_error(outcome.failure);
+    state = std::move(outcome.state);
+  }
+
+  sim::Cache cache_;
+
+ public:
+  const sim::Problem problem;
+  sim::State state;
+};
+
+void floor_of_a_cycle(benchmark::State& run) {
+  Fretting fretting(run.range(0));
+  std::vector<double> cycles, plain, condensed;
+  Costs costs;
+  for (auto _ : run) {
+    cycles.push_back(fretting.cycle());
+    costs = factorisation(fretting.problem, fretting.state);
+    plain.push_back(costs.plain);
+    condensed.push_back(costs.condensed);
+  }
+  run.counters["dofs"] = static_cast<double>(costs.dofs);
+  run.counters["contact_nodes"] = static_cast<double>(costs.retained);
   run.counters["factorisation_s"] = bench::median(plain);
   run.counters["condensing_in_factorisations"] = bench::median(condensed) / bench::median(plain);
   run.counters["cycle_s"] = bench::median(cycles);
   run.counters["cycle_in_factorisations"] = bench::median(cycles) / bench::median(plain);
-  run.counters["peak_kB_per_dof"] = static_cast<double>(used.ru_maxrss) / static_cast<double>(costs.front().dofs);
 }
 
 BENCHMARK(floor_of_a_cycle)->Name("floor")->Arg(0)->Arg(10)->Arg(60)->Iterations(5)->Unit(benchmark::kSecond);
+
+/// Time of a block and memory over the number of dofs, at some 240 contact nodes a side: the largest resident memory of
+/// this program so far, meshing included.
+void scaling_of_a_block(benchmark::State& run) {
+  Fretting fretting(run.range(0));
+  std::vector<double> cycles;
+  for (auto _ : run) cycles.push_back(fretting.cycle());
+  double dofs = 0.0;
+  for (const auto& shape : fretting.state.shapes) dofs += 2.0 * static_cast<double>(shape->mesh.X.size());
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  run.counters["dofs"] = dofs;
+  run.counters["block_s"] = bench::median(cycles);
+  run.counters["peak_kB_per_dof"] = static_cast<double>(used.ru_maxrss) / dofs;
+}
+
+BENCHMARK(scaling_of_a_block)->Name("scaling")->Arg(4)->Arg(20)->Arg(60)->Arg(180)->Arg(550)->Iterations(3)
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
