@@ -30,7 +30,6 @@ void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, co
 void Increment::forget() {
   reach_chosen_ = false;
   last_step_.resize(0);
-  matrix_set_.clear();
   nonlinear_.forget();
 }
 
@@ -43,7 +42,6 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (reach_chosen_ && !everything) return;
   reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
   reduction_ = Reduction(system, reach_);
-  matrix_set_.clear();
   // Before anything touches, or where contact outran its reach, the next increment chooses anew.
   reach_chosen_ = !(reach_ == Reach::all(system)) || !limited;
 }
@@ -234,8 +232,7 @@ Vector Increment::step(const System& system, const Controls& controls, const Vec
   if (chord) {
     condenser_.again(-balance_);
   } else {
-    matrix_set_.clear();
-    condenser_.start(system, -balance_);
+      condenser_.start(system, -balance_);
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int at = reduction_.first(static_cast<int>(b));
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
@@ -252,7 +249,6 @@ Vector Increment::step(const System& system, const Controls& controls, const Vec
     condenser_.fix(at, value - q[at]);
   }
   const Vector dq = condenser_.solve();
-  matrix_set_ = active_set();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
   return dq;
 }

@@ -41,9 +41,6 @@ class Increment {
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
   bool accept(const System& system, const Vector& q, SolverState& state);
 
-  /// Whether the matrix of the last step is of this active set (of an earlier increment, it may be).
-  bool matrix_serves() const { return !matrix_set_.empty() && matrix_set_ == active_set(); }
-
   bool nonlinear() const { return nonlinear_.any(); }
   bool touching() const;  ///< whether a node of some contact is active
   ActiveSetWatch::Set active_set() const;
@@ -67,7 +64,6 @@ class Increment {
   std::vector<Sides> sides_, start_;            ///< where the surface nodes are, and where the increment found them
   std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
-  ActiveSetWatch::Set matrix_set_;              ///< the condenser's matrix is of this active set
   Vector balance_, loads_, arm_;                ///< on the reduced columns
   Suspects suspects_;
 };

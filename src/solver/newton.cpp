@@ -52,9 +52,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       return result;
     }
     const double off = error_of(row);
-    // A smooth motion that goes on changes the matrix little: that of the increment before is tried first.
-    const bool carried = iteration == 0 && predicted && !increment_.nonlinear() && increment_.matrix_serves();
-    bool chord = options_.chords && (rule.allows(off, changes) || (carried && changes == 0));
+    bool chord = options_.chords && rule.allows(off, changes);
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
     bool met = iteration > 0 && changes == 0 && off < (on_chord && chord ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.

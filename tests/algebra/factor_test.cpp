@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <vector>
@@ -85,6 +87,17 @@ TEST(schur, columns_of_any_unit) {
     const Matrix T = back.asDiagonal() * algebra::SchurFactor(scaled, retained).schur() * back.asDiagonal();
     EXPECT_LT((T - S).cwiseAbs().maxCoeff(), 1e-13 * S.cwiseAbs().maxCoeff()) << unit;
   }
+}
+
+// A factor made like another must give what a fresh one gives: of the same pattern, where the analysis is shared and
+// outlives the first factor, and of another one.
+TEST(schur, like_another_equals_fresh) {
+  auto first = std::make_unique<algebra::SchurFactor>(grid(9, 8, 0.0), 16);
+  algebra::SchurFactor same(grid(9, 8, 0.0, -0.7), 16, first.get()), other(grid(12, 7, 1.0), 16, first.get());
+  first.reset();
+  same.refactor(grid(9, 8, 0.0, -0.3));
+  EXPECT_EQ((same.schur() - algebra::SchurFactor(grid(9, 8, 0.0, -0.3), 16).schur()).norm(), 0.0);
+  EXPECT_EQ((other.schur() - algebra::SchurFactor(grid(12, 7, 1.0), 16).schur()).norm(), 0.0);
 }
 
 // Condensed equations plus recovery must give the direct solution to 1e-11.
