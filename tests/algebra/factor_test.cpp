@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "base/errors.hpp"

@@ -137,7 +137,7 @@ void expect_same(const Played& a, const Played& b, const char* name) {
 
 // Below the bound `auto` must play the small-strain run, bit by bit, and tell the estimate that it went by.
 TEST(Kinematics, AutoIsSmallWhereThatIsEnough) {
-  for (const Case& c : {disc(0.1), pin(0.02), ring(0.01), column(0.05)}) {
+  for (const Case& c : {disc(0.1), pin(0.01), ring(0.01), column(0.05)}) {
     const auto chosen = played(strained(c.text, "auto")), small = played(strained(c.text, "small"));
     expect_same(chosen, small, c.name);
     ASSERT_TRUE(chosen.summary.error_small_strain) << c.name;
@@ -156,10 +156,9 @@ TEST(Kinematics, AutoIsFiniteWhereThatIsNeeded) {
   }
 }
 
-// Near the bound the estimate must be of the size of what small strain puts wrong: not less than half of it, not more
-// than four times.
+// Near the bound the estimate must hold what small strain puts wrong, and not be more than eight times as much.
 TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
-  for (const Case& c : {disc(0.3), pin(0.035), blocks(0.08), ring(0.025), column(0.12)}) {
+  for (const Case& c : {disc(0.15), pin(0.018), blocks(0.04), ring(0.013), column(0.06)}) {
     const auto small = played(strained(c.text, "small")), finite = played(strained(c.text, "finite"));
     auto told = small.problem;
     for (std::size_t b = 0; b < told.kinematics.size(); ++b)
@@ -169,8 +168,8 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
     const double error = apart(small, finite);
     EXPECT_GT(estimate, 0.5 * sim::small_strain_bound) << c.name;
     EXPECT_LT(estimate, 2.0 * sim::small_strain_bound) << c.name;
-    EXPECT_GT(estimate, 0.5 * error) << c.name;
-    EXPECT_LT(estimate, 4.0 * error) << c.name;
+    EXPECT_GT(estimate, error) << c.name;
+    EXPECT_LT(estimate, 8.0 * error) << c.name;
   }
 }
 
