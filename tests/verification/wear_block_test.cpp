@@ -97,7 +97,7 @@ TEST(WearBlock, SlidingOfEitherSign) {
                                                          {"[0.0, 3.00]", "[0.0, -3.0]"},
                                                          {"motion_mm = 3.0e-7", "motion_mm = -3.0e-7"}}));
   expect_both_worn(run);
-  EXPECT_NEAR(run.contact().tangential_force, 30.0, 1e-9);
+  EXPECT_NEAR(run.contact().tangential_force, 30.0, 3e-9);  // to which the solver balances: 1e-10 of it
 }
 
 /// In full slip Archard's law with k = alpha mu is the energy law.
