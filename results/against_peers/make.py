@@ -202,10 +202,9 @@ def fretting(n, present):
 
 def at_error(table, program, key, error):
     """CPU at an L2 error, by a power law through the meshes."""
-    pairs = [(math.log(t[program]["l2"]), math.log(t[program][key])) for t in table.values()]
-    mx, my = sum(x for x, _ in pairs) / len(pairs), sum(y for _, y in pairs) / len(pairs)
-    slope = sum((x - mx) * (y - my) for x, y in pairs) / sum((x - mx) ** 2 for x, _ in pairs)
-    return math.exp(my + slope * (math.log(error) - mx))
+    pairs = [(t[program]["l2"], t[program][key]) for t in table.values()]
+    middle = [math.exp(sum(map(math.log, values)) / len(values)) for values in zip(*pairs)]
+    return middle[1] * (error / middle[0]) ** cc.slope(pairs)
 
 
 def machine():

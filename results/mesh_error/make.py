@@ -7,18 +7,10 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import contact_case as cc  # noqa: E402
+from mesh_case import A, A0, C, LOW_A, LOW_P0, MU, ONLY_LOADING, P0, SAME_BLOCKS, SECOND, TO_ONE  # noqa: E402
 from wear_case import figure, profile_error, read_csv, run, worn_profile, write_csv, write_measured  # noqa: E402
 
-LOW_A, LOW_P0 = 0.2, 109.89011    # p0 / E* = 1e-3
-A, C, P0, MU = 0.0913360, 0.0645843, 836.410, 0.6
-A0 = 0.0358622                    # half width before wear
 ASKED = ("[output]\n", "[output]\nestimate_error = true\n")
-SECOND = ('material = "steel"', 'material = "steel"\norder = 2')
-ONLY_LOADING = [('[[step]]\nname = "unload"\nplay = ["unload"]\nincrements = 20\n', ""),
-                ('[[step]]\nname = "reverse"\nplay = ["reverse"]\nincrements = 20\n', ""),
-                ("every_increment = true", "every_cycles = 1"), ("increments = 10", "increments = 5")]
-TO_ONE = [('\n[[step]]\nname = "to S = 10"\ncycles = 4500\njump = 100\n', ""), ("half_width_mm = 0.1", "half_width_mm = 0.065"),
-          ("every_cycles = 500", "every_cycles = 1000"), ("jump = 1\n", "jump = 5\n"), ("jump = 10\n", "jump = 30\n")]
 
 
 def meshes(a, old_size):
@@ -63,7 +55,7 @@ def wear_error(done, reference, frame=-1):
 
 def gross_slip():
     def played(name, order, n, words):
-        return run("line_contact_gross_slip", name, TO_ONE + cc.zone("0.0018", order * A0 / n, 0.0) + words)
+        return run("line_contact_gross_slip", name, TO_ONE + SAME_BLOCKS + cc.zone("0.0018", order * A0 / n, 0.0) + words)
     reference = played("line_fine", 2, 80, [SECOND])
     for order, n in ((1, 5), (1, 10), (1, 20), (1, 40), (2, 5), (2, 10), (2, 20)):
         done = played(f"line_{order}_{n}", order, n, [ASKED] + ([SECOND] if order == 2 else []))

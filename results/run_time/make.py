@@ -2,6 +2,7 @@
 """What geo/fretting_mccoll takes, in CPU seconds on one core and in plain factorisations of its own stiffness."""
 import os
 import pathlib
+import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
@@ -9,10 +10,6 @@ from wear_case import benchmarks, run, write_csv, write_measured  # noqa: E402
 
 REPEATS = 5
 SCENES = {"fixed_blocks": "fretting_mccoll", "by_tolerance": "fretting_mccoll_tolerance"}
-
-
-def median(values):
-    return sorted(values)[len(values) // 2]
 
 
 def main():
@@ -24,8 +21,8 @@ def main():
             seconds[name].append(summary["cpu_s"])
             rooms[name] = summary["room_seconds"]
         factorisation += [b["factorisation_s"] for b in benchmarks("^floor/0/")]
-    one = median(factorisation)
-    rows = [(name, median(values), min(values), max(values), median(values) / one) for name, values in seconds.items()]
+    one = statistics.median(factorisation)
+    rows = [(name, statistics.median(values), min(values), max(values), statistics.median(values) / one) for name, values in seconds.items()]
     write_csv("run_time.csv", ("run", "cpu_s", "least", "most", "in_factorisations"), rows)
     write_csv("share.csv", ("run", "room", "share_of_wall_time"),
               [(name, room, value / sum(times.values())) for name, times in rooms.items() for room, value in times.items()])

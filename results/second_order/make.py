@@ -6,17 +6,12 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import contact_case as cc  # noqa: E402
+from mesh_case import A, C, LOW_A, LOW_P0, MU, ONLY_LOADING, P0, SECOND  # noqa: E402
 from wear_case import figure, half_width, run, write_csv, write_measured  # noqa: E402
 
-LOW_A, LOW_P0 = 0.2, 109.89011    # p0 / E* = 1e-3
-A, C, MU_P0 = 0.0913360, 0.0645843, 0.6 * 836.410
 INTERVALS = (10, 20, 40, 80)      # between neighbouring nodes across the contact; a facet of order 2 spans two
-SECOND = ('material = "steel"', 'material = "steel"\norder = 2')
 KINDS = {"linear": [], "quadratic": [SECOND],
          "quadratic_linear_dual": [SECOND, ('secondary = "face"', 'secondary = "face"\ndual = "linear"')]}
-ONLY_LOADING = [('[[step]]\nname = "unload"\nplay = ["unload"]\nincrements = 20\n', ""),
-                ('[[step]]\nname = "reverse"\nplay = ["reverse"]\nincrements = 20\n', ""),
-                ("every_increment = true", "every_cycles = 1"), ("increments = 10", "increments = 5")]
 
 
 def played(scene, kind, intervals, shift, half, old_size, words):
@@ -43,9 +38,9 @@ def cattaneo_mindlin(kind, intervals, shift):
     done, rows = played("cattaneo_mindlin", kind, intervals, shift, A, "0.0045", ONLY_LOADING)
     points = cc.profile(rows, "shear_MPa")
     def exact(x):
-        return cc.mindlin(x, A, C, MU_P0)
-    l2 = cc.l2_error(points, exact) / (MU_P0 * (4.0 * A / 3.0) ** 0.5)
-    inner = cc.largest_error(points, exact, 0.8 * C) / MU_P0
+        return cc.mindlin(x, A, C, MU * P0)
+    l2 = cc.l2_error(points, exact) / (MU * P0 * (4.0 * A / 3.0) ** 0.5)
+    inner = cc.largest_error(points, exact, 0.8 * C) / (MU * P0)
     return l2, inner, done.contact["stick_half_width_mm"] / C - 1.0, done.summary["cpu_s"]
 
 

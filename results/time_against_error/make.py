@@ -2,26 +2,18 @@
 """Error against run time: Hertz, Cattaneo-Mindlin (references B1, B2) and a line contact that wears in gross slip (B8), over
 mesh levels, orders and, where it wears, jump tolerances and jumps of one size."""
 import pathlib
+import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import contact_case as cc  # noqa: E402
+from mesh_case import A, A0, C, LOW_A, LOW_P0, MU, ONLY_LOADING, P0, SAME_BLOCKS, SECOND, TO_ONE  # noqa: E402
 from wear_case import figure, profile_error, run, worn_profile, write_csv, write_measured  # noqa: E402
 
-LOW_A, LOW_P0 = 0.2, 109.89011    # p0 / E* = 1e-3
-A, C, MU_P0 = 0.0913360, 0.0645843, 0.6 * 836.410
-A0 = 0.0358622                    # half width before wear
 PER_HALF_WIDTH = (5, 10, 20, 40)  # intervals between nodes; an element of order 2 spans two
 ORDERS = (1, 2)
 SHIFTS = 3                        # positions of the mesh, a third of an element apart
 TOLERANCES, JUMPS = (0.01, 0.003, 0.001, 0.0003), (250, 100, 50, 20, 10)
-SECOND = ('material = "steel"', 'material = "steel"\norder = 2')
-ONLY_LOADING = [('[[step]]\nname = "unload"\nplay = ["unload"]\nincrements = 20\n', ""),
-                ('[[step]]\nname = "reverse"\nplay = ["reverse"]\nincrements = 20\n', ""),
-                ("every_increment = true", "every_cycles = 1"), ("increments = 10", "increments = 5")]
-TO_ONE = [('\n[[step]]\nname = "to S = 10"\ncycles = 4500\njump = 100\n', ""), ("half_width_mm = 0.1", "half_width_mm = 0.065"),
-          ("every_cycles = 500", "every_cycles = 1000")]
-SAME_BLOCKS = [("jump = 1\n", "jump = 5\n"), ("jump = 10\n", "jump = 30\n")]  # on every mesh: what differs is the mesh alone
 
 
 def played(scene, name, order, size, old_size, shift, words):
@@ -42,7 +34,7 @@ def cattaneo_mindlin(order, per_half_width, shift):
     done = played("cattaneo_mindlin", f"shear_{order}_{per_half_width}_{shift}", order, order * A / per_half_width, "0.0045", shift,
                   ONLY_LOADING)
     points = cc.profile(done.last("secondary"), "shear_MPa")
-    error = cc.l2_error(points, lambda x: cc.mindlin(x, A, C, MU_P0)) / (MU_P0 * (4.0 * A / 3.0) ** 0.5)
+    error = cc.l2_error(points, lambda x: cc.mindlin(x, A, C, MU * P0)) / (MU * P0 * (4.0 * A / 3.0) ** 0.5)
     return error, 0, done.summary["cpu_s"]
 
 
@@ -68,10 +60,6 @@ def wear_errors(done, reference):
     return profile_error(depth_profile(done), reference), done.summary["counts"]["cycles_solved"], done.summary["cpu_s"]
 
 
-def median(values):
-    return sorted(values)[len(values) // 2]
-
-
 def study(name, one, measured):
     """Root mean squares of the error over the positions, the median of the time."""
     rows = []
@@ -80,7 +68,7 @@ def study(name, one, measured):
         for n in PER_HALF_WIDTH:
             found = [one(order, n, shift) for shift in range(SHIFTS)]
             means.append((1.0 / n, cc.mean_square([f[0] for f in found])))
-            rows.append((order, n, means[-1][1], found[0][1], median([f[2] for f in found])))
+            rows.append((order, n, means[-1][1], found[0][1], statistics.median(f[2] for f in found)))
             measured[f"{name}_order_{order}_error_{n}"] = means[-1][1]
         measured[f"{name}_order_{order}_slope"] = cc.slope(means)
     write_csv(f"{name}.csv", ["order", "per_half_width", "error", "cycles_solved", "cpu_s"], rows)

@@ -44,8 +44,8 @@ double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   return norm;
 }
 
-/// Whether a pivot is so small against the largest that the condition has to be looked at. Pivots of an equilibrated
-/// matrix fall with its smallest singular value; those of a matrix that is singular to working precision end as round-off.
+/// Whether a pivot is so small against the largest that the condition has to be looked at. No bound of it: a matrix may
+/// hide that it is nearly singular in growing solutions, which Newton's next residual then shows.
 bool doubtful(const Matrix& LU) {
   const auto pivots = LU.diagonal().cwiseAbs();
   return !(pivots.minCoeff() > 1e-9 * pivots.maxCoeff());

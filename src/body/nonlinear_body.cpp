@@ -1,40 +1,15 @@
-#include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <utility>
 
-#include "base/errors.hpp"
-#include "body/columns.hpp"
 #include "body/condensation.hpp"
+#include "body/nonlinear_equations.hpp"
 #include "body/operator.hpp"
-#include "fem/assemble_loads.hpp"
-#include "fem/finite.hpp"
-#include "fem/follower.hpp"
 
 namespace reye::body {
 
 using base::SparseMatrix;
 
 namespace {
-
-/// One load of the scene for history factor 1: the part that keeps its direction, and at finite strain the pressure.
-struct Load {
-  Vector dead;
-  std::optional<fem::FollowerPressure> pressure;
-};
-
-Load make_load(const mesh::Mesh& mesh, const BodyInput& input, fem::BoundaryLoad load) {
-  if (input.kinematics == base::Kinematics::small || load.pressure_MPa == 0.0)
-    return {fem::load_vector(mesh, input.analysis, load), {}};
-  fem::FollowerPressure pressure(mesh, input.analysis, load);
-  load.pressure_MPa = 0.0;
-  return {fem::load_vector(mesh, input.analysis, load), std::move(pressure)};
-}
-
-template <class DeadLoad>
-Load make_load(const mesh::Mesh& mesh, const BodyInput& input, const DeadLoad& load) {
-  return {fem::load_vector(mesh, input.analysis, load), {}};
-}
 
 std::vector<Vec2> by_node(const Vector& u) {
   std::vector<Vec2> nodal(static_cast<size_t>(u.size() / 2));
@@ -52,97 +27,8 @@ struct NonlinearBody::Linearised::Kept {
   Condensation condensation;
 };
 
-struct NonlinearBody::Impl {
-  ShapePtr shape;
-  std::string name;
-  fem::Solid solid;
-  Columns columns;
-  fem::Pattern pattern;
-  std::vector<LoadColumn> names;
-  std::vector<Load> loads;
-
-  Impl(ShapePtr s, const BodyInput& input)
-      : shape(std::move(s)),
-        name(input.name),
-        solid{input.material, input.analysis, input.kinematics, input.b_bar},
-        columns(number_columns(shape->mesh, input)),
-        pattern(shape->mesh) {
-    for_each_load(input, [&](const auto& load) {
-      names.push_back({load.name, load.history});
-      loads.push_back(make_load(shape->mesh, input, load));
-    });
-  }
-
-  const mesh::Mesh& mesh() const { return shape->mesh; }
-  int interior() const { return columns.interior; }
-  bool turning() const { return solid.kinematics == base::Kinematics::finite; }
-
-  Vector all(const Vector& y, const Vector& q) const {
-    Vector both(y.size() + q.size());
-    both << y, q;
-    return both;
-  }
-
-  /// Runs `task`; a failure of the material names the body.
-  template <class Task>
-  auto named(Task task) const {
-    try {
-      return task();
-    } catch (const base::SolveError& error) {
-      throw base::SolveError("body " + name + ", " + error.what());
-    }
-  }
-
-  Vector displacement(const Vector& unknowns) const {
-    Vector u = Vector::Zero(2 * mesh().node_count());
-    for (int node = 0; node < mesh().node_count(); ++node)
-      for (const Term& term : columns.terms[node])
-        u.segment<2>(2 * node) += columns.path(term, unknowns[term.column], turning()).displacement;
-    return u;
-  }
-
-  /// B = du/d(y, q).
-  SparseMatrix expansion(const Vector& unknowns) const {
-    std::vector<base::Triplet> entries;
-    for (int node = 0; node < mesh().node_count(); ++node)
-      for (const Term& term : columns.terms[node]) {
-        const Vec2 slope = columns.path(term, unknowns[term.column], turning()).slope;
-        for (int i : {0, 1}) entries.emplace_back(2 * node + i, term.column, slope[i]);
-      }
-    SparseMatrix B(2 * mesh().node_count(), columns.interior + columns.retained);
-    B.setFromTriplets(entries.begin(), entries.end());
-    return B;
-  }
-
-  bool symmetric() const {
-    const auto follows = [](const Load& load) { return load.pressure.has_value(); };
-    return solid.symmetric(mesh().kind) && std::none_of(loads.begin(), loads.end(), follows);
-  }
-
-  /// f_int - sum factor_i f_i on the nodes.
-  Vector unbalanced(const fem::InternalForce& f, const Vector& u, const Vector& factors) const {
-    Vector r = f.total;
-    for (size_t i = 0; i < loads.size(); ++i) {
-      r -= factors[i] * loads[i].dead;
-      if (loads[i].pressure) loads[i].pressure->add_force(-factors[i], mesh(), u, r);
-    }
-    return r;
-  }
-
-  void subtract_load_tangent(const Vector& u, const Vector& factors, SparseMatrix& K) const {
-    for (size_t i = 0; i < loads.size(); ++i)
-      if (loads[i].pressure) loads[i].pressure->add_tangent(-factors[i], mesh(), u, pattern, K);
-  }
-
-  /// What d^2 u / dtheta^2 adds to the tangent: the nodes of an edge accelerate towards its centre.
-  void add_turning(const Vector& unbalanced, const Vector& unknowns, SparseMatrix& K) const {
-    if (!turning()) return;
-    for (int node = 0; node < mesh().node_count(); ++node)
-      for (const Term& term : columns.terms[node])
-        if (columns.turns(term.column))
-          K.coeffRef(term.column, term.column) +=
-              unbalanced.segment<2>(2 * node).dot(columns.path(term, unknowns[term.column], true).curvature);
-  }
+struct NonlinearBody::Impl : NonlinearEquations {
+  using NonlinearEquations::NonlinearEquations;
 };
 
 NonlinearBody::NonlinearBody(ShapePtr shape, const BodyInput& input)

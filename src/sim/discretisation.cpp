@@ -154,12 +154,12 @@ Observer aside(const Observer& outside) {
 
 /// The companion run; the error of the surface where it comes to its end.
 MeshError compared(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
-  const Problem coarse = prepare(coarser(problem, state));
+  Cache of_coarse;
+  const Problem coarse = prepare(coarser(problem, state), &of_coarse);
   if (same_meshes(problem, coarse)) return {RunStatus::failed, "the meshes came with their files as they are", {}, {}};
   State end = initial_state(coarse);
-  const Summary summary = run(coarse, end, aside(observer));
+  const Summary summary = run(coarse, end, aside(observer), of_coarse);
   if (summary.status != RunStatus::done) return {summary.status, "the companion run: " + summary.reason, {}, {}};
-  Cache of_coarse;
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
   if (too_few(surfaces, end)) return {RunStatus::done, "of elements twice as long fewer than four touch", {}, {}};
   const auto apart = mesh_difference(surfaces_of(problem, state, cache), surfaces, problem.scene.analysis);

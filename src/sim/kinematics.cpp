@@ -49,11 +49,11 @@ void take_finite(body::BodyInput& input) {
 
 }  // namespace
 
-bool choose_kinematics(Problem& problem) {
+void choose_kinematics(Problem& problem, Cache& cache) {
   auto& choices = problem.kinematics;
   const auto decided = [](const auto& choice) { return !choice || choice->largest.error() > small_strain_bound; };
   const auto over = [&] { return std::all_of(choices.begin(), choices.end(), decided); };
-  if (over()) return false;
+  if (over()) return;
   Problem trial = trial_of(problem);
   State state = initial_state(trial);
   Observer watch;
@@ -63,16 +63,14 @@ bool choose_kinematics(Problem& problem) {
         keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis, body.u));
   };
   watch.interrupted = over;
-  const Summary summary = run(trial, state, watch);
-  bool changed = false;
+  const Summary summary = run(trial, state, watch, cache);
   for (std::size_t b = 0; b < choices.size(); ++b) {
     if (!choices[b]) continue;
     if (summary.status == RunStatus::failed) choices[b]->failure = summary.reason;
     if (!decided(choices[b]) && choices[b]->failure.empty()) continue;
     take_finite(problem.inputs[b]);
-    changed = true;
+    cache.shapes.clear();
   }
-  return changed;
 }
 
 std::optional<double> chosen_small_error(const Problem& problem) {

@@ -9,8 +9,8 @@ inline constexpr double small_strain_bound = 0.01;
 /// Decides between small and finite strain for the bodies that leave it to the run. A trial, with these bodies at small
 /// strain and without wear, plays every step once: a body whose error passes the bound at the end of an increment is
 /// finitely strained, and all are where the trial fails. LinearElastic, which is no law of finite strain, becomes there
-/// Hencky's of the same constants. True: some body is now finitely strained that was not.
-bool choose_kinematics(Problem& problem);
+/// Hencky's of the same constants. `cache`: of the problem; emptied of its equations where a body changed.
+void choose_kinematics(Problem& problem, Cache& cache);
 
 /// Largest estimated error of the bodies whose small strain was chosen; empty where there is none.
 std::optional<double> chosen_small_error(const Problem& problem);

@@ -247,7 +247,7 @@ Problem built(const scene::Scene& scene, Cache& cache) {
   const double before = cpu_seconds();
   check_facing(timed_system(p, initial_state(p), cache), issues);
   refuse(issues);
-  if (choose_kinematics(p)) cache.shapes.clear();  // these bodies are other ones now
+  choose_kinematics(p, cache);
   p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
   cache.cpu_s = cpu_seconds() - before;
   return p;

@@ -46,8 +46,6 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   reach_chosen_ = !(reach_ == Reach::all(system)) || !limited;
 }
 
-/// From `before`, or where the last increment would lead that goes on `continues` times as far. Returns q; throws
-/// base::SolveError when a nonlinear body can not be linearised there.
 Vector Increment::begin(const System& system, const SolverState& before, const Controls& controls, double continues) {
   const auto n = system.contacts.size();
   interfaces_.resize(n);
@@ -182,7 +180,6 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
   return row;
 }
 
-/// Number of nodes that ask for another status; those that are allowed to get it.
 int Increment::decide(int iteration, bool predicted, Allowed allowed) {
   int changes = 0;
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
@@ -205,14 +202,12 @@ ActiveSetWatch::Set Increment::active_set() const {
   return set;
 }
 
-/// Whether a node of some contact is active.
 bool Increment::touching() const {
   return std::any_of(interfaces_.begin(), interfaces_.end(), [](const auto& face) {
     return std::any_of(face.status().begin(), face.status().end(), [](auto s) { return s != ContactStatus::inactive; });
   });
 }
 
-/// Solves back what was out of reach, looks whether contact stayed inside, and takes the state over. False: it did not.
 bool Increment::accept(const System& system, const Vector& q, SolverState& state) {
   state.q = reduction_.expand(q);
   integrate(system, state.q, true);
@@ -226,13 +221,11 @@ bool Increment::accept(const System& system, const Vector& q, SolverState& state
   return true;
 }
 
-/// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and takes
-/// lambda along. Throws base::SolveError when the matrix is singular.
 Vector Increment::step(const System& system, const Controls& controls, const Vector& q, bool chord) {
   if (chord) {
     condenser_.again(-balance_);
   } else {
-      condenser_.start(system, -balance_);
+    condenser_.start(system, -balance_);
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int at = reduction_.first(static_cast<int>(b));
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
