@@ -22,12 +22,12 @@ double cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 base::SparseMatrix ordered_stiffness(const sim::Problem& problem, const sim::State& state, int body, int& retained) {
   const auto K = bench::held_stiffness(problem, state, body);
   const auto& mesh = state.shapes[body]->mesh;
-  std::vector<char> last(mesh.X.size(), 0);
+  std::vector<bool> last(mesh.X.size(), false);
   for (const auto& name : problem.inputs[body].contact_boundaries)
-    for (int node : mesh::nodes_of(mesh.boundaries.at(name))) last[static_cast<std::size_t>(node)] = 1;
+    for (int node : mesh::nodes_of(mesh.boundaries.at(name))) last[static_cast<std::size_t>(node)] = true;
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to(K.rows());
   int place = 0;
-  for (char wanted : {0, 1}) {
+  for (const bool wanted : {false, true}) {
     retained = static_cast<int>(K.rows()) - place;
     for (std::size_t i = 0; i < last.size(); ++i)
       for (int c = 0; last[i] == wanted && c < 2; ++c) to.indices()[2 * static_cast<int>(i) + c] = place++;
@@ -62,16 +62,39 @@ Costs factorisation(const sim::Problem& problem, const sim::State& state) {
   return costs;
 }
 
-/// geo/fretting_mccoll as it is (depth 0), or with a fine zone of 5 um elements, depth / 100 mm deep; pressed, run in and
-/// worn for one block: both sides wear, the shape moves, the block is closed.
+/// geo/fretting_mccoll as it is (depth 0), or with a fine zone of 5 um elements, depth / 100 mm deep.
+scene::Scene fretting(long depth) {
+  auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/fretting_mccoll/scene.toml");
+  if (depth == 0) return scene;
+  for (auto& zone : scene.geometry.fine_zones) {
+    zone.size_mm = 0.005;
+    zone.depth_mm = 0.01 * static_cast<double>(depth);
+  }
+  return scene;
+}
+
+/// The same with the steel of geo/plastic_fretting, in fewer increments and worn from the press on: every iteration
+/// linearises and condenses both bodies.
+scene::Scene plastic_fretting(long depth, base::Kinematics kinematics) {
+  auto scene = fretting(depth);
+  scene.materials.at("steel") = material::HenckyJ2{200e3, 0.3, material::LinearHardening{280.0, 2000.0}};
+  for (auto& [name, body] : scene.body_material) body.kinematics = kinematics;
+  scene.steps = {scene.steps.front(), scene.steps.back()};
+  scene.steps.back().increments = 8;
+  return scene;
+}
+
+/// A scene whose steps but the last have been played. That one wears: both sides wear, the shape moves, the block is
+/// closed.
 class Fretting {
  public:
-  explicit Fretting(long depth) : problem(sim::prepare(scene_of(depth), &cache_)), state(sim::initial_state(problem)) {
+  explicit Fretting(const scene::Scene& scene)
+      : problem(sim::prepare(scene, &cache_)), state(sim::initial_state(problem)) {
     sim::begin_state(problem, state, cache_);
-    for (const auto& step : problem.scene.steps) play(step);
+    for (std::size_t i = 0; i + 1 < problem.scene.steps.size(); ++i) play(problem.scene.steps[i]);
   }
 
-  /// CPU seconds of one more block.
+  /// CPU seconds of one more wear block.
   double cycle() {
     const double start = cpu();
     play(problem.scene.steps.back());
@@ -79,16 +102,6 @@ class Fretting {
   }
 
  private:
-  static scene::Scene scene_of(long depth) {
-    auto scene = scene::read(std::string(REYE_SOURCE_DIR) + "/geo/fretting_mccoll/scene.toml");
-    if (depth == 0) return scene;
-    for (auto& zone : scene.geometry.fine_zones) {
-      zone.size_mm = 0.005;
-      zone.depth_mm = 0.01 * static_cast<double>(depth);
-    }
-    return scene;
-  }
-
   void play(const scene::Step& step) {
     const sim::BlockSpan span{&step, step.cycles > 0.0 ? step.jump : 1.0, step.cycles > 0.0};
     auto outcome = sim::play_block(problem, state, cache_, span, {});
@@ -104,12 +117,13 @@ class Fretting {
 };
 
 void floor_of_a_cycle(benchmark::State& run) {
-  Fretting fretting(run.range(0));
+  Fretting played(fretting(run.range(0)));
+  played.cycle();
   std::vector<double> cycles, plain, condensed;
   Costs costs;
   for (auto _ : run) {
-    cycles.push_back(fretting.cycle());
-    costs = factorisation(fretting.problem, fretting.state);
+    cycles.push_back(played.cycle());
+    costs = factorisation(played.problem, played.state);
     plain.push_back(costs.plain);
     condensed.push_back(costs.condensed);
   }
@@ -135,12 +149,11 @@ BENCHMARK(told<floor_of_a_cycle>)->Name("floor")->Arg(0)->Arg(10)->Arg(60)->Iter
 
 /// Time of a block and memory over the number of dofs, at some 240 contact nodes a side: the largest resident memory of
 /// this program so far, meshing included.
-void scaling_of_a_block(benchmark::State& run) {
-  Fretting fretting(run.range(0));
+void scaling_of_a_block(benchmark::State& run, Fretting& played) {
   std::vector<double> cycles;
-  for (auto _ : run) cycles.push_back(fretting.cycle());
+  for (auto _ : run) cycles.push_back(played.cycle());
   double dofs = 0.0;
-  for (const auto& shape : fretting.state.shapes) dofs += 2.0 * static_cast<double>(shape->mesh.X.size());
+  for (const auto& shape : played.state.shapes) dofs += 2.0 * static_cast<double>(shape->mesh.X.size());
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   run.counters["dofs"] = dofs;
@@ -148,7 +161,23 @@ void scaling_of_a_block(benchmark::State& run) {
   run.counters["peak_kB_per_dof"] = static_cast<double>(used.ru_maxrss) / dofs;
 }
 
-BENCHMARK(told<scaling_of_a_block>)->Name("scaling")->Arg(4)->Arg(20)->Arg(60)->Arg(180)->Iterations(3)
+void scaling_linear(benchmark::State& run) {
+  Fretting played(fretting(run.range(0)));
+  played.cycle();
+  scaling_of_a_block(run, played);
+}
+
+template <base::Kinematics kinematics>
+void scaling_plastic(benchmark::State& run) {
+  Fretting played(plastic_fretting(run.range(0), kinematics));
+  scaling_of_a_block(run, played);
+}
+
+BENCHMARK(told<scaling_linear>)->Name("scaling")->Arg(4)->Arg(20)->Arg(60)->Arg(180)->Iterations(3)
     ->Unit(benchmark::kSecond);
+BENCHMARK(told<scaling_plastic<base::Kinematics::small>>)->Name("scaling_plastic_small")->Arg(4)->Arg(20)->Arg(60)
+    ->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(told<scaling_plastic<base::Kinematics::finite>>)->Name("scaling_plastic_finite")->Arg(4)->Arg(20)->Arg(60)
+    ->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace

@@ -18,19 +18,44 @@ namespace {
 /// solution would have lost all but four digits.
 constexpr double smallest_pivot = 1e-12;
 
-SparseMatrix checked(const SparseMatrix& K) {
+/// The upper triangle: all that is read of a symmetric matrix.
+SparseMatrix upper_triangle(const SparseMatrix& K) {
   if (K.rows() != K.cols()) throw SolveError("sparse Cholesky: the matrix is not square");
-  SparseMatrix copy = K;
-  copy.makeCompressed();
-  if (!copy.coeffs().allFinite()) throw SolveError("sparse Cholesky: the matrix holds a value that is not finite");
-  return copy;
+  const auto in_triangle = [&](int j, auto take) {
+    for (SparseMatrix::InnerIterator it(K, j); it && it.index() <= j; ++it)
+      take(static_cast<int>(it.index()), it.value());
+  };
+  const int n = static_cast<int>(K.cols());
+  int count = 0;
+  for (int j = 0; j < n; ++j) in_triangle(j, [&](int, double) { ++count; });
+  SparseMatrix U(n, n);
+  U.resizeNonZeros(count);
+  int at = 0;
+  for (int j = 0; j < n; ++j) {
+    U.outerIndexPtr()[j] = at;
+    in_triangle(j, [&](int row, double value) {
+      U.innerIndexPtr()[at] = row;
+      U.valuePtr()[at++] = value;
+    });
+  }
+  U.outerIndexPtr()[n] = at;
+  if (!U.coeffs().allFinite()) throw SolveError("sparse Cholesky: the matrix holds a value that is not finite");
+  return U;
 }
 
-bool same_pattern(const SparseMatrix& A, const SparseMatrix& B) {
-  return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
-         std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1, B.outerIndexPtr()) &&
-         std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
-}
+/// Where a compressed matrix has entries.
+struct Entries {
+  std::vector<int> start, row;
+
+  explicit Entries(const SparseMatrix& A)
+      : start(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1),
+        row(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros()) {}
+
+  bool are_of(const SparseMatrix& A) const {
+    return std::equal(start.begin(), start.end(), A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1) &&
+           std::equal(row.begin(), row.end(), A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  }
+};
 
 /// A singular matrix often passes the factorisation with a last pivot of pure round-off.
 void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
@@ -57,43 +82,53 @@ Matrix product(const Matrix& L, const Vector& shift) {
 
 }  // namespace
 
+struct SchurAnalysis {
+  int retained;
+  Entries entries;  ///< of the upper triangle
+  Symbolic symbolic;
+
+  SchurAnalysis(SparseMatrix& upper, int c) : retained(c), entries(upper) {
+    const int n = static_cast<int>(upper.rows()), interior = n - retained;
+    std::vector<int> order = minimum_degree(upper, interior);
+    order.resize(static_cast<size_t>(n));
+    std::iota(order.begin() + interior, order.end(), interior);
+    symbolic = analyse(upper, order);
+  }
+
+  bool fits(const SparseMatrix& upper, int c) const { return c == retained && entries.are_of(upper); }
+};
+
 struct SchurFactor::Impl {
-  SparseMatrix K;  ///< last matrix factorised, with the shift on its trailing diagonal
-  int retained = 0;
+  int size = 0, retained = 0;
+  SchurAnalysisPtr analysis;
   mutable Supernodal L;  // its workspace changes in solves
   Matrix Lcc, S;
 
-  int interior() const { return static_cast<int>(K.rows()) - retained; }
+  int interior() const { return size - retained; }
 
-  /// `like`: a factor whose analysis will do if it is of this pattern; its own.
-  void factorise(const SparseMatrix& fresh, const Impl& like) {
-    SparseMatrix next = checked(fresh);
-    const bool known = like.L.analysed() && like.retained == retained && same_pattern(like.K, next);
-    K = std::move(next);
+  /// `known`: an analysis that will do if it is of this pattern. The diagonal of `upper` is shifted.
+  void factorise(SparseMatrix& upper, const SchurAnalysisPtr& known) {
+    size = static_cast<int>(upper.rows());
     if (interior() == 0) {  // nothing to eliminate: no definiteness needed either
-      S = Matrix(K);
+      S = Matrix(SparseMatrix(upper.selfadjointView<Eigen::Upper>()));
       return;
     }
-    if (!known)
-      analyse();
-    else if (&like != this)
-      L.share_analysis(like.L);
-    const Vector shift = add_shift();
-    L.factorise(K);
-    check_pivots(L, K, interior());
+    start(known && known->fits(upper, retained) ? known : std::make_shared<const SchurAnalysis>(upper, retained));
+    const Vector shift = add_shift(upper);
+    L.factorise(upper);
+    check_pivots(L, upper, interior());
     Lcc = L.trailing(retained);
     S = product(Lcc, shift);
   }
 
-  void analyse() {
-    std::vector<int> order = minimum_degree(K, interior());
-    order.resize(static_cast<size_t>(K.rows()));
-    std::iota(order.begin() + interior(), order.end(), interior());
-    L.analyse(K, order);
+  void start(const SchurAnalysisPtr& fitting) {
+    if (fitting == analysis) return;
+    L.start(fitting->symbolic);
+    analysis = fitting;
   }
 
   /// Doubles the diagonal of K_cc: each row by its own entry, for what is small in one unit is large in another.
-  Vector add_shift() {
+  Vector add_shift(SparseMatrix& K) const {
     Vector shift = K.diagonal().tail(retained);
     for (int j = 0; j < retained; ++j) {
       if (!(shift[j] > 0.0)) shift[j] = 1.0;
@@ -104,25 +139,30 @@ struct SchurFactor::Impl {
 
   /// L_ii^-1 f_i above, -L_ci L_ii^-1 f_i (in the basis of L_cc) below.
   Vector forward(const Vector& f) const {
-    Vector b = Vector::Zero(K.rows());
+    Vector b = Vector::Zero(size);
     const auto order = L.order();
     for (int k = 0; k < interior(); ++k) b[k] = f[order[k]];
     return L.forward(b);
   }
 };
 
-SchurFactor::SchurFactor(const SparseMatrix& K, int retained, const SchurFactor* like)
-    : impl_(std::make_unique<Impl>()) {
+SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known) : impl_(std::make_unique<Impl>()) {
   if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
   impl_->retained = retained;
-  impl_->factorise(K, like ? *like->impl_ : *impl_);
+  SparseMatrix upper = upper_triangle(K);
+  SparseMatrix().swap(K);  // assigned from an empty one it would keep its memory
+  impl_->factorise(upper, known);
 }
 SchurFactor::~SchurFactor() = default;
 SchurFactor::SchurFactor(SchurFactor&&) noexcept = default;
 SchurFactor& SchurFactor::operator=(SchurFactor&&) noexcept = default;
 
-void SchurFactor::refactor(const SparseMatrix& K) { impl_->factorise(K, *impl_); }
-int SchurFactor::size() const { return static_cast<int>(impl_->K.rows()); }
+void SchurFactor::refactor(const SparseMatrix& K) {
+  SparseMatrix upper = upper_triangle(K);
+  impl_->factorise(upper, impl_->analysis);
+}
+const SchurAnalysisPtr& SchurFactor::analysis() const { return impl_->analysis; }
+int SchurFactor::size() const { return impl_->size; }
 int SchurFactor::retained() const { return impl_->retained; }
 const Matrix& SchurFactor::schur() const { return impl_->S; }
 
@@ -147,23 +187,18 @@ Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
 }
 
 struct Cholesky::Impl {
-  SparseMatrix K;
   mutable Supernodal L;
 };
 
-Cholesky::Cholesky(const SparseMatrix& K) : impl_(std::make_unique<Impl>()) { refactor(K); }
+Cholesky::Cholesky(const SparseMatrix& K) : impl_(std::make_unique<Impl>()) {
+  SparseMatrix upper = upper_triangle(K);
+  impl_->L.start(analyse(upper, {}));
+  impl_->L.factorise(upper);
+  check_pivots(impl_->L, upper, static_cast<int>(K.rows()));
+}
 Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
-
-void Cholesky::refactor(const SparseMatrix& K) {
-  SparseMatrix next = checked(K);
-  const bool known = impl_->L.analysed() && same_pattern(impl_->K, next);
-  impl_->K = std::move(next);
-  if (!known) impl_->L.analyse(impl_->K, {});
-  impl_->L.factorise(impl_->K);
-  check_pivots(impl_->L, impl_->K, static_cast<int>(K.rows()));
-}
 
 Matrix Cholesky::solve(const Matrix& rhs) const { return impl_->L.solve(rhs); }
 

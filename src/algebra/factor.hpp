@@ -10,19 +10,25 @@ using base::Matrix;
 using base::SparseMatrix;
 using base::Vector;
 
+/// What a factorisation knows of a matrix before its numbers: a handle, shared by factors of a pattern. Empty: nothing.
+struct SchurAnalysis;
+using SchurAnalysisPtr = std::shared_ptr<const SchurAnalysis>;
+
 /// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
 /// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
 ///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma        (theory: exact whatever rigid motion is free)
-/// The symbolic analysis is kept: `refactor` with the same pattern reuses it, and so does a factor made `like` another.
+/// The symbolic analysis is kept: `refactor` with the same pattern reuses it, and so does a factor that is given it.
 class SchurFactor {
  public:
-  /// K: n x n, both triangles stored. Throws base::SolveError when K_ii is not positive definite.
-  SchurFactor(const SparseMatrix& K, int retained, const SchurFactor* like = nullptr);
+  /// K: n x n, its upper triangle is read; one that is given as a temporary is gone before the factor is made. `known`:
+  /// the analysis of another factor, used where it fits. Throws base::SolveError when K_ii is not positive definite.
+  SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known = {});
   ~SchurFactor();
   SchurFactor(SchurFactor&&) noexcept;
   SchurFactor& operator=(SchurFactor&&) noexcept;
 
   void refactor(const SparseMatrix& K);
+  const SchurAnalysisPtr& analysis() const;  ///< empty where nothing is eliminated
   int size() const;
   int retained() const;
   const Matrix& schur() const;  ///< retained x retained, symmetric, both triangles
@@ -44,7 +50,6 @@ class Cholesky {
   ~Cholesky();
   Cholesky(Cholesky&&) noexcept;
   Cholesky& operator=(Cholesky&&) noexcept;
-  void refactor(const SparseMatrix& K);
   Matrix solve(const Matrix& rhs) const;
 
  private:

@@ -17,7 +17,7 @@ using base::Vector;
 
 namespace {
 
-/// The library's view of an Eigen matrix that stores both triangles; it reads the upper one. No copy.
+/// The library's view of an Eigen matrix, of which it reads the upper triangle. No copy.
 cholmod_sparse view(SparseMatrix& K) {
   cholmod_sparse A{};
   A.nrow = A.ncol = static_cast<size_t>(K.cols());
@@ -45,59 +45,53 @@ const int* ints(const void* p) { return static_cast<const int*>(p); }
 
 }  // namespace
 
-Supernodal::Supernodal() {
+Workspace::Workspace() {
   single_thread();
-  cholmod_start(&common_);
-  common_.print = 0;
-  common_.supernodal = CHOLMOD_SUPERNODAL;
-  common_.final_ll = 1;
-  common_.nmethods = 1;
+  cholmod_start(&common);
+  common.print = 0;
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  common.final_ll = 1;
+  common.nmethods = 1;
 }
 
-Supernodal::~Supernodal() {
-  release();
-  cholmod_finish(&common_);
-}
-
-void Supernodal::release() {
-  if (factor_) cholmod_free_factor(&factor_, &common_);
-}
-
-void Supernodal::check(const char* task) const {
-  if (common_.status == CHOLMOD_OK) return;
-  if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw SolveError(std::string(task) + ": out of memory");
-  if (common_.status == CHOLMOD_TOO_LARGE) throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
-  if (common_.status == CHOLMOD_NOT_POSDEF) {
-    const int at = factor_ && factor_->minor < factor_->n ? ints(factor_->Perm)[factor_->minor] : -1;
+void Workspace::check(const char* task, const cholmod_factor* factor) const {
+  if (common.status == CHOLMOD_OK) return;
+  if (common.status == CHOLMOD_OUT_OF_MEMORY) throw SolveError(std::string(task) + ": out of memory");
+  if (common.status == CHOLMOD_TOO_LARGE) throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
+  if (common.status == CHOLMOD_NOT_POSDEF) {
+    const int at = factor && factor->minor < factor->n ? ints(factor->Perm)[factor->minor] : -1;
     throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
                      "); a motion may be free that nothing holds, or a cell may be inverted");
   }
-  throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common_.status));
+  throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common.status));
 }
 
-void Supernodal::analyse(SparseMatrix& K, std::span<int> order) {
-  release();
+Symbolic analyse(SparseMatrix& K, std::span<int> order) {
+  Workspace workspace;
   // Postordering would shuffle rows the caller wants last; without a given order it helps and is allowed.
-  common_.postorder = order.empty();
-  common_.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+  workspace.common.postorder = order.empty();
+  workspace.common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
   cholmod_sparse A = view(K);
-  factor_ = cholmod_analyze_p(&A, order.empty() ? nullptr : order.data(), nullptr, 0, &common_);
-  check("symbolic analysis");
-  analysis_.reset(cholmod_copy_factor(factor_, &common_), free_factor);
-  check("symbolic analysis");
+  cholmod_factor* factor = cholmod_analyze_p(&A, order.empty() ? nullptr : order.data(), nullptr, 0, &workspace.common);
+  workspace.check("symbolic analysis");
+  return {factor, free_factor};
 }
 
-void Supernodal::share_analysis(const Supernodal& other) {
+void Supernodal::release() {
+  if (factor_) cholmod_free_factor(&factor_, &workspace_.common);
+}
+
+void Supernodal::start(const Symbolic& symbolic) {
   release();
-  analysis_ = other.analysis_;
-  factor_ = cholmod_copy_factor(analysis_.get(), &common_);
-  check("symbolic analysis");
+  factor_ = cholmod_copy_factor(symbolic.get(), &workspace_.common);
+  workspace_.check("symbolic analysis");
 }
 
 void Supernodal::factorise(SparseMatrix& K) {
   cholmod_sparse A = view(K);
-  cholmod_factorize(&A, factor_, &common_);
-  check("sparse Cholesky");
+  cholmod_factorize(&A, factor_, &workspace_.common);
+  workspace_.check("sparse Cholesky", factor_);
+  cholmod_free_work(&workspace_.common);
 }
 
 Matrix Supernodal::dense_solve(int system, const double* b, int columns) {
@@ -109,10 +103,10 @@ Matrix Supernodal::dense_solve(int system, const double* b, int columns) {
   rhs.x = const_cast<double*>(b);  // the library takes a mutable pointer and only reads it
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_solve(system, factor_, &rhs, &common_);
-  check("triangular solve");
+  cholmod_dense* x = cholmod_solve(system, factor_, &rhs, &workspace_.common);
+  workspace_.check("triangular solve", factor_);
   Matrix result = Eigen::Map<const Matrix>(static_cast<const double*>(x->x), n, columns);
-  cholmod_free_dense(&x, &common_);
+  cholmod_free_dense(&x, &workspace_.common);
   return result;
 }
 

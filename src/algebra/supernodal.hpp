@@ -9,21 +9,39 @@
 
 namespace reye::algebra {
 
-/// Supernodal Cholesky P K P^T = L L^T of a symmetric sparse matrix by CHOLMOD; owns the library's workspace.
-/// The one place that calls CHOLMOD. Every failure is a base::SolveError.
+/// The library's settings and its memory.
+class Workspace {
+ public:
+  Workspace();
+  ~Workspace() { cholmod_finish(&common); }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  /// Throws base::SolveError where the last call failed; `factor`: the one it was about, if any.
+  void check(const char* task, const cholmod_factor* factor = nullptr) const;
+
+  cholmod_common common;
+};
+
+/// Order of elimination and fill of a pattern, without numbers; never changed, shared by all factors of the pattern.
+using Symbolic = std::shared_ptr<cholmod_factor>;
+
+/// Of matrices only the upper triangle is read, here and below. `order` empty: AMD with postordering; else the given
+/// elimination order, kept as it is.
+Symbolic analyse(base::SparseMatrix& K, std::span<int> order);
+
+/// Supernodal Cholesky P K P^T = L L^T of a symmetric sparse matrix by CHOLMOD, which is called here alone.
+/// Every failure is a base::SolveError.
 class Supernodal {
  public:
-  Supernodal();
-  ~Supernodal();
+  Supernodal() = default;
+  ~Supernodal() { release(); }
   Supernodal(const Supernodal&) = delete;
   Supernodal& operator=(const Supernodal&) = delete;
 
-  /// Symbolic analysis. `order` empty: AMD with postordering; else the given elimination order, kept as it is.
-  void analyse(base::SparseMatrix& K, std::span<int> order);
-  /// Takes the symbolic analysis of another factor over, of a matrix with the same pattern.
-  void share_analysis(const Supernodal& other);
-  bool analysed() const { return factor_ != nullptr; }
-  /// Numeric factorisation with the analysed pattern.
+  /// To be called before `factorise`, once for each pattern.
+  void start(const Symbolic& symbolic);
+  /// Numeric factorisation with the pattern it was started with.
   void factorise(base::SparseMatrix& K);
 
   /// Solves K x = b for all columns of b.
@@ -40,15 +58,13 @@ class Supernodal {
  private:
   base::Vector triangular(int system, const base::Vector& b);
   base::Matrix dense_solve(int system, const double* b, int columns);
-  void check(const char* task) const;
   void release();
 
-  cholmod_common common_;
+  Workspace workspace_;
   cholmod_factor* factor_ = nullptr;
-  std::shared_ptr<cholmod_factor> analysis_;  ///< without numbers; shared by all factors of the pattern
 };
 
-/// Fill-reducing order (approximate minimum degree) of the leading `count` rows of K.
+/// Fill-reducing order (approximate minimum degree) of the leading `count` rows of K, upper triangle or both.
 std::vector<int> minimum_degree(const base::SparseMatrix& K, int count);
 
 }  // namespace reye::algebra

@@ -73,12 +73,8 @@ class Numbering {
       for (int node : mesh::nodes_of(mesh_.boundaries.at(name)))
         if (!std::exchange(listed[node], 1)) c.contact_nodes.push_back(node);
     number(c);
-    for (int node = 0; node < mesh_.node_count(); ++node) {
-      c.terms.push_back(terms_of(node));
-      c.freedom.push_back(freedom_of(node));
-    }
-    c.seen_X = points_;
-    c.seen = c.terms;
+    for (int node = 0; node < mesh_.node_count(); ++node) c.terms.push_back(terms_of(node));
+    for (int node : c.contact_nodes) c.seen.push_back({points_[node], c.terms[node], freedom_of(node)});
     for (const auto& [a, b, mid] : edges_)
       c.terms[mid] = merged({{0.25, &c.terms[a]}, {0.25, &c.terms[b]}, {0.5, &c.terms[mid]}});  // (7)
     c.curved_edges = edges_;

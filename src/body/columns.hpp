@@ -13,16 +13,21 @@ struct Path {
   base::Vec2 displacement{0.0, 0.0}, slope{0.0, 0.0}, curvature{0.0, 0.0};
 };
 
+/// A node of a contact boundary as contact sees it: the node, or the control point in place of a mid node.
+struct ContactNode {
+  base::Vec2 X;
+  std::vector<Term> terms;  ///< its own columns, of y
+  NodeFreedom freedom;
+};
+
 /// u_full = B y,  y = [free dofs of nodes not in contact; q],  q = [free dofs of contact nodes; support columns].
 struct Columns {
   int interior = 0;
   int retained = 0;
   std::vector<std::vector<Term>> terms;   ///< per node: u = sum y[column] * direction (columns of y, not of q)
-  std::vector<NodeFreedom> freedom;       ///< per node
   std::vector<int> contact_nodes;
+  std::vector<ContactNode> seen;          ///< per contact node
   std::vector<CurvedEdge> curved_edges;   ///< on contact boundaries
-  base::Points seen_X;                    ///< per node: the point its own columns move and contact sees: the node, or
-  std::vector<std::vector<Term>> seen;    ///< the control point in place of a mid node there; and its displacement
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)

@@ -22,17 +22,17 @@ struct CondensedLoad {
 
 struct LinearBody::Impl {
   ShapePtr shape;
-  Columns columns;
+  Columns columns;  ///< without terms
   SparseMatrix B;
   algebra::SchurFactor factor;
   std::vector<LoadColumn> names;
   std::vector<CondensedLoad> loads;
 
-  Impl(ShapePtr s, const BodyInput& input, const algebra::SchurFactor* like)
+  Impl(ShapePtr s, const BodyInput& input, algebra::SchurAnalysisPtr known)
       : shape(std::move(s)),
         columns(number_columns(shape->mesh, input)),
-        B(columns.expansion()),
-        factor(reduced_stiffness(input), columns.retained, like) {
+        B(expansion()),
+        factor(reduced_stiffness(input), columns.retained, std::move(known)) {
     for_each_load(input, [&](const auto& load) {
       Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
       Vector condensed = factor.condense(full);
@@ -41,17 +41,26 @@ struct LinearBody::Impl {
     });
   }
 
+  /// B, and the terms that it was made of let go.
+  SparseMatrix expansion() {
+    SparseMatrix expansion = columns.expansion();
+    columns.terms = {};
+    return expansion;
+  }
+
   /// B^T K B
   SparseMatrix reduced_stiffness(const BodyInput& input) const {
-    const SparseMatrix K = fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar);
+    SparseMatrix K = fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar);
     const SparseMatrix KB = K * B;
+    SparseMatrix().swap(K);  // its memory is needed for the product
     return B.transpose() * KB;
   }
 };
 
-LinearBody::LinearBody(ShapePtr shape, const BodyInput& input, const LinearBody* like)
-    : impl_(std::make_shared<const Impl>(std::move(shape), input, like ? &like->impl_->factor : nullptr)) {}
+LinearBody::LinearBody(ShapePtr shape, const BodyInput& input, algebra::SchurAnalysisPtr known)
+    : impl_(std::make_shared<const Impl>(std::move(shape), input, std::move(known))) {}
 
+const algebra::SchurAnalysisPtr& LinearBody::analysis() const { return impl_->factor.analysis(); }
 int LinearBody::dofs() const { return impl_->columns.retained; }
 int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
 const std::vector<int>& LinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
@@ -61,10 +70,10 @@ const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; 
 const std::vector<CurvedEdge>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
 NodePosition LinearBody::position(int contact_node, const Vector& q) const {
-  const int node = impl_->columns.contact_nodes[contact_node];
+  const ContactNode& node = impl_->columns.seen[contact_node];
   NodePosition p;
-  p.x = impl_->columns.seen_X[node];
-  for (Term term : impl_->columns.seen[node]) {
+  p.x = node.X;
+  for (Term term : node.terms) {
     term.column -= impl_->columns.interior;  // from the unknowns y to q: all columns of a contact node are retained
     p.x += q[term.column] * term.direction;
     p.terms[p.count++] = term;
@@ -73,7 +82,7 @@ NodePosition LinearBody::position(int contact_node, const Vector& q) const {
 }
 
 NodeFreedom LinearBody::freedom(int contact_node) const {
-  return impl_->columns.freedom[impl_->columns.contact_nodes[contact_node]];
+  return impl_->columns.seen[contact_node].freedom;
 }
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {

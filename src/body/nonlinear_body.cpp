@@ -52,14 +52,14 @@ const std::vector<LoadColumn>& NonlinearBody::loads() const { return impl_->name
 bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
 
 NodeFreedom NonlinearBody::freedom(int contact_node) const {
-  return impl_->columns.freedom[impl_->columns.contact_nodes[contact_node]];
+  return impl_->columns.seen[contact_node].freedom;
 }
 
 NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
-  const int node = impl_->columns.contact_nodes[contact_node];
+  const ContactNode& node = impl_->columns.seen[contact_node];
   NodePosition p;
-  p.x = impl_->columns.seen_X[node];
-  for (const Term& term : impl_->columns.seen[node]) {
+  p.x = node.X;
+  for (const Term& term : node.terms) {
     const int column = term.column - impl_->interior();  // all columns of a contact node are retained
     const Path path = impl_->columns.path(term, q[column], impl_->turning());
     p.x += path.displacement;
@@ -163,10 +163,13 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const
   for (const auto& support : columns.supports) held[impl_->interior() + support.column] = 1;
   std::vector<Term> free;
   const base::Points seen = with_control_points(u, columns.curved_edges);
+  std::vector<const std::vector<Term>*> own;  // of mid nodes in contact: of their control points
+  for (const auto& terms : columns.terms) own.push_back(&terms);
+  for (size_t k = 0; k < contact_nodes().size(); ++k) own[contact_nodes()[k]] = &columns.seen[k].terms;
   for (size_t node = 0; node < u.size(); ++node) {
     Vec2 rest = seen[node];
     free.clear();
-    for (const Term& term : columns.seen[node])
+    for (const Term& term : *own[node])
       if (held[term.column])
         rest -= columns.path(term, unknowns[term.column], impl_->turning()).displacement;
       else
@@ -181,7 +184,7 @@ Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contac
   Vector diagonal = Vector::Zero(dofs());
   if (!impl_->turning()) return diagonal;
   for (size_t k = 0; k < contact_nodes().size(); ++k)
-    for (const Term& term : impl_->columns.seen[contact_nodes()[k]]) {
+    for (const Term& term : impl_->columns.seen[k].terms) {
       const int column = term.column - impl_->interior();
       diagonal[column] += contact_forces[k].dot(impl_->columns.path(term, q[column], true).curvature);
     }

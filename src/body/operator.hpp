@@ -82,8 +82,10 @@ void for_each_load(const BodyInput& input, Take&& take) {
 /// contact nodes first (in the order of `contact_nodes`), then the columns of its supports.
 class LinearBody {
  public:
-  /// `like`: the body at an earlier shape; on the same cells its symbolic analysis serves again.
-  LinearBody(ShapePtr shape, const BodyInput& input, const LinearBody* like = nullptr);
+  /// `known`: the analysis of the body at an earlier shape; on the same cells it serves again.
+  LinearBody(ShapePtr shape, const BodyInput& input, algebra::SchurAnalysisPtr known = {});
+
+  const algebra::SchurAnalysisPtr& analysis() const;           ///< all that another shape can use of this one
 
   int dofs() const;
   const std::vector<int>& contact_nodes() const;               ///< mesh nodes

@@ -103,7 +103,8 @@ bool is_nonlinear(const body::BodyInput& input);
 /// The state before the first step.
 State initial_state(const Problem& problem);
 
-/// The system of equations on the state's shapes; unchanged bodies keep their operators.
+/// The system of equations on the state's shapes; unchanged bodies keep their operators. What it returned before is
+/// gone where a shape has changed.
 const solver::System& system_of(const Problem& problem, const State& state, Cache& cache);
 
 }  // namespace reye::sim

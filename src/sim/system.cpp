@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "material/parameters.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/problem.hpp"
@@ -16,28 +18,50 @@ bool is_nonlinear(const body::BodyInput& input) {
   return input.kinematics == base::Kinematics::finite || material::has_history(input.material);
 }
 
+namespace {
+
+/// What a new system takes over of a body: all of it while its shape is the same, else at most the analysis.
+struct Legacy {
+  std::optional<body::Operator> kept;
+  algebra::SchurAnalysisPtr analysis;
+};
+
+/// Empties the cache but for that: a factor at the old shape is gone before one at the new shape is made, and where
+/// that fails nothing is left that could be taken for this state's.
+std::vector<Legacy> take_over(const State& state, Cache& cache) {
+  cache.newton.reset();
+  const auto shapes = std::exchange(cache.shapes, {});
+  auto bodies = std::exchange(cache.system, {}).bodies;
+  std::vector<Legacy> legacies(state.shapes.size());
+  for (std::size_t b = 0; b < shapes.size(); ++b)
+    if (shapes[b] == state.shapes[b])
+      legacies[b].kept = std::move(bodies[b]);
+    else if (const auto* linear = std::get_if<body::LinearBody>(&bodies[b]))
+      legacies[b].analysis = linear->analysis();
+  return legacies;
+}
+
+body::Operator made(const body::ShapePtr& shape, const body::BodyInput& input, bool rigid, Legacy& legacy) {
+  if (legacy.kept) return std::move(*legacy.kept);
+  if (rigid) return body::RigidBody(shape, input);
+  if (is_nonlinear(input)) return body::NonlinearBody(shape, input);
+  return body::LinearBody(shape, input, std::move(legacy.analysis));
+}
+
+}  // namespace
+
 const solver::System& system_of(const Problem& problem, const State& state, Cache& cache) {
   if (cache.shapes == state.shapes) return cache.system;
+  auto legacies = take_over(state, cache);
   std::vector<body::Operator> bodies;
-  for (std::size_t b = 0; b < state.shapes.size(); ++b) {
-    const bool known = b < cache.shapes.size(), kept = known && cache.shapes[b] == state.shapes[b];
-    if (kept)
-      bodies.push_back(cache.system.bodies[b]);
-    else if (problem.rigid[b])
-      bodies.emplace_back(body::RigidBody(state.shapes[b], problem.inputs[b]));
-    else if (is_nonlinear(problem.inputs[b]))
-      bodies.emplace_back(body::NonlinearBody(state.shapes[b], problem.inputs[b]));
-    else
-      bodies.emplace_back(body::LinearBody(state.shapes[b], problem.inputs[b],
-                                           known ? std::get_if<body::LinearBody>(&cache.system.bodies[b]) : nullptr));
-  }
+  for (std::size_t b = 0; b < state.shapes.size(); ++b)
+    bodies.push_back(made(state.shapes[b], problem.inputs[b], problem.rigid[b], legacies[b]));
   std::vector<contact::Setup> contacts;
   for (const auto& c : problem.contacts)
     contacts.push_back(contact::make_setup(c.options, problem.scene.analysis, c.secondary, c.primary, state.shapes,
                                            bodies, c.modulus_MPa, problem.inputs[c.secondary.body].kinematics));
   cache.system = solver::make_system(std::move(bodies), std::move(contacts));
   cache.shapes = state.shapes;
-  cache.newton.reset();
   return cache.system;
 }
 

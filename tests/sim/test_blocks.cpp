@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "problem_of.hpp"
@@ -133,6 +134,33 @@ TEST(Blocks, CutBackReasonsAreBounded) {
 }
 
 // Surface tables must run along the boundary from its end with smaller x, with the pressure in balance with the load
+// A body that changes its shape must hand on its analysis and nothing else, one that keeps it all of it; where the new
+// system cannot be made the cache must hold none, so that the old one is made again, to the bit.
+TEST(Blocks, OperatorsAtAnotherShape) {
+  Prepared p(test::block_scene);
+  const auto tangent = [&](int b) { return std::get<body::LinearBody>(p.system().bodies[b]).tangent({}); };
+  const auto analysis = [&](int b) { return std::get<body::LinearBody>(p.system().bodies[b]).analysis(); };
+  const std::array before{tangent(0), tangent(1)};
+  const std::array known{analysis(0), analysis(1)};
+  const auto born = p.state.shapes[0];
+  const auto stretched = [&](double factor) {
+    auto mesh = born->mesh;
+    for (auto& X : mesh.X) X.x() *= factor;
+    return body::make_shape(std::move(mesh));
+  };
+  p.state.shapes[0] = stretched(1.5);
+  EXPECT_NE(tangent(0), before[0]);
+  EXPECT_EQ(tangent(1), before[1]);
+  EXPECT_EQ(analysis(0), known[0]);
+  EXPECT_EQ(analysis(1), known[1]);
+  p.state.shapes[0] = stretched(-1.0);
+  EXPECT_THROW(p.system(), base::MeshError);
+  EXPECT_TRUE(p.cache.shapes.empty());
+  p.state.shapes[0] = born;
+  EXPECT_EQ(tangent(0), before[0]);
+  EXPECT_EQ(tangent(1), before[1]);
+}
+
 // and the shear on the secondary side against its motion.
 TEST(Blocks, SurfaceTables) {
   Prepared p(test::block_scene);
