@@ -10,34 +10,44 @@ namespace reye::mesh {
 
 namespace {
 
-using Edge = std::pair<int, int>;
-
 std::string where(const Points& X, int node) {
   return "node " + std::to_string(node) + " at (" + std::to_string(X[node].x()) + ", " + std::to_string(X[node].y()) +
          ")";
 }
 
-/// Where an edge leads, and by which mid node (-1: straight there).
-struct Step {
-  int mid, to;
+/// An edge as a cell runs along it; mid: its middle node, -1 where it is straight.
+struct Edge {
+  int from, to, mid;
 };
 
-/// Cell edges without a partner of opposite direction, by the vertex they start from.
-std::map<int, Step> boundary_edges(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
+bool before(const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); }
+
+/// Edges of all cells in ascending order of their ends.
+std::vector<Edge> edges_of(CellKind kind, const std::vector<Cell>& cells) {
   const int n = corners(kind);
-  std::map<Edge, int> mid_of;
+  std::vector<Edge> edges;
+  edges.reserve(n * cells.size());
   for (const Cell& cell : cells)
-    for (int i = 0; i < n; ++i)
-      if (!mid_of.insert({{cell[i], cell[(i + 1) % n]}, order(kind) == 2 ? cell[n + i] : -1}).second)
-        throw base::MeshError("two cells lie on the same side of an edge at " + where(X, cell[i]));
-  std::map<int, Step> next;
-  for (const auto& [edge, mid] : mid_of) {
-    const auto [from, to] = edge;
-    if (const auto other = mid_of.find({to, from}); other != mid_of.end()) {
-      if (other->second != mid) throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, from));
+    for (int i = 0; i < n; ++i) edges.push_back({cell[i], cell[(i + 1) % n], order(kind) == 2 ? cell[n + i] : -1});
+  std::sort(edges.begin(), edges.end(), before);
+  return edges;
+}
+
+/// Cell edges without a partner of opposite direction, by the vertex they start from.
+std::map<int, Edge> boundary_edges(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
+  const auto edges = edges_of(kind, cells);
+  std::map<int, Edge> next;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge& edge = edges[i];
+    if (i > 0 && !before(edges[i - 1], edge))
+      throw base::MeshError("two cells lie on the same side of an edge at " + where(X, edge.from));
+    const Edge back{edge.to, edge.from, edge.mid};
+    const auto other = std::lower_bound(edges.begin(), edges.end(), back, before);
+    if (other != edges.end() && !before(back, *other)) {
+      if (other->mid != edge.mid) throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, edge.from));
       continue;
     }
-    if (!next.insert({from, {mid, to}}).second) throw base::MeshError("two outlines meet in " + where(X, from));
+    if (!next.insert({edge.from, edge}).second) throw base::MeshError("two outlines meet in " + where(X, edge.from));
   }
   return next;
 }
@@ -45,7 +55,7 @@ std::map<int, Step> boundary_edges(const Points& X, CellKind kind, const std::ve
 }  // namespace
 
 std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
-  std::map<int, Step> next = boundary_edges(X, kind, cells);
+  std::map<int, Edge> next = boundary_edges(X, kind, cells);
   std::vector<Chain> loops;
   while (!next.empty()) {
     const int start = next.begin()->first;

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "scene/sha256.hpp"
 
@@ -64,7 +64,9 @@ std::vector<std::string> geometry_files(const Entry& root, const std::string& pa
 bool read_bytes(const std::string& path, std::string& bytes) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return false;
-  bytes.assign(std::istreambuf_iterator<char>(file), {});
+  std::ostringstream all;
+  all << file.rdbuf();
+  bytes = std::move(all).str();
   return !file.bad();
 }
 

@@ -22,11 +22,10 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& contact = state.solution.contacts[c];
-    const auto surfaces = surface_records(setup, contact, state.shapes, problem.contacts[c]);
     const auto largest = [](const std::vector<double>& v) { return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end()); };
-    r.pressure_max_MPa = std::max(r.pressure_max_MPa, largest(surfaces[0].pressure_MPa));
-    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, largest(surfaces[0].wear_depth_mm));
-    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, largest(surfaces[1].wear_depth_mm));
+    r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(setup, contact));
+    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, largest(depths(setup.secondary, contact.removed_secondary)));
+    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, largest(depths(setup.primary, contact.removed_primary)));
     r.energy_mJ += setup.options.wear.wears() ? contact.worn_work : contact.frictional_work;
   }
   r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));

@@ -15,6 +15,9 @@ namespace reye::sim {
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
 
+/// Largest pressure of the table of the secondary side.
+double peak_pressure(const contact::Setup& setup, const contact::ContactState& state);
+
 /// Half width between the two zeros of p^2, from the two outermost loaded nodes of each end: straight lines through
 /// p^2 over the distance from the other zero; exact for p = p0 sqrt(1 - x^2 / a^2), wherever the nodes lie.
 /// Empty with fewer than four loaded nodes.

@@ -51,13 +51,17 @@ void fill_between(const contact::Setup& setup, NodalValues& v) {
   }
 }
 
+/// Multiplier of a node as it is shown.
+Vec2 shown(const contact::Setup& setup, const contact::ContactState& state, int j) {
+  const double D = state.reference[j].D, A = setup.secondary.area[j];
+  return (D < 0.5 * A ? D / A : 1.0) * state.lambda[j];
+}
+
 NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
   NodalValues v;
   const auto& n = state.normal;  // those that the friction law saw
   for (int j = 0; j < setup.secondary_count(); ++j) {
-    const double D = state.reference[j].D, A = setup.secondary.area[j];
-    const double share = D < 0.5 * A ? D / A : 1.0;
-    const Vec2 lambda = share * state.lambda[j];
+    const Vec2 lambda = shown(setup, state, j);
     const Vec2 tangent(-n[j].y(), n[j].x());
     v.pressure.push_back(lambda.dot(n[j]));
     v.shear.push_back(-lambda.dot(tangent) * along[j]);
@@ -119,6 +123,13 @@ void append(SurfaceRecord& record, const mesh::Mesh& mesh, const mesh::Boundary&
 }
 
 }  // namespace
+
+double peak_pressure(const contact::Setup& setup, const contact::ContactState& state) {
+  double peak = 0.0;
+  for (int j = 0; j < setup.secondary_count(); ++j)
+    if (!setup.between(j)) peak = std::max(peak, shown(setup, state, j).dot(state.normal[j]));
+  return peak;
+}
 
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed) {

@@ -1,10 +1,21 @@
 #include "solver/condense.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace reye::solver {
 
 using contact::ContactStatus;
+
+namespace {
+
+/// Columns that contact acts on are all in the window.
+int inside(int column) {
+  if (column < 0) throw std::logic_error("contact acts beyond the window of Newton's matrix");
+  return column;
+}
+
+}  // namespace
 
 void Condenser::start(const System& system, const Vector& rhs) {
   linearised_.resize(system.contacts.size());
@@ -16,7 +27,7 @@ void Condenser::start(const System& system, const Vector& rhs) {
 
 /// What turns with q turns the arms of its forces, too: second derivatives of positions in the tangent.
 void Condenser::turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
-                     const Vector& q) {
+                     const Window& window, const Vector& q) {
   turned_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const bool turns = !std::holds_alternative<body::LinearBody>(system.bodies[b]);
@@ -30,26 +41,27 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
       k += 2;
     }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int at = reduction.first(static_cast<int>(b));
+    const int at = reduction.first(static_cast<int>(b)), column = window.first(static_cast<int>(b));
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-      At_(at + 2, at + 2) += rigid->geometric(q.segment(at, rigid->dofs()), turned_[b]);
+      At_(column + 2, column + 2) += rigid->geometric(q.segment(at, rigid->dofs()), turned_[b]);
     else if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]))
-      At_.diagonal().segment(at, nonlinear->dofs()) += nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
+      At_.diagonal().segment(column, nonlinear->dofs()) += nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
   }
 }
 
 void Condenser::add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                            const std::vector<Vec2>& lambda, const Reduction& reduction, const Vector& q) {
+                            const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window,
+                            const Vector& q) {
   auto& linearised = linearised_[contact];
   face.linearise(lambda, linearised);
   for (const auto& e : linearised.force) {
     const auto &row = nodes[e.row / 2], &col = nodes[e.col / 2];
     for (int r = 0; r < row.position.count; ++r)
       for (int k = 0; k < col.position.count; ++k)
-        At_(col.column[k], row.column[r]) +=
+        At_(inside(col.column[k]), inside(row.column[r])) +=
             e.value * row.position.terms[r].direction[e.row % 2] * col.position.terms[k].direction[e.col % 2];
   }
-  turn(system, system.contacts[contact], face.forces(lambda), reduction, q);
+  turn(system, system.contacts[contact], face.forces(lambda), reduction, window, q);
 }
 
 /// dlambda = constant + slope dq from the balance of each active node.
@@ -141,7 +153,7 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
     }
     const auto& node = nodes[e.col / 2];
     for (int t = 0; t < node.position.count; ++t)
-      At_(node.column[t], condition.column) += value * node.position.terms[t].direction[e.col % 2];
+      At_(inside(node.column[t]), condition.column) += value * node.position.terms[t].direction[e.col % 2];
   }
   for (auto& s : elim.met) {  // a weight that passed through zero is met twice, and counts once
     s.factor = std::exchange(weight_(s.component, s.column), 0.0);

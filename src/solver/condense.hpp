@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "algebra/factor.hpp"
-#include "solver/reduction.hpp"
 #include "solver/system.hpp"
+#include "solver/window.hpp"
 
 namespace reye::solver {
 
-/// A surface node on the reduced columns.
+/// A surface node on the reduced columns, or on those in the window.
 struct PlacedNode {
   body::NodePosition position;
   std::array<int, 4> column{-1, -1, -1, -1};  ///< reduced column of each term
@@ -31,7 +31,7 @@ class Condenser {
 
   /// Derivative of the contact forces at fixed multipliers.
   void add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                   const std::vector<Vec2>& lambda, const Reduction& reduction, const Vector& q);
+                   const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window, const Vector& q);
 
   /// Eliminates the multipliers of one contact; contacts come in the order of System::elimination.
   void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes);
@@ -68,7 +68,7 @@ class Condenser {
                   const contact::Linearised& linearised);
   void right_hand_side(const contact::Interface& face, Elimination& elim);
   void turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
-            const Vector& q);
+            const Window& window, const Vector& q);
 
   Matrix At_;  ///< transposed: one equation per column
   Vector b_;

@@ -10,7 +10,8 @@ using contact::ContactStatus;
 
 namespace {
 
-constexpr int reach_margin = 6;  ///< nodes beyond the contact that are kept
+constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
+constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
 constexpr double tiny = std::numeric_limits<double>::min();
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
@@ -40,8 +41,10 @@ void Increment::remember(const SolverState& before, const SolverState& accepted)
 
 void Increment::choose_reach(const System& system, const SolverState& before, bool everything, bool limited) {
   if (reach_chosen_ && !everything) return;
+  limited_ = limited;
   reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
   reduction_ = Reduction(system, reach_);
+  window_.forget();
   // Before anything touches, or where contact outran its reach, the next increment chooses anew.
   reach_chosen_ = !(reach_ == Reach::all(system)) || !limited;
 }
@@ -57,12 +60,9 @@ Vector Increment::begin(const System& system, const SolverState& before, const C
     const auto& setup = system.contacts[c];
     start_[c] = sides_[c] = positions(system, setup, before.q);
     interfaces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
-    interfaces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
     lambda_[c] = before.contacts[c].lambda;
   }
-  arm_ = reduction_.restrict_to(system.arm);
-  loads_ = reduction_.loads(system, controls.load_factors);
-  for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
+  look_at_reach(system, controls);
   suspects_ = {};
   Vector q = reduction_.restrict_to(before.q);
   if (continues > 0.0) q += continues * reduction_.restrict_to(last_step_);
@@ -72,6 +72,50 @@ Vector Increment::begin(const System& system, const SolverState& before, const C
     if (!nonlinear_.own(column)) q[reduction_.index(column)] = value;
   nonlinear_.linearise(q, lambda_);
   return q;
+}
+
+/// What is kept of contacts, loads and arms is of the columns in reach.
+void Increment::look_at_reach(const System& system, const Controls& controls) {
+  for (std::size_t c = 0; c < interfaces_.size(); ++c) interfaces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
+  arm_ = reduction_.restrict_to(system.arm);
+  loads_ = reduction_.loads(system, controls.load_factors);
+  for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
+}
+
+void Increment::change_reach(const System& system, const Controls& controls, Reach reach, Vector& q) {
+  const Vector all = reduction_.expand(q);
+  reach_ = std::move(reach);
+  reduction_ = Reduction(system, reach_);
+  window_.forget();
+  look_at_reach(system, controls);
+  q = reduction_.restrict_to(all);
+}
+
+bool Increment::narrow(const System& system, const Controls& controls, Vector& q) {
+  if (nonlinear() || reach_chosen_) return false;
+  Reach reach = Reach::round_contact(system, interfaces_, reach_margin);
+  if (reach.nodes() > worth_narrowing * reach_.nodes()) return false;
+  change_reach(system, controls, std::move(reach), q);
+  return true;
+}
+
+bool Increment::enclosed_by(const Reach& reach) const {
+  for (std::size_t c = 0; c < interfaces_.size(); ++c)
+    if (!reach.encloses(static_cast<int>(c), interfaces_[c])) return false;
+  return true;
+}
+
+bool Increment::follow(const System& system, const Controls& controls, Vector& q) {
+  if (nonlinear()) return false;
+  Reach reach = Reach::round_contact(system, interfaces_, reach_margin);
+  if (!enclosed_by(reach)) reach = Reach::all(system);
+  reach_chosen_ = !(reach == Reach::all(system));
+  change_reach(system, controls, std::move(reach), q);
+  return true;
+}
+
+void Increment::widen(const System& system, const Controls& controls, Vector& q) {
+  change_reach(system, controls, Reach::all(system), q);
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
@@ -211,9 +255,9 @@ bool Increment::touching() const {
 bool Increment::accept(const System& system, const Vector& q, SolverState& state) {
   state.q = reduction_.expand(q);
   integrate(system, state.q, true);
+  if (!enclosed_by(reach_)) return false;
   state.contacts.clear();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
-    if (!reach_.encloses(static_cast<int>(c), interfaces_[c])) return false;
     interfaces_[c].evaluate(lambda_[c]);
     state.contacts.push_back(interfaces_[c].accepted(lambda_[c]));
   }
@@ -222,28 +266,34 @@ bool Increment::accept(const System& system, const Vector& q, SolverState& state
 }
 
 Vector Increment::step(const System& system, const Controls& controls, const Vector& q, bool chord) {
+  if (!chord) window_.choose(system, reduction_, interfaces_, limited_);
+  const Vector rhs = window_.load(-balance_);
+  auto nodes = nodes_;
+  for (auto& of_contact : nodes)
+    for (auto& node : of_contact)
+      for (int t = 0; t < node.position.count; ++t) node.column[t] = node.column[t] < 0 ? -1 : window_.index(node.column[t]);
   if (chord) {
-    condenser_.again(-balance_);
+    condenser_.again(rhs);
   } else {
-    condenser_.start(system, -balance_);
+    condenser_.start(system, rhs);
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-      const int at = reduction_.first(static_cast<int>(b));
+      const int body = static_cast<int>(b), at = reduction_.first(body);
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-        condenser_.add_body(at, rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
+        condenser_.add_body(window_.first(body), rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
       else
-        condenser_.add_body(at, stiffness(b));
+        condenser_.add_body(window_.first(body), nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
     }
     for (std::size_t c = 0; c < interfaces_.size(); ++c)
-      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes_[c], lambda_[c], reduction_, q);
+      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes[c], lambda_[c], reduction_, window_, q);
   }
-  for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes_[c]);
+  for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes[c]);
   for (const auto& [column, value] : controls.prescribed) {
     const int at = reduction_.index(column);
-    condenser_.fix(at, value - q[at]);
+    condenser_.fix(window_.index(at), value - q[at]);
   }
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
-  return dq;
+  return window_.expand(dq);
 }
 
 double Increment::way(const Vector& dq) const { return largest_of(dq.cwiseProduct(arm_)); }

@@ -6,6 +6,7 @@
 #include "solver/nonlinear_bodies.hpp"
 #include "solver/reduction.hpp"
 #include "solver/report.hpp"
+#include "solver/window.hpp"
 
 namespace reye::solver {
 
@@ -31,6 +32,14 @@ class Increment {
   void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
   /// Number of nodes that ask for another status; those that are allowed to get it.
   int decide(int iteration, bool predicted, Allowed allowed);
+  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
+  /// goes on as it would have, on a smaller matrix. True: q has to be placed and measured again.
+  bool narrow(const System& system, const Controls& controls, Vector& q);
+  /// Back to all nodes.
+  void widen(const System& system, const Controls& controls, Vector& q);
+  /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton goes
+  /// on from there. False: with nonlinear bodies it can not.
+  bool follow(const System& system, const Controls& controls, Vector& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
   /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
@@ -50,13 +59,17 @@ class Increment {
                         bool circles) const;
 
  private:
+  void look_at_reach(const System& system, const Controls& controls);
+  bool enclosed_by(const Reach& reach) const;
+  void change_reach(const System& system, const Controls& controls, Reach reach, Vector& q);
   void integrate(const System& system, const Vector& q, bool everything);
   Vector residual(const System& system, const Controls& controls, const Vector& q) const;
   const Matrix& stiffness(std::size_t body) const;
 
   Reach reach_;
   Reduction reduction_;
-  bool reach_chosen_ = false;
+  Window window_;
+  bool reach_chosen_ = false, limited_ = true;
   Vector last_step_;                            ///< dq of the last accepted increment
   NonlinearBodies nonlinear_;
   std::vector<contact::Interface> interfaces_;

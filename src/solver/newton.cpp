@@ -14,7 +14,8 @@ constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonli
 
 }  // namespace
 
-SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted) {
+SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted,
+                            bool narrowing) {
   SolveResult result;
   auto& report = result.report;
   Vector q;
@@ -64,8 +65,14 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (met && fresh) {
       report.converged = true;
       if (increment_.accept(system, q, result.state)) return result;
-      increment_.choose_reach(system, before, true, options_.limit_reach);
-      return iterate(system, before, controls, predicted);
+      narrowing = false;
+      if (!increment_.follow(system, controls, q)) {
+        increment_.choose_reach(system, before, true, options_.limit_reach);
+        return iterate(system, before, controls, predicted, false);
+      }
+      rule = {};
+      report.converged = on_chord = false;
+      continue;
     }
     // Contact has settled on the bodies as they were linearised: these anew, there.
     if (increment_.nonlinear() && (met || since == limit || watch.stuck())) {
@@ -80,6 +87,11 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       continue;
     }
     if (iteration == options_.max_iterations || watch.stuck()) break;
+    const bool narrowed = narrowing && !chord && increment_.narrow(system, controls, q);
+    if (narrowed) {
+      increment_.place(system, q);
+      increment_.measure(system, controls, q, fresh);
+    }
     try {
       const Vector dq = increment_.step(system, controls, q, chord);
       on_chord = chord;
@@ -91,6 +103,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       if (!system.contacts.empty() && !(way < bound)) {
         report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
         return result;
+      }
+      if (narrowed && iteration == 0) {  // what the first step closes is judged among all nodes
+        increment_.widen(system, controls, q);
+        rule = {};
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
@@ -105,10 +121,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
   increment_.choose_reach(system, before, false, options_.limit_reach);
   const bool predicted = controls.continues > 0.0 && increment_.follows(before);
-  SolveResult result = iterate(system, before, controls, predicted);
+  SolveResult result = iterate(system, before, controls, predicted, options_.limit_reach);
   if (predicted && !result.report.converged) {
     const int solves = result.report.solves, matrices = result.report.matrices;
-    result = iterate(system, before, controls, false);
+    result = iterate(system, before, controls, false, options_.limit_reach);
     result.report.solves += solves;
     result.report.matrices += matrices;
   }

@@ -18,7 +18,8 @@ class Newton {
   void reset() { increment_.forget(); }
 
  private:
-  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted);
+  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted,
+                      bool narrowing);
 
   NewtonOptions options_;
   Increment increment_;

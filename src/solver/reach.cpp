@@ -1,5 +1,7 @@
 #include "solver/reach.hpp"
 
+#include <algorithm>
+
 namespace reye::solver {
 
 using contact::ContactStatus;
@@ -29,29 +31,78 @@ void widen(const mortar::Surface& surface, std::vector<char>& mark, int margin) 
 
 }  // namespace
 
-Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts, int margin) {
-  Reach reach;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const auto& setup = system.contacts[c];
-    const auto& state = contacts[c];
-    std::vector<char> secondary(setup.secondary.X.size(), 0), primary(setup.primary.X.size(), 0);
-    int active = 0;
-    for (std::size_t j = 0; j < secondary.size(); ++j) {
-      if (state.status[j] == ContactStatus::inactive) continue;
-      ++active;
-      secondary[j] = 1;
-      for (const auto& [l, M] : state.reference[j].M) primary[l] = 1;
-    }
-    if (active == 0) return all(system);
-    widen(setup.secondary, secondary, margin + active / 16);
-    for (std::size_t j = 0; j < secondary.size(); ++j)
-      if (secondary[j])
-        for (const auto& [l, M] : state.reference[j].M) primary[l] = 1;
-    widen(setup.primary, primary, margin + active / 16);
-    reach.secondary.push_back(std::move(secondary));
-    reach.primary.push_back(std::move(primary));
+/// One contact more; false where none of its nodes is active.
+bool Reach::add(const contact::Setup& setup, const std::vector<ContactStatus>& status,
+                const std::vector<contact::MortarRow>& rows, Margin margin) {
+  std::vector<char> near_secondary(setup.secondary.X.size(), 0), near_primary(setup.primary.X.size(), 0);
+  int active = 0;
+  for (std::size_t j = 0; j < near_secondary.size(); ++j) {
+    if (status[j] == ContactStatus::inactive) continue;
+    ++active;
+    near_secondary[j] = 1;
+    for (const auto& [l, M] : rows[j].M) near_primary[l] = 1;
   }
+  const int wider = margin.nodes + (margin.active_per_node > 0 ? active / margin.active_per_node : 0);
+  widen(setup.secondary, near_secondary, wider);
+  for (std::size_t j = 0; j < near_secondary.size(); ++j)
+    if (near_secondary[j])
+      for (const auto& [l, M] : rows[j].M) near_primary[l] = 1;
+  widen(setup.primary, near_primary, wider);
+  secondary.push_back(std::move(near_secondary));
+  primary.push_back(std::move(near_primary));
+  return active > 0;
+}
+
+Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin) {
+  Reach reach;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin)) return all(system);
   return reach;
+}
+
+Reach Reach::round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin) {
+  Reach reach;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    if (!reach.add(system.contacts[c], contacts[c].status(), contacts[c].rows(), margin)) return all(system);
+  return reach;
+}
+
+int Reach::nodes() const {
+  int count = 0;
+  for (const auto* side : {&secondary, &primary})
+    for (const auto& near : *side) count += static_cast<int>(std::count(near.begin(), near.end(), 1));
+  return count;
+}
+
+bool Reach::holds(const Reach& smaller) const {
+  const auto inside = [](const auto& all, const auto& some) {
+    for (std::size_t c = 0; c < all.size(); ++c)
+      for (std::size_t k = 0; k < all[c].size(); ++k)
+        if (some[c][k] && !all[c][k]) return false;
+    return true;
+  };
+  return inside(secondary, smaller.secondary) && inside(primary, smaller.primary);
+}
+
+std::vector<char> Reach::columns_out(const System& system) const {
+  std::vector<char> far(system.dofs, 0), near(system.dofs, 0);
+  const Vector at_rest = Vector::Zero(system.dofs);
+  const auto mark = [&](const std::vector<contact::SurfaceNode>& nodes, const std::vector<char>& in_reach) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const int body = nodes[k].body;
+      const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
+      if (!linear) continue;
+      const auto p = linear->position(nodes[k].contact_node, at_rest);
+      const int free = linear->freedom(nodes[k].contact_node).free;
+      for (int t = p.count - free; t < p.count; ++t) (in_reach[k] ? near : far)[system.offset[body] + p.terms[t].column] = 1;
+    }
+  };
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    mark(system.contacts[c].secondary_nodes, secondary[c]);
+    mark(system.contacts[c].primary_nodes, primary[c]);
+  }
+  for (std::size_t k = 0; k < far.size(); ++k) far[k] = far[k] && !near[k];
+  return far;
 }
 
 bool Reach::encloses(int contact, const contact::Interface& face) const {

@@ -12,15 +12,28 @@ struct Reach {
 
   static Reach all(const System& system);
 
-  /// The nodes that were active in `state` and what they met, with a margin of `margin` nodes and of a
-  /// quarter of the active ones on either side. Everything while nothing is in contact yet.
-  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, int margin);
+  /// Nodes beyond the contact: some, and one more for each so many active ones (0: none).
+  struct Margin {
+    int nodes = 0, active_per_node = 0;
+  };
+  /// The nodes that are active and what they meet, with a margin on either side. Everything while a contact has none.
+  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin);
+  static Reach round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin);
+
+  int nodes() const;                      ///< number of those that may touch
+  bool holds(const Reach& smaller) const;  ///< whether all nodes of another reach are of this one
+  /// Per global column: whether it moves nothing but nodes of linear bodies out of reach.
+  std::vector<char> columns_out(const System& system) const;
 
   /// No node at the rim of the reach is active or met, and none beyond it is overlapped, in a contact integrated on all
   /// of its nodes.
   bool encloses(int contact, const contact::Interface& face) const;
 
   bool operator==(const Reach&) const = default;
+
+ private:
+  bool add(const contact::Setup& setup, const std::vector<contact::ContactStatus>& status,
+           const std::vector<contact::MortarRow>& rows, Margin margin);
 };
 
 }  // namespace reye::solver

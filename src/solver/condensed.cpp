@@ -1,0 +1,34 @@
+#include "solver/condensed.hpp"
+
+#include <utility>
+
+namespace reye::solver {
+
+Condensed::Condensed(const Matrix& S, std::vector<int> near, std::vector<int> far)
+    : near_(std::move(near)), far_(std::move(far)), S_(S(near_, near_)) {
+  own_ = Vector::Zero(static_cast<Eigen::Index>(far_.size()));
+  if (far_.empty()) return;
+  const Matrix coupling = S(far_, near_);
+  factor_.compute(S(far_, far_));
+  G_ = factor_.solve(coupling);
+  S_.noalias() -= coupling.transpose() * G_;
+  S_ = 0.5 * (S_ + S_.transpose()).eval();
+}
+
+Vector Condensed::load(const Eigen::Ref<const Vector>& full) {
+  Vector near = full(near_);
+  if (far_.empty()) return near;
+  const Vector far = full(far_);
+  near.noalias() -= G_.transpose() * far;
+  own_ = factor_.solve(far);
+  return near;
+}
+
+Vector Condensed::expand(const Eigen::Ref<const Vector>& near) const {
+  Vector full(this->full());
+  full(near_) = near;
+  if (!far_.empty()) full(far_) = own_ - G_ * near;
+  return full;
+}
+
+}  // namespace reye::solver

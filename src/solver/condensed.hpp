@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Cholesky>
+#include <vector>
+
+#include "base/linalg.hpp"
+
+namespace reye::solver {
+
+using base::Matrix;
+using base::Vector;
+
+/// A symmetric stiffness without its columns f, on which no contact acts, exactly:
+///   S' = S_nn - S_nf G,  f' = f_n - G^T f_f,  q_f = S_ff^-1 f_f - G q_n,  G = S_ff^-1 S_fn
+class Condensed {
+ public:
+  Condensed() = default;
+  /// `near` and `far`: columns n and f of S.
+  Condensed(const Matrix& S, std::vector<int> near, std::vector<int> far);
+
+  const Matrix& stiffness() const { return S_; }
+  Eigen::Index size() const { return S_.rows(); }                                          ///< columns kept
+  Eigen::Index full() const { return static_cast<Eigen::Index>(near_.size() + far_.size()); }  ///< all columns
+
+  /// f'; remembers what f_f moves for `expand`.
+  Vector load(const Eigen::Ref<const Vector>& full);
+  /// All columns from the kept ones.
+  Vector expand(const Eigen::Ref<const Vector>& near) const;
+
+ private:
+  std::vector<int> near_, far_;
+  Matrix S_, G_;
+  Eigen::LLT<Matrix> factor_;
+  Vector own_;  ///< S_ff^-1 f_f
+};
+
+}  // namespace reye::solver

@@ -1,0 +1,31 @@
+#pragma once
+#include "contact/interface.hpp"
+#include "solver/reduction.hpp"
+
+namespace reye::solver {
+
+/// The reduced columns that Newton's matrix is built on: those of nodes that are active, of what they meet and of what
+/// shapes them there. Of the others in reach, which contact may come to, the equations are a linear body's alone: they are
+/// condensed out exactly, and solved back with each step. The window goes along with the contact.
+class Window {
+ public:
+  void forget() { chosen_ = false; }
+  /// Kept while all that is needed lies inside; unless `limited`, everything does.
+  void choose(const System& system, const Reduction& reduction, const std::vector<contact::Interface>& contacts, bool limited);
+
+  int index(int column) const { return index_[column]; }  ///< of a reduced column, -1 outside
+  int first(int body) const { return first_[body]; }      ///< of a body's first column inside
+  const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
+
+  /// Right-hand side inside, from that on the reduced columns; remembers the rest for `expand`.
+  Vector load(const Vector& b);
+  Vector expand(const Vector& inside) const;
+
+ private:
+  bool chosen_ = false;
+  Reach reach_;
+  std::vector<int> inside_, index_, first_, first_reduced_;  ///< reduced columns inside, ...
+  std::vector<Condensed> parts_;
+};
+
+}  // namespace reye::solver
