@@ -230,6 +230,14 @@ base::SparseMatrix Columns::expansion() const {
   return B;
 }
 
+Matrix Columns::translations() const {
+  Matrix T = Matrix::Zero(retained, 2);
+  for (const ContactNode& node : seen)
+    for (const Term& term : node.terms) T.row(term.column - interior) = term.direction;
+  for (const SupportColumn& support : supports) T.row(support.column) = support.direction;
+  return T;
+}
+
 bool Columns::turns(int column) const {
   const auto turning = [&](const SupportColumn& s) { return s.motion == 2 && s.column == column - interior; };
   return column >= interior && std::any_of(supports.begin(), supports.end(), turning);

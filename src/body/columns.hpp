@@ -31,6 +31,7 @@ struct Columns {
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)
+  Matrix translations() const;            ///< q as the body moves by one along x, along y: retained x 2
 
   /// Whether a column of y is the rotation of a rigid edge.
   bool turns(int column) const;

@@ -25,6 +25,7 @@ struct LinearBody::Impl {
   Columns columns;  ///< without terms
   SparseMatrix B;
   algebra::SchurFactor factor;
+  Translation translation;
   std::vector<LoadColumn> names;
   std::vector<CondensedLoad> loads;
 
@@ -32,7 +33,8 @@ struct LinearBody::Impl {
       : shape(std::move(s)),
         columns(number_columns(shape->mesh, input)),
         B(expansion()),
-        factor(reduced_stiffness(input), columns.retained, std::move(known)) {
+        factor(reduced_stiffness(input), columns.retained, std::move(known)),
+        translation(rigid_translations(input.analysis)) {
     for_each_load(input, [&](const auto& load) {
       Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
       Vector condensed = factor.condense(full);
@@ -46,6 +48,13 @@ struct LinearBody::Impl {
     SparseMatrix expansion = columns.expansion();
     columns.terms = {};
     return expansion;
+  }
+
+  /// Columns of q; in axisymmetry nothing moves along the radius without strain.
+  Matrix rigid_translations(base::Analysis analysis) const {
+    Matrix T = columns.translations();
+    if (analysis == base::Analysis::axisymmetric) T.col(0).setZero();
+    return T;
   }
 
   /// B^T K B
@@ -65,6 +74,7 @@ int LinearBody::dofs() const { return impl_->columns.retained; }
 int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
 const std::vector<int>& LinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
 const Matrix& LinearBody::tangent(const Vector&, const Vector&) const { return impl_->factor.schur(); }
+const Translation& LinearBody::translation() const { return impl_->translation; }
 const std::vector<SupportColumn>& LinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
 const std::vector<CurvedEdge>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }

@@ -10,6 +10,7 @@
 #include "body/control_points.hpp"
 #include "body/shape.hpp"
 #include "body/supports.hpp"
+#include "body/translation.hpp"
 #include "fem/loads.hpp"
 #include "material/elastic_part.hpp"
 #include "material/tensor.hpp"
@@ -94,6 +95,7 @@ class LinearBody {
   const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
   const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
+  const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;

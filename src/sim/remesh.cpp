@@ -202,7 +202,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   }
   next.shapes = std::move(shapes);
   const auto& system = timed_system(problem, next, cache);
-  next.solution.q = Vector::Zero(system.dofs);
+  next.solution.q = next.solution.q_low = Vector::Zero(system.dofs);
   std::size_t r = 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (const auto found = displaced.find(b); found != displaced.end()) {

@@ -24,10 +24,12 @@ Vector Condensed::load(const Eigen::Ref<const Vector>& full) {
   return near;
 }
 
+Vector Condensed::moved(const Eigen::Ref<const Vector>& near) const { return own_ - G_ * near; }
+
 Vector Condensed::expand(const Eigen::Ref<const Vector>& near) const {
   Vector full(this->full());
   full(near_) = near;
-  if (!far_.empty()) full(far_) = own_ - G_ * near;
+  if (!far_.empty()) full(far_) = moved(near);
   return full;
 }
 

@@ -21,8 +21,11 @@ class Condensed {
   Eigen::Index size() const { return S_.rows(); }                                          ///< columns kept
   Eigen::Index full() const { return static_cast<Eigen::Index>(near_.size() + far_.size()); }  ///< all columns
 
-  /// f'; remembers what f_f moves for `expand`.
+  const std::vector<int>& far() const { return far_; }
+
+  /// f'; remembers what f_f moves for `moved`.
   Vector load(const Eigen::Ref<const Vector>& full);
+  Vector moved(const Eigen::Ref<const Vector>& near) const;  ///< q_f
   /// All columns from the kept ones.
   Vector expand(const Eigen::Ref<const Vector>& near) const;
 

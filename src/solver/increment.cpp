@@ -13,6 +13,7 @@ namespace {
 constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
 constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
 constexpr double tiny = std::numeric_limits<double>::min();
+constexpr double digits = 64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of what is summed up from many terms
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
@@ -49,7 +50,7 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   reach_chosen_ = !(reach_ == Reach::all(system)) || !limited;
 }
 
-Vector Increment::begin(const System& system, const SolverState& before, const Controls& controls, double continues) {
+base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, double continues) {
   const auto n = system.contacts.size();
   interfaces_.resize(n);
   nodes_.resize(n);
@@ -64,13 +65,16 @@ Vector Increment::begin(const System& system, const SolverState& before, const C
   }
   look_at_reach(system, controls);
   suspects_ = {};
-  Vector q = reduction_.restrict_to(before.q);
-  if (continues > 0.0) q += continues * reduction_.restrict_to(last_step_);
   nonlinear_.begin(system, before, controls, reduction_, continues);
+  base::TwoPart q{reduction_.restrict_to(before.q), reduction_.restrict_to(before.q_low)};
+  if (continues > 0.0) advance(q, continues * reduction_.restrict_to(last_step_));
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)
-    if (!nonlinear_.own(column)) q[reduction_.index(column)] = value;
-  nonlinear_.linearise(q, lambda_);
+    if (!nonlinear_.own(column)) {
+      q.high[reduction_.index(column)] = value;
+      q.low[reduction_.index(column)] = 0.0;
+    }
+  nonlinear_.linearise(q.high, lambda_);
   return q;
 }
 
@@ -82,16 +86,16 @@ void Increment::look_at_reach(const System& system, const Controls& controls) {
   for (const auto& [column, force] : controls.forces) loads_[reduction_.index(column)] += force;
 }
 
-void Increment::change_reach(const System& system, const Controls& controls, Reach reach, Vector& q) {
-  const Vector all = reduction_.expand(q);
+void Increment::change_reach(const System& system, const Controls& controls, Reach reach, base::TwoPart& q) {
+  const auto all = reduction_.expand(q);
   reach_ = std::move(reach);
   reduction_ = Reduction(system, reach_);
   window_.forget();
   look_at_reach(system, controls);
-  q = reduction_.restrict_to(all);
+  q = {reduction_.restrict_to(all.high), reduction_.restrict_to(all.low)};
 }
 
-bool Increment::narrow(const System& system, const Controls& controls, Vector& q) {
+bool Increment::narrow(const System& system, const Controls& controls, base::TwoPart& q) {
   if (nonlinear() || reach_chosen_) return false;
   Reach reach = Reach::round_contact(system, interfaces_, reach_margin);
   if (reach.nodes() > worth_narrowing * reach_.nodes()) return false;
@@ -105,7 +109,7 @@ bool Increment::enclosed_by(const Reach& reach) const {
   return true;
 }
 
-bool Increment::follow(const System& system, const Controls& controls, Vector& q) {
+bool Increment::follow(const System& system, const Controls& controls, base::TwoPart& q) {
   if (nonlinear()) return false;
   Reach reach = Reach::round_contact(system, interfaces_, reach_margin);
   if (!enclosed_by(reach)) reach = Reach::all(system);
@@ -114,7 +118,7 @@ bool Increment::follow(const System& system, const Controls& controls, Vector& q
   return true;
 }
 
-void Increment::widen(const System& system, const Controls& controls, Vector& q) {
+void Increment::widen(const System& system, const Controls& controls, base::TwoPart& q) {
   change_reach(system, controls, Reach::all(system), q);
 }
 
@@ -156,29 +160,48 @@ const Matrix& Increment::stiffness(std::size_t body) const {
   return tangent ? *tangent : reduction_.stiffness(static_cast<int>(body));
 }
 
-/// S' q - f' of all bodies on the reduced columns; of nonlinear ones r + S (q - q_anchor).
-Vector Increment::residual(const System& system, const Controls& controls, const Vector& q) const {
+/// S' v - f' of all bodies on the reduced columns, v the deformation; of nonlinear ones r + S (q - q_anchor).
+Vector Increment::residual(const System& system, const Controls& controls, const base::TwoPart& q) const {
   Vector r = -loads_;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int at = reduction_.first(static_cast<int>(b));
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {
-      const Vector part = q.segment(at, rigid->dofs());
+      const Vector part = q.high.segment(at, rigid->dofs());
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
     } else if (nonlinear_.tangent(static_cast<int>(b))) {
-      nonlinear_.add_residual(static_cast<int>(b), q, r);
+      nonlinear_.add_residual(static_cast<int>(b), q.high, r);
     } else {
       const Matrix& S = reduction_.stiffness(static_cast<int>(b));
-      r.segment(at, S.rows()).noalias() += S * q.segment(at, S.rows());
+      r.segment(at, S.rows()).noalias() += S * reduction_.deformation(static_cast<int>(b), q);
     }
   }
   return r;
 }
 
+/// Of a linear body S v is rounded, not S q: rigid motion leaves nothing. The stress of a nonlinear one is that of F(q).
+Increment::Rounding Increment::rounding(const System& system, const base::TwoPart& q) const {
+  Rounding result;
+  const double way = largest_of(q.high.cwiseProduct(arm_));
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int body = static_cast<int>(b);
+    const Matrix& S = this->stiffness(b);
+    if (S.size() == 0) continue;
+    const auto arm = arm_.segment(reduction_.first(body), S.rows());
+    const double stiffness = S.diagonal().cwiseQuotient(arm.cwiseAbs2()).maxCoeff();
+    const double lost = nonlinear_.tangent(body)
+                            ? 1e-13 * way
+                            : digits * largest_of(reduction_.deformation(body, q).cwiseProduct(arm));
+    result.inside = std::max(result.inside, stiffness * lost);
+    result.scale = std::max(result.scale, digits * stiffness * way);
+  }
+  return result;
+}
+
 /// Balance and conditions at (q, lambda); balance_ keeps the unbalanced forces.
-Iteration Increment::measure(const System& system, const Controls& controls, const Vector& q, bool fresh) {
+Iteration Increment::measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh) {
   Iteration row;
   balance_ = residual(system, controls, q);
-  double largest = largest_of(balance_.cwiseQuotient(arm_)), multiplier = 0.0, unmet = 0.0, stiffness = 0.0;
+  double largest = largest_of(balance_.cwiseQuotient(arm_)), multiplier = 0.0, unmet = 0.0;
   suspects_.unmet = {};
   for (std::size_t c = 0; c < interfaces_.size(); ++c) {
     auto& face = interfaces_[c];
@@ -194,7 +217,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
       multiplier = std::max(multiplier, lambda_[c][j].norm());
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
       // What rounding of positions leaves of a gap can not be asked to vanish.
-      const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * nodes_[c][j].position.x.norm() * D;
+      const double rounding = digits * nodes_[c][j].position.x.norm() * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
       const auto count = [&](double r) {
         if (r > unmet) suspects_.unmet = {static_cast<int>(c), node};
@@ -207,18 +230,13 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
     }
   }
   for (const auto& [column, value] : controls.prescribed) balance_[reduction_.index(column)] = 0.0;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const Matrix& S = this->stiffness(b);
-    const auto arm = arm_.segment(reduction_.first(static_cast<int>(b)), S.rows());
-    if (S.size() > 0) stiffness = std::max(stiffness, S.diagonal().cwiseQuotient(arm.cwiseAbs2()).maxCoeff());
-  }
-  largest = std::max(largest, nonlinear_.force_scale());
+  const Rounding rounding = this->rounding(system, q);
+  largest = std::max({largest, nonlinear_.force_scale(), rounding.scale});
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
-  const double rounding = 1e-13 * stiffness * largest_of(q.cwiseProduct(arm_));  // of S q under rigid motion: no force
   Eigen::Index column = -1;
   const double outside = balance_.size() ? balance_.cwiseQuotient(arm_).cwiseAbs().maxCoeff(&column) : 0.0;
   suspects_.unbalanced = inside > outside ? -1 : static_cast<int>(column);
-  row.force = std::max(0.0, std::max(outside, inside) - rounding) / std::max(largest, tiny);
+  row.force = std::max(0.0, std::max(outside, inside) - rounding.inside) / std::max(largest, tiny);
   // Nodes that have just closed carry no multiplier yet: an overlap without one is unmet, not infinite.
   row.condition = unmet == 0.0 ? 0.0 : unmet / std::max(multiplier, 1e-6 * unmet);
   return row;
@@ -252,8 +270,10 @@ bool Increment::touching() const {
   });
 }
 
-bool Increment::accept(const System& system, const Vector& q, SolverState& state) {
-  state.q = reduction_.expand(q);
+bool Increment::accept(const System& system, const base::TwoPart& q, SolverState& state) {
+  auto expanded = reduction_.expand(q);
+  state.q = std::move(expanded.high);
+  state.q_low = std::move(expanded.low);
   integrate(system, state.q, true);
   if (!enclosed_by(reach_)) return false;
   state.contacts.clear();
@@ -265,7 +285,7 @@ bool Increment::accept(const System& system, const Vector& q, SolverState& state
   return true;
 }
 
-Vector Increment::step(const System& system, const Controls& controls, const Vector& q, bool chord) {
+Vector Increment::step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord) {
   if (!chord) window_.choose(system, reduction_, interfaces_, limited_);
   const Vector rhs = window_.load(-balance_);
   auto nodes = nodes_;
@@ -279,26 +299,31 @@ Vector Increment::step(const System& system, const Controls& controls, const Vec
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int body = static_cast<int>(b), at = reduction_.first(body);
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-        condenser_.add_body(window_.first(body), rigid->tangent(q.segment(at, rigid->dofs()), controls.load_factors[b]));
+        condenser_.add_body(window_.first(body), rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
       else
         condenser_.add_body(window_.first(body), nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
     }
     for (std::size_t c = 0; c < interfaces_.size(); ++c)
-      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes[c], lambda_[c], reduction_, window_, q);
+      condenser_.add_contact(system, static_cast<int>(c), interfaces_[c], nodes[c], lambda_[c], reduction_, window_, q.high);
   }
   for (int c : system.elimination) condenser_.eliminate(c, interfaces_[c], nodes[c]);
   for (const auto& [column, value] : controls.prescribed) {
     const int at = reduction_.index(column);
-    condenser_.fix(window_.index(at), value - q[at]);
+    condenser_.fix(window_.index(at), value - q.high[at] - q.low[at]);
   }
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < interfaces_.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
   return window_.expand(dq);
 }
 
+void Increment::advance(base::TwoPart& q, const Vector& dq) const {
+  q += dq;
+  nonlinear_.round(q);
+}
+
 double Increment::way(const Vector& dq) const { return largest_of(dq.cwiseProduct(arm_)); }
 
-std::string Increment::renew(Vector& q) { return nonlinear_.renew(q, lambda_); }
+std::string Increment::renew(base::TwoPart& q) { return nonlinear_.renew(q, lambda_); }
 
 std::string Increment::not_found(const System& system, const std::vector<Iteration>& table, const NewtonOptions& options,
                                  bool circles) const {

@@ -26,29 +26,30 @@ class Increment {
 
   /// From `before`, or where the last increment would lead that goes on `continues` times as far. Returns q; throws
   /// base::SolveError when a nonlinear body can not be linearised there.
-  Vector begin(const System& system, const SolverState& before, const Controls& controls, double continues);
+  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, double continues);
 
   /// Moves the surfaces to where q puts them, and integrates.
-  void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
+  void place(const System& system, const base::TwoPart& q) { integrate(system, reduction_.scatter(q.high), false); }
   /// Number of nodes that ask for another status; those that are allowed to get it.
   int decide(int iteration, bool predicted, Allowed allowed);
   /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
   /// goes on as it would have, on a smaller matrix. True: q has to be placed and measured again.
-  bool narrow(const System& system, const Controls& controls, Vector& q);
+  bool narrow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Back to all nodes.
-  void widen(const System& system, const Controls& controls, Vector& q);
+  void widen(const System& system, const Controls& controls, base::TwoPart& q);
   /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton goes
   /// on from there. False: with nonlinear bodies it can not.
-  bool follow(const System& system, const Controls& controls, Vector& q);
+  bool follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
-  Iteration measure(const System& system, const Controls& controls, const Vector& q, bool fresh);
+  Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
   /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
   /// takes lambda along. Throws base::SolveError when the matrix is singular.
-  Vector step(const System& system, const Controls& controls, const Vector& q, bool chord);
+  Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
+  void advance(base::TwoPart& q, const Vector& dq) const;  ///< q + dq
   /// Linearises nonlinear bodies anew where contact left them. Returns why it can not be done.
-  std::string renew(Vector& q);
+  std::string renew(base::TwoPart& q);
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
-  bool accept(const System& system, const Vector& q, SolverState& state);
+  bool accept(const System& system, const base::TwoPart& q, SolverState& state);
 
   bool nonlinear() const { return nonlinear_.any(); }
   bool touching() const;  ///< whether a node of some contact is active
@@ -61,9 +62,14 @@ class Increment {
  private:
   void look_at_reach(const System& system, const Controls& controls);
   bool enclosed_by(const Reach& reach) const;
-  void change_reach(const System& system, const Controls& controls, Reach reach, Vector& q);
+  void change_reach(const System& system, const Controls& controls, Reach reach, base::TwoPart& q);
+  struct Rounding {
+    double inside = 0.0;  ///< force that the rounding of a body's own forces may leave
+    double scale = 0.0;   ///< force that the rounding of positions makes: where none is larger, nothing is loaded
+  };
+  Rounding rounding(const System& system, const base::TwoPart& q) const;
   void integrate(const System& system, const Vector& q, bool everything);
-  Vector residual(const System& system, const Controls& controls, const Vector& q) const;
+  Vector residual(const System& system, const Controls& controls, const base::TwoPart& q) const;
   const Matrix& stiffness(std::size_t body) const;
 
   Reach reach_;

@@ -18,7 +18,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
                             bool narrowing) {
   SolveResult result;
   auto& report = result.report;
-  Vector q;
+  base::TwoPart q;
   try {
     q = increment_.begin(system, before, controls, predicted ? controls.continues : 0.0);
   } catch (const base::SolveError& error) {
@@ -97,7 +97,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       on_chord = chord;
       ++report.solves;
       report.matrices += chord ? 0 : 1;
-      q += dq;
+      increment_.advance(q, dq);
       // Far out the rounding of S q hides that nothing is in balance any more.
       const double way = increment_.way(dq), bound = 1e3 * system.extent;
       if (!system.contacts.empty() && !(way < bound)) {

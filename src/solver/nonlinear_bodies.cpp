@@ -43,8 +43,8 @@ void NonlinearBodies::linearise(const Vector& q, const Multipliers& lambda) {
   anchor_lambda_ = lambda;
 }
 
-std::string NonlinearBodies::renew(Vector& q, Multipliers& lambda) {
-  Vector way = q - anchor_;
+std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
+  Vector way = q.high - anchor_;
   std::vector<Vector> inside(interior_.size());
   for (std::size_t b = 0; b < inside.size(); ++b)
     if (const auto* own = body(b)) {
@@ -55,19 +55,25 @@ std::string NonlinearBodies::renew(Vector& q, Multipliers& lambda) {
   const double imbalance = inside_imbalance();
   for (int halvings = 0;; ++halvings) {
     try {
-      linearise(q, lambda);
+      linearise(q.high, lambda);
       // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
       if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
     } catch (const base::SolveError& error) {
       if (halvings == most_halvings) return error.what();
     }
     way *= 0.5;
-    q -= way;
+    q += -way;
+    round(q);
     for (std::size_t b = 0; b < inside.size(); ++b)
       if (inside[b].size() > 0) interior_[b] -= (inside[b] *= 0.5);
     for (std::size_t c = 0; c < lambda.size(); ++c)
       for (std::size_t j = 0; j < lambda[c].size(); ++j) lambda[c][j] = 0.5 * (lambda[c][j] + start[c][j]);
   }
+}
+
+void NonlinearBodies::round(base::TwoPart& q) const {
+  for (std::size_t b = 0; b < interior_.size(); ++b)
+    if (const auto* own = body(b)) q.low.segment(reduction_->first(static_cast<int>(b)), own->dofs()).setZero();
 }
 
 const Matrix* NonlinearBodies::tangent(int b) const {

@@ -26,7 +26,10 @@ class NonlinearBodies {
   void linearise(const Vector& q, const Multipliers& lambda);
   /// Takes the interiors to where q has gone since the anchor and linearises there; where that can not be done, or is far
   /// worse balanced, half the way is tried, and so on. Returns why it can not be done at all.
-  std::string renew(Vector& q, Multipliers& lambda);
+  std::string renew(base::TwoPart& q, Multipliers& lambda);
+
+  /// Drops the low part of their columns: their stress is not so fine.
+  void round(base::TwoPart& q) const;
 
   /// S of a body; null when it is not nonlinear.
   const Matrix* tangent(int body) const;

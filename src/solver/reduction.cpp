@@ -1,5 +1,7 @@
 #include "solver/reduction.hpp"
 
+#include <utility>
+
 namespace reye::solver {
 
 Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.offset) {
@@ -20,8 +22,12 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
       kept_.push_back(column);
       near.push_back(i);
     }
-    if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]))
-      parts_[b] = Condensed(linear->tangent({}), std::move(near), std::move(far));
+    if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b])) {
+      const auto& translation = linear->translation();
+      auto near_translation = translation.part(near), far_translation = translation.part(far);
+      parts_[b] = {Condensed(linear->tangent({}), std::move(near), std::move(far)), std::move(near_translation),
+                   std::move(far_translation)};
+    }
   }
 }
 
@@ -44,13 +50,27 @@ Vector Reduction::scatter(const Vector& reduced) const {
   return q;
 }
 
-Vector Reduction::expand(const Vector& reduced) const {
-  Vector q = scatter(reduced);
+base::TwoPart Reduction::of_body(int body, const base::TwoPart& reduced) const {
+  const auto n = parts_[body].size();
+  return {reduced.high.segment(first_[body], n), reduced.low.segment(first_[body], n)};
+}
+
+Vector Reduction::deformation(int body, const base::TwoPart& reduced) const {
+  return parts_[body].near_translation.without(of_body(body, reduced));
+}
+
+base::TwoPart Reduction::expand(const base::TwoPart& reduced) const {
+  base::TwoPart q{scatter(reduced.high), scatter(reduced.low)};
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     const auto& part = parts_[b];
-    if (part.size() == 0) continue;
-    const Vector full = part.expand(reduced.segment(first_[b], part.size()));
-    q.segment(offset_[b], full.size()) = full;
+    if (part.far().empty()) continue;
+    const auto near = of_body(static_cast<int>(b), reduced);
+    const Vec2 a = part.near_translation.of(near.high);
+    const auto far = part.far_translation.with(a, part.moved(part.near_translation.without(a, near)));
+    for (std::size_t i = 0; i < part.far().size(); ++i) {
+      q.high[offset_[b] + part.far()[i]] = far.high[static_cast<Eigen::Index>(i)];
+      q.low[offset_[b] + part.far()[i]] = far.low[static_cast<Eigen::Index>(i)];
+    }
   }
   return q;
 }

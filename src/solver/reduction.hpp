@@ -22,13 +22,20 @@ class Reduction {
   /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`.
   Vector loads(const System& system, const std::vector<Vector>& load_factors);
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
+  /// Kept columns of a linear body without its rigid translation: S' needs no more, and is rounded less.
+  Vector deformation(int body, const base::TwoPart& reduced) const;
   /// All global columns from the kept ones; `scatter` leaves those out of reach at zero.
-  Vector expand(const Vector& reduced) const;
+  base::TwoPart expand(const base::TwoPart& reduced) const;
   Vector scatter(const Vector& reduced) const;
 
  private:
+  struct Part : Condensed {
+    body::Translation near_translation, far_translation;
+  };
+  base::TwoPart of_body(int body, const base::TwoPart& reduced) const;
+
   std::vector<int> kept_, index_, first_, offset_;
-  std::vector<Condensed> parts_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace reye::solver

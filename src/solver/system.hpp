@@ -37,6 +37,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
 /// What evolves in the solver.
 struct SolverState {
   Vector q;
+  Vector q_low;  ///< what rounding took from q: forces of stiff bodies need q + q_low
   std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;
 };

@@ -248,6 +248,51 @@ TEST(linear_body, floating_body_resists_no_rigid_motion) {
   }
 }
 
+/// A body on an edge held node by node or as a whole, along axes that are turned with it.
+body::LinearBody turned_body(bool rigid) {
+  auto in = steel();
+  in.supports = {fixed_edge("plate", "bottom")};
+  in.supports[0].angle_deg = 20.0;
+  in.supports[0].rigid = rigid;
+  in.contact_boundaries = {"top", "right"};
+  const auto m = rectangle({.size = {2, 1}, .nx = 8, .ny = 5, .distortion = 0.5});
+  return body::LinearBody(body::make_shape(support::turned(m, std::numbers::pi / 9.0)), in);
+}
+
+// A body must cost no force where it is moved as a whole, and all its points must go along.
+TEST(linear_body, translation_is_rigid) {
+  for (bool rigid : {false, true}) {
+    const auto b = turned_body(rigid);
+    const Vec2 a{3.7, -11.3};
+    const auto q = b.translation().with(a, Vector::Zero(b.dofs()));
+    for (const Vec2& u : b.recover(q.high, {})) EXPECT_LT((u - a).norm(), 1e-11);
+    EXPECT_LT(b.residual(q.high, {}).norm(), 1e-12 * b.tangent(q.high).norm() * a.norm());
+    EXPECT_LT((b.translation().of(q.high) - a).norm(), 1e-13 * a.norm());
+  }
+}
+
+// A small deformation must cost the same force after the body has moved far, to the digits of the deformation.
+TEST(linear_body, far_motion_costs_no_digits) {
+  for (bool rigid : {false, true}) {
+    const auto b = turned_body(rigid);
+    Vector v(b.dofs());
+    for (int i = 0; i < b.dofs(); ++i) v[i] = 1e-9 * std::sin(1.0 + 2.3 * i);
+    const Vector force = b.residual(v, {});
+    const auto q = b.translation().with({3.7, -11.3}, v);
+    EXPECT_LT((b.residual(b.translation().without(q), {}) - force).norm(), 1e-13 * force.norm());
+    EXPECT_GT((b.residual(q.high, {}) - force).norm(), 1e-8 * force.norm());
+  }
+}
+
+// A ring widens by strain: along the radius nothing is rigid.
+TEST(linear_body, ring_is_rigid_along_its_axis_only) {
+  auto in = steel(base::Analysis::axisymmetric);
+  in.contact_boundaries = {"top"};
+  const body::LinearBody b(body::make_shape(rectangle({.corner = {1, 0}, .size = {1, 1}, .nx = 3, .ny = 3})), in);
+  const auto q = b.translation().with({1.0, 2.0}, Vector::Zero(b.dofs()));
+  for (const Vec2& u : b.recover(q.high, {})) EXPECT_LT((u - Vec2(0.0, 2.0)).norm(), 1e-12);
+}
+
 // Nodes on the axis of symmetry must stay there without any support saying so.
 TEST(linear_body, axis_of_symmetry_is_held) {
   const auto m = rectangle({.size = {2, 3}, .nx = 4, .ny = 6});

@@ -45,6 +45,7 @@ double lowest(const base::Points& points) {
 /// Everything of a state that a failed step could have touched.
 std::vector<double> numbers(const sim::State& s) {
   std::vector<double> all(s.solution.q.begin(), s.solution.q.end());
+  all.insert(all.end(), s.solution.q_low.begin(), s.solution.q_low.end());
   for (const auto& c : s.solution.contacts) {
     for (const auto& l : c.lambda) all.insert(all.end(), {l.x(), l.y()});
     for (const auto& v : {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip, c.energy_secondary})

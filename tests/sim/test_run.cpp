@@ -138,6 +138,7 @@ TEST(Run, GoesOnFromAnyBlock) {
     sim::run(problem, state, {});
     EXPECT_EQ(state.cycle, whole.state.cycle);
     EXPECT_EQ(state.solution.q, whole.state.solution.q);
+    EXPECT_EQ(state.solution.q_low, whole.state.solution.q_low);
     EXPECT_EQ(state.solution.contacts[0].removed_secondary, whole.state.solution.contacts[0].removed_secondary);
   }
 }

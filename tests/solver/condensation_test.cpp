@@ -176,4 +176,42 @@ TEST(condensation, slides_past_the_rim_of_the_reach) {
   }
 }
 
+/// Largest force of a support on one of the bodies, and the sum over all of them.
+std::pair<double, base::Vec2> carried(const solver::System& system, const base::Vector& reactions) {
+  double largest = 0.0;
+  base::Vec2 sum = base::Vec2::Zero();
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    base::Vec2 own = base::Vec2::Zero();
+    for (const auto& s : std::visit([](const auto& o) { return o.support_columns(); }, system.bodies[b]))
+      own += reactions[system.offset[b] + s.column] * s.direction;
+    largest = std::max(largest, own.norm());
+    sum += own;
+  }
+  return {largest, sum};
+}
+
+// A body 10^6 times as stiff as what it slides on must be in balance however far it has moved, with nodes out of reach or
+// not.
+TEST(condensation, stiff_body_balances_far_from_its_start) {
+  for (bool limited : {true, false}) {
+    auto a = wide_slider(0.0);
+    a.inputs[1].material = material::LinearElastic{1e9, 0.25};
+    const auto system = support::system_of(a);
+    solver::NewtonOptions options;
+    options.limit_reach = limited;
+    solver::Newton newton(options);
+    auto state = support::fresh(system);
+    for (double drag : {0.0, 0.02, 0.04, 0.06}) {
+      a.inputs[1].supports[0].x = support::moved(drag);
+      const auto controls = support::controls_of(a, system, 1.0);
+      const auto result = newton.solve(system, state, controls);
+      ASSERT_TRUE(result.report.converged) << "drag " << drag << ": " << result.report.reason;
+      state = result.state;
+      const auto [largest, sum] = carried(system, solver::reactions(system, state, controls));
+      EXPECT_GT(largest, 0.01);
+      EXPECT_LT(sum.norm(), 1e-10 * largest) << "drag " << drag;
+    }
+  }
+}
+
 }  // namespace

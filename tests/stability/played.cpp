@@ -51,10 +51,12 @@ class Watch {
   void finish() {
     if (largest_force_ > 0.0) {
       double modulus = 0.0;
-      for (const auto& [name, material] : p_.scene.materials)
-        modulus = std::max(modulus, material::bulk_modulus(material) + 4.0 / 3.0 * material::shear_modulus(material));
+      for (const auto& body : p_.inputs)
+        if (body.kinematics == base::Kinematics::finite)
+          modulus = std::max(modulus, material::bulk_modulus(body.material) +
+                                          4.0 / 3.0 * material::shear_modulus(body.material));
       out_.balance = left_over_ / largest_force_;
-      out_.rounding = 1024.0 * std::numeric_limits<double>::epsilon() * modulus * way_ / largest_force_;
+      out_.rounding = 256.0 * std::numeric_limits<double>::epsilon() * modulus * way_ / largest_force_;
     }
     out_.multiplier = largest_multiplier_ > 0.0 ? smallest_multiplier_ / largest_multiplier_ : 0.0;
   }

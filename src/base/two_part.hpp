@@ -1,0 +1,31 @@
+#pragma once
+#include "base/linalg.hpp"
+
+namespace reye::base {
+
+/// A sum and what rounding took from it: a + b = sum + rest exactly.
+struct ExactSum {
+  double sum = 0.0, rest = 0.0;
+};
+
+inline ExactSum exact_sum(double a, double b) {
+  const double sum = a + b, of_b = sum - a;
+  return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+
+/// A vector with twice the digits, high + low; high is its nearest vector of doubles.
+struct TwoPart {
+  Vector high, low;
+
+  TwoPart& operator+=(const Vector& step) {
+    for (Eigen::Index i = 0; i < high.size(); ++i) {
+      const auto [moved, rest] = exact_sum(high[i], step[i]);
+      const auto [sum, small] = exact_sum(moved, rest + low[i]);
+      high[i] = sum;
+      low[i] = small;
+    }
+    return *this;
+  }
+};
+
+}  // namespace reye::base

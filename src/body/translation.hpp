@@ -1,0 +1,35 @@
+#pragma once
+#include "base/two_part.hpp"
+
+namespace reye::body {
+
+using base::Matrix;
+using base::TwoPart;
+using base::Vec2;
+using base::Vector;
+
+/// How the columns q of a linear body hold its rigid translation: q = T a + v. S T = 0, but in numbers S T a is rounding,
+/// and where a stiff body moves far under a small force no balance is left. Without T a what is rounded is S v.   [README (8)]
+class Translation {
+ public:
+  Translation() = default;
+  /// T, one row per column of q: what it becomes when the body moves by one along x, along y; zero where that is not rigid.
+  explicit Translation(const Matrix& T);
+  Translation part(const std::vector<int>& columns) const { return Translation(T_(columns, Eigen::all)); }
+
+  /// a: the mean motion, by which v is least.
+  Vec2 of(const Vector& q) const { return mean_ * q; }
+  /// v = q - T a, rounded once.
+  Vector without(const Vec2& a, const TwoPart& q) const;
+  Vector without(const TwoPart& q) const { return without(of(q.high), q); }
+  /// T a + v
+  TwoPart with(const Vec2& a, const Vector& v) const;
+
+ private:
+  base::ExactSum moved(Eigen::Index column, const Vec2& a) const;
+
+  Matrix T_;
+  Matrix mean_;  ///< pseudo-inverse of T
+};
+
+}  // namespace reye::body
