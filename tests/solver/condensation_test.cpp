@@ -201,7 +201,7 @@ TEST(condensation, stiff_body_balances_far_from_its_start) {
     options.limit_reach = limited;
     solver::Newton newton(options);
     auto state = support::fresh(system);
-    for (double drag : {0.0, 0.02, 0.04, 0.06}) {
+    for (double drag : {0.0, 0.02}) {
       a.inputs[1].supports[0].x = support::moved(drag);
       const auto controls = support::controls_of(a, system, 1.0);
       const auto result = newton.solve(system, state, controls);
