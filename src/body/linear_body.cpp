@@ -102,6 +102,17 @@ Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
   return r;
 }
 
+Vector LinearBody::at_supports(const Vector& q, const Vector& load_factors) const {
+  assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
+  Vector r = Vector::Zero(dofs());
+  for (const SupportColumn& support : support_columns()) {
+    const int k = support.column;
+    r[k] = impl_->factor.schur().col(k).dot(q);
+    for (size_t i = 0; i < impl_->loads.size(); ++i) r[k] -= load_factors[i] * impl_->loads[i].condensed[k];
+  }
+  return r;
+}
+
 std::vector<Vec2> LinearBody::recover(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
   Vector f = Vector::Zero(full_dofs());

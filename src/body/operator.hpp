@@ -95,6 +95,7 @@ class LinearBody {
   const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
   const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
+  Vector at_supports(const Vector& q, const Vector& load_factors) const;  ///< of the residual the support columns, else 0
   const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;

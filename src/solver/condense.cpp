@@ -18,7 +18,6 @@ int inside(int column) {
 }  // namespace
 
 void Condenser::start(const System& system, const Vector& rhs) {
-  linearised_.resize(system.contacts.size());
   elimination_.resize(system.contacts.size());
   At_.setZero(rhs.size(), rhs.size());
   b_ = rhs;
@@ -49,12 +48,17 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
   }
 }
 
-void Condenser::add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
+const std::vector<contact::Linearised>& Condenser::linearise(std::vector<contact::Interface>& contacts,
+                                                             const std::vector<std::vector<Vec2>>& lambda) {
+  linearised_.resize(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) contacts[c].linearise(lambda[c], linearised_[c]);
+  return linearised_;
+}
+
+void Condenser::add_contact(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                             const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window,
                             const Vector& q) {
-  auto& linearised = linearised_[contact];
-  face.linearise(lambda, linearised);
-  for (const auto& e : linearised.force) {
+  for (const auto& e : linearised_[contact].force) {
     const auto &row = nodes[e.row / 2], &col = nodes[e.col / 2];
     for (int r = 0; r < row.position.count; ++r)
       for (int k = 0; k < col.position.count; ++k)

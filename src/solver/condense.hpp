@@ -29,8 +29,12 @@ class Condenser {
   /// Tangent of a body whose columns start at `at`.
   void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
 
+  /// Derivatives of conditions and forces, per contact: what the next matrix is made of.
+  const std::vector<contact::Linearised>& linearise(std::vector<contact::Interface>& contacts,
+                                                    const std::vector<std::vector<Vec2>>& lambda);
+
   /// Derivative of the contact forces at fixed multipliers.
-  void add_contact(const System& system, int contact, contact::Interface& face, const std::vector<PlacedNode>& nodes,
+  void add_contact(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                    const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window, const Vector& q);
 
   /// Eliminates the multipliers of one contact; contacts come in the order of System::elimination.

@@ -286,7 +286,10 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
 }
 
 Vector Increment::step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord) {
-  if (!chord) window_.choose(system, reduction_, interfaces_, limited_);
+  if (!chord) {
+    const auto& derivatives = condenser_.linearise(interfaces_, lambda_);
+    window_.choose(system, reduction_, limited_ ? Reach::of_derivatives(interfaces_, derivatives) : Reach::all(system));
+  }
   const Vector rhs = window_.load(-balance_);
   auto nodes = nodes_;
   for (auto& of_contact : nodes)

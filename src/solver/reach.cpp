@@ -67,6 +67,39 @@ Reach Reach::round_contact(const System& system, const std::vector<contact::Inte
   return reach;
 }
 
+Reach Reach::of_derivatives(const std::vector<contact::Interface>& contacts,
+                            const std::vector<contact::Linearised>& derivatives) {
+  Reach reach;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto& face = contacts[c];
+    const int ns = face.setup().secondary_count(), all = ns + face.setup().primary_count();
+    std::vector<char> touched(all, 0);
+    for (int j = 0; j < ns; ++j) {
+      if (!face.active(j)) continue;
+      touched[j] = 1;
+      for (const auto& [k, share] : face.rows()[j].off) touched[k] = 1;
+      for (const auto& [l, M] : face.rows()[j].M) touched[ns + l] = 1;
+    }
+    for (const auto& e : derivatives[c].force) touched[e.row / 2] = touched[e.col / 2] = 1;
+    for (const auto& e : derivatives[c].rows)
+      if (e.col < 2 * all && face.active(e.row / 2)) touched[e.col / 2] = 1;
+    // Where nothing touches, a body may hang on nothing but what is kept.
+    if (std::find(touched.begin(), touched.end(), 1) == touched.end()) touched.assign(all, 1);
+    reach.secondary.emplace_back(touched.begin(), touched.begin() + ns);
+    reach.primary.emplace_back(touched.begin() + ns, touched.end());
+  }
+  return reach;
+}
+
+Reach Reach::widened(const System& system, int nodes) const {
+  Reach reach = *this;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    widen(system.contacts[c].secondary, reach.secondary[c], nodes);
+    widen(system.contacts[c].primary, reach.primary[c], nodes);
+  }
+  return reach;
+}
+
 int Reach::nodes() const {
   int count = 0;
   for (const auto* side : {&secondary, &primary})

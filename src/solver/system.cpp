@@ -128,7 +128,7 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
           if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
             return o.retained_residual(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
           else if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::LinearBody>)
-            return o.residual(o.translation().without(both), controls.load_factors[b]);
+            return o.at_supports(o.translation().without(both), controls.load_factors[b]);
           else
             return o.residual(q, controls.load_factors[b]);
         },

@@ -60,7 +60,8 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
 /// Contact forces of all contacts added up in the global columns.
 Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q);
 
-/// Force that each support column carries: residual of the bodies plus contact forces at that column.
+/// Force that each support column carries: residual of the bodies plus contact forces at that column. Other columns hold
+/// nothing of use.
 Vector reactions(const System& system, const SolverState& state, const Controls& controls);
 
 }  // namespace reye::solver

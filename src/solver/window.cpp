@@ -2,19 +2,12 @@
 
 namespace reye::solver {
 
-namespace {
+constexpr int spare = 1;  ///< nodes beyond what is needed, for a contact that goes on: to choose anew costs half a matrix
 
-constexpr int needed = 2;  ///< nodes beside an active one whose facets turn its normal
-constexpr int spare = 1;   ///< more of them, for a contact that goes on: to choose anew costs half a matrix
-
-}  // namespace
-
-void Window::choose(const System& system, const Reduction& reduction, const std::vector<contact::Interface>& contacts,
-                    bool limited) {
-  const auto round = [&](int nodes) { return limited ? Reach::round_contact(system, contacts, {nodes, 0}) : Reach::all(system); };
-  if (chosen_ && reach_.holds(round(needed))) return;
+void Window::choose(const System& system, const Reduction& reduction, const Reach& needed) {
+  if (chosen_ && reach_.holds(needed)) return;
   chosen_ = true;
-  reach_ = round(needed + spare);
+  reach_ = needed.widened(system, spare);
   const auto out = reach_.columns_out(system);
   const int n = reduction.size();
   inside_.clear();

@@ -1,5 +1,4 @@
 #pragma once
-#include "contact/interface.hpp"
 #include "solver/reduction.hpp"
 
 namespace reye::solver {
@@ -10,8 +9,8 @@ namespace reye::solver {
 class Window {
  public:
   void forget() { chosen_ = false; }
-  /// Kept while all that is needed lies inside; unless `limited`, everything does.
-  void choose(const System& system, const Reduction& reduction, const std::vector<contact::Interface>& contacts, bool limited);
+  /// Kept while the nodes `needed` lie inside.
+  void choose(const System& system, const Reduction& reduction, const Reach& needed);
 
   int index(int column) const { return index_[column]; }  ///< of a reduced column, -1 outside
   int first(int body) const { return first_[body]; }      ///< of a body's first column inside
