@@ -246,6 +246,7 @@ def measures(study, installed):
                 at_error(h, program, "cpu", target) / at_error(h, "Reye", key, target))
         for n in PER_HALF_WIDTH:
             out[f"hertz_l2_{program}_over_Reye_{n}"] = absent or h[n][program]["l2"] / h[n]["Reye"]["l2"]
+            out[f"hertz_cpu_{program}_over_Reye_{n}"] = absent or h[n][program]["cpu"] / h[n]["Reye"]["cpu"]
             out[f"mindlin_cpu_{program}_over_Reye_{n}"] = absent or m[n][program]["cpu"] / m[n]["Reye"]["cpu"]
     absent = None if installed["CalculiX"] else "CalculiX is not installed"
     for n in PER_HALF_WIDTH[:2]:    # the finest one is not made by default

@@ -1,4 +1,4 @@
-"""The meshes of Reye as values, and as the .msh that every program of the comparison starts from."""
+"""The meshes of Reye as values, and as .msh."""
 import base64
 import struct
 import xml.etree.ElementTree as xml
@@ -65,16 +65,24 @@ def place(body, a, b):
 
 
 def write_msh(mesh, path):
-    """Gmsh's format 2.2 with physical names: bodies are surfaces, boundaries curves."""
+    """Gmsh's binary format 2.2 with physical names: bodies are surfaces, boundaries curves."""
     names = [(1, name) for name in mesh.edges] + [(2, body) for body in mesh.quads]
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names))]
-    lines += [f'{dim} {k} "{name}"' for k, (dim, name) in enumerate(names, 1)]
-    lines += ["$EndPhysicalNames", "$Nodes", str(len(mesh.nodes))]
-    lines += [f"{k} {x!r} {y!r} 0" for k, (x, y) in enumerate(mesh.nodes, 1)]
-    elements = []
-    for k, (dim, name) in enumerate(names, 1):
-        for cell in mesh.edges[name] if dim == 1 else mesh.quads[name]:
-            elements.append(f"{1 if dim == 1 else 3} 2 {k} {k} " + " ".join(str(n + 1) for n in cell))
-    lines += ["$EndNodes", "$Elements", str(len(elements))]
-    lines += [f"{k} {text}" for k, text in enumerate(elements, 1)] + ["$EndElements", ""]
-    path.write_text("\n".join(lines), encoding="utf-8")
+    with path.open("wb") as file:
+        def say(*lines):
+            file.write("".join(f"{line}\n" for line in lines).encode())
+        say("$MeshFormat", "2.2 1 8")
+        file.write(struct.pack("i", 1))
+        say("", "$EndMeshFormat", "$PhysicalNames", len(names))
+        say(*(f'{dim} {k} "{name}"' for k, (dim, name) in enumerate(names, 1)))
+        say("$EndPhysicalNames", "$Nodes", len(mesh.nodes))
+        for k, (x, y) in enumerate(mesh.nodes, 1):
+            file.write(struct.pack("=i3d", k, x, y, 0.0))
+        cells = [mesh.edges[name] if dim == 1 else mesh.quads[name] for dim, name in names]
+        say("", "$EndNodes", "$Elements", sum(map(len, cells)))
+        number = 0
+        for k, (dim, _) in enumerate(names, 1):
+            file.write(struct.pack("3i", 1 if dim == 1 else 3, len(cells[k - 1]), 2))
+            for cell in cells[k - 1]:
+                number += 1
+                file.write(struct.pack(f"{3 + len(cell)}i", number, k, k, *(n + 1 for n in cell)))
+        say("", "$EndElements")
