@@ -3,10 +3,9 @@
 #include <vector>
 
 #include "solver/active_set_watch.hpp"
+#include "solver/contacts_in_reach.hpp"
 #include "solver/nonlinear_bodies.hpp"
-#include "solver/reduction.hpp"
 #include "solver/report.hpp"
-#include "solver/window.hpp"
 
 namespace reye::solver {
 
@@ -29,7 +28,7 @@ class Increment {
   base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, double continues);
 
   /// Moves the surfaces to where q puts them, and integrates.
-  void place(const System& system, const base::TwoPart& q) { integrate(system, reduction_.scatter(q.high), false); }
+  void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }
   /// Number of nodes that ask for another status; those that are allowed to get it.
   int decide(int iteration, bool predicted, Allowed allowed);
   /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
@@ -60,30 +59,25 @@ class Increment {
                         bool circles) const;
 
  private:
-  void look_at_reach(const System& system, const Controls& controls);
-  bool enclosed_by(const Reach& reach) const;
-  void change_reach(const System& system, const Controls& controls, Reach reach, base::TwoPart& q);
   struct Rounding {
     double inside = 0.0;  ///< force that the rounding of a body's own forces may leave
     double scale = 0.0;   ///< force that the rounding of positions makes: where none is larger, nothing is loaded
   };
-  Rounding rounding(const System& system, const base::TwoPart& q) const;
-  void integrate(const System& system, const Vector& q, bool everything);
-  Vector residual(const System& system, const Controls& controls, const base::TwoPart& q) const;
+  const Reduction& reduction() const { return contacts_.reduction(); }
+  void take_columns(const System& system, const Controls& controls);
+  void change_columns(const System& system, const Controls& controls);
+  std::vector<Vector> deformations(const System& system, const base::TwoPart& q) const;
+  Vector residual(const System& system, const Controls& controls, const base::TwoPart& q, const std::vector<Vector>& v) const;
+  Rounding rounding(const System& system, const base::TwoPart& q, const std::vector<Vector>& v) const;
   const Matrix& stiffness(std::size_t body) const;
 
-  Reach reach_;
-  Reduction reduction_;
+  ContactsInReach contacts_;
   Window window_;
-  bool reach_chosen_ = false, limited_ = true;
-  Vector last_step_;                            ///< dq of the last accepted increment
+  Vector last_step_;  ///< dq of the last accepted increment
   NonlinearBodies nonlinear_;
-  std::vector<contact::Interface> interfaces_;
   Multipliers lambda_;
-  std::vector<Sides> sides_, start_;            ///< where the surface nodes are, and where the increment found them
-  std::vector<std::vector<PlacedNode>> nodes_;  ///< per contact: secondary nodes, then primary
   Condenser condenser_;
-  Vector balance_, loads_, arm_;                ///< on the reduced columns
+  Vector balance_, loads_, arm_;  ///< on the reduced columns
   Suspects suspects_;
 };
 

@@ -6,22 +6,10 @@ namespace reye::solver {
 
 Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.offset) {
   const auto out = reach.columns_out(system);
-  index_.assign(system.dofs, -1);
   parts_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int n = std::visit([](const auto& o) { return o.dofs(); }, system.bodies[b]);
-    std::vector<int> near, far;
-    first_.push_back(size());
-    for (int i = 0; i < n; ++i) {
-      const int column = system.offset[b] + i;
-      if (out[column]) {
-        far.push_back(i);
-        continue;
-      }
-      index_[column] = size();
-      kept_.push_back(column);
-      near.push_back(i);
-    }
+    auto [near, far] = columns_.add(n, [&](int column) { return out[column]; });
     if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b])) {
       const auto& translation = linear->translation();
       auto near_translation = translation.part(near), far_translation = translation.part(far);
@@ -31,7 +19,7 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
   }
 }
 
-Vector Reduction::restrict_to(const Vector& q) const { return q(kept_); }
+Vector Reduction::restrict_to(const Vector& q) const { return q(columns_.column); }
 
 Vector Reduction::loads(const System& system, const std::vector<Vector>& load_factors) {
   Vector f = Vector::Zero(size());
@@ -39,20 +27,20 @@ Vector Reduction::loads(const System& system, const std::vector<Vector>& load_fa
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
     if (!linear || load_factors[b].size() == 0) continue;
     const Vector near = parts_[b].load(-linear->residual(Vector::Zero(linear->dofs()), load_factors[b]));
-    f.segment(first_[b], near.size()) = near;
+    f.segment(first(static_cast<int>(b)), near.size()) = near;
   }
   return f;
 }
 
 Vector Reduction::scatter(const Vector& reduced) const {
-  Vector q = Vector::Zero(static_cast<Eigen::Index>(index_.size()));
-  for (int i = 0; i < size(); ++i) q[kept_[i]] = reduced[i];
+  Vector q = Vector::Zero(static_cast<Eigen::Index>(columns_.index.size()));
+  for (int i = 0; i < size(); ++i) q[columns_.column[i]] = reduced[i];
   return q;
 }
 
 base::TwoPart Reduction::of_body(int body, const base::TwoPart& reduced) const {
   const auto n = parts_[body].size();
-  return {reduced.high.segment(first_[body], n), reduced.low.segment(first_[body], n)};
+  return {reduced.high.segment(first(body), n), reduced.low.segment(first(body), n)};
 }
 
 Vector Reduction::deformation(int body, const base::TwoPart& reduced) const {

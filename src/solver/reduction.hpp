@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "solver/condensed.hpp"
+#include "solver/kept_columns.hpp"
 #include "solver/reach.hpp"
 
 namespace reye::solver {
@@ -13,10 +14,10 @@ class Reduction {
   Reduction() = default;
   Reduction(const System& system, const Reach& reach);
 
-  int size() const { return static_cast<int>(kept_.size()); }
-  int index(int column) const { return index_[column]; }  ///< reduced index of a global column, -1 out of reach
-  int column(int index) const { return kept_[index]; }    ///< global column of a reduced one
-  int first(int body) const { return first_[body]; }      ///< reduced index of a body's first kept column
+  int size() const { return columns_.size(); }
+  int index(int column) const { return columns_.index[column]; }  ///< reduced index of a global column, -1 out of reach
+  int column(int index) const { return columns_.column[index]; }    ///< global column of a reduced one
+  int first(int body) const { return columns_.first[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
   /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`.
@@ -34,7 +35,8 @@ class Reduction {
   };
   base::TwoPart of_body(int body, const base::TwoPart& reduced) const;
 
-  std::vector<int> kept_, index_, first_, offset_;
+  KeptColumns columns_;
+  std::vector<int> offset_;
   std::vector<Part> parts_;
 };
 

@@ -12,8 +12,8 @@ class Window {
   /// Kept while the nodes `needed` lie inside.
   void choose(const System& system, const Reduction& reduction, const Reach& needed);
 
-  int index(int column) const { return index_[column]; }  ///< of a reduced column, -1 outside
-  int first(int body) const { return first_[body]; }      ///< of a body's first column inside
+  int index(int column) const { return columns_.index[column]; }  ///< of a reduced column, -1 outside
+  int first(int body) const { return columns_.first[body]; }      ///< of a body's first column inside
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
 
   /// Right-hand side inside, from that on the reduced columns; remembers the rest for `expand`.
@@ -23,7 +23,8 @@ class Window {
  private:
   bool chosen_ = false;
   Reach reach_;
-  std::vector<int> inside_, index_, first_, first_reduced_;  ///< reduced columns inside, ...
+  KeptColumns columns_;             ///< of the reduced ones
+  std::vector<int> first_reduced_;  ///< per body
   std::vector<Condensed> parts_;
 };
 

@@ -1,0 +1,113 @@
+#include "solver/contacts_in_reach.hpp"
+
+#include <utility>
+
+namespace reye::solver {
+
+namespace {
+
+constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
+constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
+
+/// Nodes just out of reach go along with their neighbour in reach. Left behind, a slide of more than a facet in one
+/// increment would turn the facet at the rim round, and with it the averaged normal beside it.
+void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, const std::vector<Vec2>& before,
+               std::vector<Vec2>& x) {
+  for (const auto& facet : surface.facets)
+    for (int in : facet)
+      for (int out : facet)
+        if (in >= 0 && out >= 0 && near[in] && !near[out]) x[out] = before[out] + x[in] - before[in];
+}
+
+}  // namespace
+
+bool ContactsInReach::choose(const System& system, const SolverState& before, bool everything, bool limited) {
+  if (chosen_ && !everything) return false;
+  limited_ = limited;
+  reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
+  reduction_ = Reduction(system, reach_);
+  // Before anything touches, or where contact outran its reach, the next increment chooses anew.
+  chosen_ = !(reach_ == Reach::all(system)) || !limited;
+  return true;
+}
+
+void ContactsInReach::begin(const System& system, const SolverState& before, const Controls& controls) {
+  const auto n = system.contacts.size();
+  faces_.resize(n);
+  nodes_.resize(n);
+  sides_.resize(n);
+  start_.resize(n);
+  for (std::size_t c = 0; c < n; ++c) {
+    const auto& setup = system.contacts[c];
+    start_[c] = sides_[c] = positions(system, setup, before.q);
+    faces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
+  }
+  limit_faces();
+}
+
+void ContactsInReach::limit_faces() {
+  for (std::size_t c = 0; c < faces_.size(); ++c) faces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
+}
+
+void ContactsInReach::change(const System& system, Reach reach, base::TwoPart& q) {
+  const auto all = reduction_.expand(q);
+  reach_ = std::move(reach);
+  reduction_ = Reduction(system, reach_);
+  limit_faces();
+  q = {reduction_.restrict_to(all.high), reduction_.restrict_to(all.low)};
+}
+
+bool ContactsInReach::narrow(const System& system, base::TwoPart& q) {
+  if (chosen_) return false;
+  Reach reach = Reach::round_contact(system, faces_, reach_margin);
+  if (reach.nodes() > worth_narrowing * reach_.nodes()) return false;
+  change(system, std::move(reach), q);
+  return true;
+}
+
+bool ContactsInReach::enclosed_by(const Reach& reach) const {
+  for (std::size_t c = 0; c < faces_.size(); ++c)
+    if (!reach.encloses(static_cast<int>(c), faces_[c])) return false;
+  return true;
+}
+
+void ContactsInReach::follow(const System& system, base::TwoPart& q) {
+  Reach reach = Reach::round_contact(system, faces_, reach_margin);
+  if (!enclosed_by(reach)) reach = Reach::all(system);
+  chosen_ = !(reach == Reach::all(system));
+  change(system, std::move(reach), q);
+}
+
+/// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
+void ContactsInReach::integrate(const System& system, const Vector& q, bool everything) {
+  std::vector<Vector> parts;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) parts.emplace_back(system.part(q, static_cast<int>(b)));
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    auto& nodes = nodes_[c];
+    nodes.assign(setup.secondary_nodes.size() + setup.primary_nodes.size(), {});
+    const auto put = [&](const contact::SurfaceNode& node, char near, PlacedNode& placed, Vec2& x) {
+      if (!near && !everything) return;
+      std::visit([&](const auto& b) {
+        placed.position = b.position(node.contact_node, parts[node.body]);
+        placed.free = b.freedom(node.contact_node).free;
+      }, system.bodies[node.body]);
+      for (int t = 0; t < placed.position.count; ++t)
+        placed.column[t] = reduction_.index(system.offset[node.body] + placed.position.terms[t].column);
+      x = placed.position.x;
+    };
+    const auto ns = setup.secondary_nodes.size();
+    for (std::size_t j = 0; j < ns; ++j) put(setup.secondary_nodes[j], reach_.secondary[c][j], nodes[j], sides_[c].secondary[j]);
+    for (std::size_t l = 0; l < setup.primary_nodes.size(); ++l)
+      put(setup.primary_nodes[l], reach_.primary[c][l], nodes[ns + l], sides_[c].primary[l]);
+    if (everything) {
+      faces_[c].limit_to({}, {});
+    } else {
+      carry_rim(setup.secondary, reach_.secondary[c], start_[c].secondary, sides_[c].secondary);
+      carry_rim(setup.primary, reach_.primary[c], start_[c].primary, sides_[c].primary);
+    }
+    faces_[c].integrate(sides_[c].secondary, sides_[c].primary);
+  }
+}
+
+}  // namespace reye::solver

@@ -1,0 +1,54 @@
+#pragma once
+#include <vector>
+
+#include "solver/condense.hpp"
+
+namespace reye::solver {
+
+/// The contacts of an increment on the columns in reach: which of their nodes take part, where these are, what is
+/// integrated there. The reach is kept between increments until `forget`.
+class ContactsInReach {
+ public:
+  void forget() { chosen_ = false; }
+  /// Which nodes take part; `limited`: those near the contact, unless `everything` shall. False: those that did.
+  bool choose(const System& system, const SolverState& before, bool everything, bool limited);
+  /// From the accepted state.
+  void begin(const System& system, const SolverState& before, const Controls& controls);
+
+  /// Moves the nodes in reach to where the reduced q puts them, and integrates.
+  void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
+  /// The same with all nodes and the global q.
+  void place_all(const System& system, const Vector& q) { integrate(system, q, true); }
+
+  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it.
+  bool narrow(const System& system, base::TwoPart& q);
+  /// Back to all nodes.
+  void widen(const System& system, base::TwoPart& q) { change(system, Reach::all(system), q); }
+  /// Round the contact that was found among all nodes, or all nodes.
+  void follow(const System& system, base::TwoPart& q);
+  /// Whether contact, placed among all nodes, stayed inside the reach.
+  bool enclosed() const { return enclosed_by(reach_); }
+
+  bool limited() const { return limited_; }
+  Reduction& reduction() { return reduction_; }
+  const Reduction& reduction() const { return reduction_; }
+  std::vector<contact::Interface>& faces() { return faces_; }
+  const std::vector<contact::Interface>& faces() const { return faces_; }
+  /// Per contact: secondary nodes, then primary.
+  const std::vector<std::vector<PlacedNode>>& nodes() const { return nodes_; }
+
+ private:
+  bool enclosed_by(const Reach& reach) const;
+  void change(const System& system, Reach reach, base::TwoPart& q);
+  void limit_faces();
+  void integrate(const System& system, const Vector& q, bool everything);
+
+  Reach reach_;
+  Reduction reduction_;
+  bool chosen_ = false, limited_ = true;
+  std::vector<contact::Interface> faces_;
+  std::vector<Sides> sides_, start_;  ///< where the surface nodes are, and where the increment found them
+  std::vector<std::vector<PlacedNode>> nodes_;
+};
+
+}  // namespace reye::solver
