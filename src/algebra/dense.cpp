@@ -89,6 +89,33 @@ Vector DenseFactor::solve(const Vector& b, const char* trans) const {
   return x;
 }
 
+DenseCholesky::DenseCholesky(Matrix A) : L_(std::move(A)) {
+  single_thread();
+  const int n = static_cast<int>(L_.rows());
+  int info = 0;
+  dpotrf_("L", &n, L_.data(), &n, &info);
+  if (info != 0) throw SolveError("dense solve: the matrix of " + std::to_string(n) + " rows is not positive definite");
+}
+
+Vector DenseCholesky::solve(Vector b) const {
+  const int n = static_cast<int>(L_.rows()), one = 1;
+  int info = 0;
+  dpotrs_("L", &n, &one, L_.data(), &n, b.data(), &n, &info);
+  return b;
+}
+
+Matrix DenseCholesky::condense(Matrix& B) const {
+  const int n = static_cast<int>(B.rows()), m = static_cast<int>(B.cols());
+  Matrix C = Matrix::Zero(m, m);
+  if (m == 0) return C;
+  const double one = 1.0, zero = 0.0;
+  dtrsm_("L", "L", "N", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
+  dsyrk_("L", "T", &m, &n, &one, B.data(), &n, &zero, C.data(), &m);
+  C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
+  dtrsm_("L", "L", "T", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
+  return C;
+}
+
 Vector solve_dense(Matrix& A, const Vector& b) {
   DenseFactor factor;
   factor.factor(A);

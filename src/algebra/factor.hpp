@@ -74,6 +74,21 @@ class DenseFactor {
   std::vector<int> pivots_, iwork_;
 };
 
+/// Cholesky factor of a dense symmetric positive definite matrix (LAPACK).
+class DenseCholesky {
+ public:
+  DenseCholesky() = default;
+  /// Throws base::SolveError when A is not definite.
+  explicit DenseCholesky(Matrix A);
+
+  Vector solve(Vector b) const;
+  /// Puts A^-1 B in place of B and returns B^T A^-1 B, symmetric bit by bit.
+  Matrix condense(Matrix& B) const;
+
+ private:
+  Matrix L_;
+};
+
 /// Solves the dense square system A x = b; A is overwritten.
 /// Throws base::SolveError when A is singular to working precision or x is not finite.
 Vector solve_dense(Matrix& A, const Vector& b);

@@ -40,6 +40,14 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   begin_wear();
 }
 
+void Interface::expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda) {
+  status_ = status;
+  for (std::size_t j = 0; j < status_.size(); ++j) {
+    const Vec2& n = before_->normal[j];
+    if (status_[j] == ContactStatus::slip) sign_[j] = n.x() * lambda[j].y() - n.y() * lambda[j].x() < 0.0 ? -1.0 : 1.0;
+  }
+}
+
 void Interface::integrate(const Points& xs, const Points& xm) {
   placement_.xs = xs;
   placement_.xm = xm;

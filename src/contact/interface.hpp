@@ -49,6 +49,9 @@ class Interface {
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 
+  /// Begins with the conditions that are expected to hold, slipping as these multipliers drag.
+  void expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda);
+
   /// Limits the integrals to the facets between marked nodes; empty marks: all.
   void limit_to(std::vector<char> secondary, std::vector<char> primary) {
     placement_.secondary_near = std::move(secondary);

@@ -42,20 +42,22 @@ std::array<Pair<T>, 3> normals_of(const Stencil& nodes, const std::array<Pair<T>
 
 Pair<double> pair_of(const Vec2& x) { return {x.x(), x.y()}; }
 
-/// Hands out the positions of a facet as scalars T; `make(value, local dof)` decides on the seed.
+/// Takes two local dofs.
 template <class T, class Make>
-void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make) {
+Pair<T> scalars(const Vec2& x, int& dof, Make make) {
+  dof += 2;
+  return {make(x.x(), dof - 2), make(x.y(), dof - 1)};
+}
+
+/// The secondary side of a facet as scalars T; `make(value, local dof)` decides on the seed. Returns the number of dofs.
+template <class T, class Make>
+int load_secondary(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make) {
   const Surface& s = *p.secondary;
   int dof = 0;
-  const auto next = [&](const Vec2& x) {
-    Pair<T> result{make(x.x(), dof), make(x.y(), dof + 1)};
-    dof += 2;
-    return result;
-  };
   const auto nodes = stencil_of(s, record.facet);
   std::array<Pair<T>, places> x;
   for (std::size_t i = 0; i < places; ++i)
-    if (nodes[i] >= 0) x[i] = next(p.xs[nodes[i]]);
+    if (nodes[i] >= 0) x[i] = scalars<T>(p.xs[nodes[i]], dof, make);
   in.count = record.count;
   in.x = {x[first], x[last], x[control]};
   in.n = normals_of(nodes, x);
@@ -65,16 +67,27 @@ void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make
     in.x_before[j] = pair_of(p.xs_before[node]);
     in.cut[j] = p.cut[node] != 0;
   }
-  in.xm.clear();
-  in.xm_before.clear();
-  for (int l : record.primaries) {
-    in.xm.push_back(next(p.xm[l]));
-    in.xm_before.push_back(pair_of(p.xm_before[l]));
-  }
-  in.pairs = record.pairs;
   in.analysis = p.analysis;
   in.measure = p.measure;
   in.search = p.search;
+  return dof;
+}
+
+/// What lies opposite, from local dof `dof` on.
+template <class T, class Make>
+void load_primary(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make, int dof = 0) {
+  in.xm.clear();
+  in.xm_before.clear();
+  for (int l : record.primaries) {
+    in.xm.push_back(scalars<T>(p.xm[l], dof, make));
+    in.xm_before.push_back(pair_of(p.xm_before[l]));
+  }
+  in.pairs = record.pairs;
+}
+
+template <class T, class Make>
+void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make) {
+  load_primary<T>(p, record, in, make, load_secondary<T>(p, record, in, make));
 }
 
 double plain_value(double x, int) { return x; }
@@ -112,6 +125,15 @@ NormalStencil normal_stencil(const Surface& s, int node, int at_corner) {
   return stencil;
 }
 
+void Integrator::list_opposites(const Placement& p) {
+  opposites_.clear();
+  for (const auto& facet : p.primary->facets) {
+    if (!p.near(p.primary_near, facet)) continue;
+    const Vec2 edge = p.xm[facet[1]] - p.xm[facet[0]];
+    opposites_.push_back({facet, p.xm[facet[0]] + 0.5 * edge, 0.5 * edge.norm() + sag(p.xm, facet)});
+  }
+}
+
 /// Finds the primary facets that may lie opposite: near, and not wholly on one side of the facet's two rays.
 bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   record.facet = facet;
@@ -119,19 +141,17 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   record.primaries.clear();
   record.pairs.clear();
   record.slope.clear();
-  load<double>(p, record, plain_.in, plain_value);
+  load_secondary<double>(p, record, plain_.in, plain_value);
   const auto& in = plain_.in;
-  const Surface& m = *p.primary;
   const Vec2 x0 = plain(in.x[0]), x1 = plain(in.x[1]), n0 = plain(in.n[0]), n1 = plain(in.n[1]);
   const Vec2 middle = 0.5 * (x0 + x1);
   const double reach = p.search + 0.5 * (x1 - x0).norm() + sag(p.xs, p.secondary->facets[facet]);
-  local_.resize(m.X.size(), -1);
-  for (const auto& opposite : m.facets) {
-    if (!p.near(p.primary_near, opposite)) continue;
+  local_.resize(p.primary->X.size(), -1);
+  for (const auto& [opposite, centre, radius] : opposites_) {
+    const double far = reach + radius;
+    if ((centre - middle).squaredNorm() > far * far) continue;
     const auto [a, b, c] = opposite;
-    const Vec2 edge = p.xm[b] - p.xm[a];
-    if ((p.xm[a] + 0.5 * edge - middle).norm() > reach + 0.5 * edge.norm() + sag(p.xm, opposite)) continue;
-    if ((x1 - x0).dot(edge) >= 0.0) continue;
+    if ((x1 - x0).dot(p.xm[b] - p.xm[a]) >= 0.0) continue;
     if (base::cross(n0, p.xm[a] - x0) <= 0.0 || base::cross(n1, p.xm[b] - x1) >= 0.0) continue;
     Facet pair{-1, -1, -1};
     for (std::size_t e = 0; e < 3; ++e) {
@@ -146,17 +166,19 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
     record.pairs.push_back(pair);
   }
   for (int node : record.primaries) local_[node] = -1;
-  return !record.pairs.empty();
+  if (record.pairs.empty()) return false;
+  load_primary<double>(p, record, plain_.in, plain_value);
+  return true;
 }
 
 std::vector<FacetRecord>& Integrator::values(const Placement& p) {
   records_.resize(p.secondary->facets.size());
+  list_opposites(p);
   used_ = 0;
   for (int facet = 0; facet < p.secondary->facet_count(); ++facet) {
     if (!p.near(p.secondary_near, p.secondary->facets[facet])) continue;
     FacetRecord& record = records_[used_];
     if (!pair_up(p, facet, record)) continue;
-    load<double>(p, record, plain_.in, plain_value);
     integrate(plain_);
     if (plain_.points.empty()) continue;
     std::swap(record.value, plain_.out);

@@ -76,6 +76,13 @@ class Integrator {
 
  private:
   static constexpr int width = 16;
+  /// A primary facet that takes part, and a circle round it.
+  struct Opposite {
+    Facet nodes;
+    Vec2 middle;
+    double radius = 0.0;
+  };
+  void list_opposites(const Placement& placement);
   bool pair_up(const Placement& placement, int facet, FacetRecord& record);
   void store(FacetRecord& record, int from) const;
 
@@ -83,6 +90,7 @@ class Integrator {
   std::size_t used_ = 0;
   Workspace<double> plain_;
   Workspace<base::Dual<width>> dual_;
+  std::vector<Opposite> opposites_;
   std::vector<int> local_;  ///< primary surface node -> local number, -1
 };
 

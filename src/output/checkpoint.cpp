@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "REYECKP1";
+constexpr std::string_view magic = "REYECKP2";
 constexpr std::size_t head_size = 24;
 
 /// FNV-1a: any single altered byte alters it for certain, several almost for certain.

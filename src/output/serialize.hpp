@@ -26,16 +26,18 @@ namespace Eigen {
 
 template <class Archive, int Rows, int Cols, int Options, int MaxRows, int MaxCols>
 void save(Archive& archive, const Matrix<double, Rows, Cols, Options, MaxRows, MaxCols>& m) {
-  const auto rows = static_cast<std::int64_t>(m.rows()), cols = static_cast<std::int64_t>(m.cols());
-  archive(rows, cols);
+  if constexpr (Rows == Dynamic || Cols == Dynamic)
+    archive(static_cast<std::int64_t>(m.rows()), static_cast<std::int64_t>(m.cols()));
   archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
 }
 
 template <class Archive, int Rows, int Cols, int Options, int MaxRows, int MaxCols>
 void load(Archive& archive, Matrix<double, Rows, Cols, Options, MaxRows, MaxCols>& m) {
-  std::int64_t rows = 0, cols = 0;
-  archive(rows, cols);
-  m.resize(rows, cols);
+  if constexpr (Rows == Dynamic || Cols == Dynamic) {
+    std::int64_t rows = 0, cols = 0;
+    archive(rows, cols);
+    m.resize(rows, cols);
+  }
   archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
 }
 

@@ -42,6 +42,11 @@ void serialize(Archive& archive, SolverState& s) {
   archive(s.q, s.q_low, s.interiors, s.contacts);
 }
 
+template <class Archive>
+void serialize(Archive& archive, Guess& s) {
+  archive(s.dq, s.lambda, s.status);
+}
+
 }  // namespace reye::solver
 
 namespace reye::sim {
@@ -49,6 +54,11 @@ namespace reye::sim {
 template <class Archive>
 void serialize(Archive& archive, Counts& c) {
   archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks, c.cycles_solved, c.refused_blocks);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Recall& r) {
+  archive(r.step, r.played);
 }
 
 }  // namespace reye::sim
@@ -66,7 +76,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
-  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_error, s.factors, s.solution, s.renewed_at,
+  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_error, s.factors, s.solution, s.recall, s.renewed_at,
           s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.counts, s.shown, s.cutback_reasons);
 }
 

@@ -179,7 +179,7 @@ constexpr Key table[] = {
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
     {"output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
      "rows of history.csv of each so many blocks of a step, and of its first and last"},
-    {"output.checkpoint_s", Type::number, "s", "0", at_least(0.0),
+    {"output.checkpoint_s", Type::number, "s", "1", at_least(0.0),
      "least wall time between two checkpoints; 0: one at each block end. However the run ends, its last block end is kept"},
     {"output.estimate_error", Type::flag, "", "false", any,
      "true: the run is played again on elements twice as long, which tells the error of the mesh; takes some 0.4 of a long run's time"},

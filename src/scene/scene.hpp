@@ -70,7 +70,7 @@ struct FrameRules {
 struct Output {
   FrameRules frames;
   int history_every_blocks = 1;  ///< rows of each so many blocks of a step, of its first and last
-  double checkpoint_s = 0.0;     ///< least wall time between checkpoints
+  double checkpoint_s = 1.0;     ///< least wall time between checkpoints
   bool estimate_error = false;   ///< of the mesh, by a companion run
   std::vector<Probe> probes;
 };

@@ -71,6 +71,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     }
   count_from_renewal(controls, problem, system, state);
   if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
+  if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to, system);
   solver::SolveResult result;
   {
     Timer timer(cache, "solver");
@@ -89,6 +90,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   }
   {
     Timer timer(cache, "sim");
+    if (span.cycles) note(state.recall, state.step, from, to, state.solution, result.state);
     state.solution = std::move(result.state);
     state.factors = factors;
     block.last_length = to - from;

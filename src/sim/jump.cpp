@@ -110,6 +110,7 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
   span.jump *= 0.5;
   State start = state;
   start.counts = attempt.counts;
+  start.recall = attempt.once.recall;
   BlockSpan first = span;
   first.last = false;
   outcome = play_increments(problem, std::move(start), cache, first, fine);

@@ -10,6 +10,7 @@
 #include "contact/setup.hpp"
 #include "fem/distortion.hpp"
 #include "scene/scene.hpp"
+#include "sim/recall.hpp"
 #include "sim/records.hpp"
 #include "solver/newton.hpp"
 
@@ -70,6 +71,7 @@ struct State {
   std::map<std::string, double> factors;         ///< of every history
   std::vector<body::ShapePtr> shapes;
   solver::SolverState solution;
+  Recall recall;
   /// Per support of the scene: its x, y and rotation when the reference of its body was last renewed, from where its
   /// columns count since. Empty: no body's ever was.
   std::vector<std::array<double, 3>> renewed_at;

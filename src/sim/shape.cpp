@@ -145,6 +145,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
     before = balance_of(problem, state, timed_system(problem, state, cache));
     const std::string failure = remesh_bodies(problem, state, change, cache, records);
     if (!failure.empty()) return {std::move(state), failure, false};
+    next.recall = {};
   }
   if (next.shapes == state.shapes) return {std::move(state), {}, false};
   next.shown = false;

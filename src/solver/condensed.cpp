@@ -8,11 +8,9 @@ Condensed::Condensed(const Matrix& S, std::vector<int> near, std::vector<int> fa
     : near_(std::move(near)), far_(std::move(far)), S_(S(near_, near_)) {
   own_ = Vector::Zero(static_cast<Eigen::Index>(far_.size()));
   if (far_.empty()) return;
-  const Matrix coupling = S(far_, near_);
-  factor_.compute(S(far_, far_));
-  G_ = factor_.solve(coupling);
-  S_.noalias() -= coupling.transpose() * G_;
-  S_ = 0.5 * (S_ + S_.transpose()).eval();
+  factor_ = algebra::DenseCholesky(S(far_, far_));
+  G_ = S(far_, near_);
+  S_ -= factor_.condense(G_);
 }
 
 Vector Condensed::load(const Eigen::Ref<const Vector>& full) {

@@ -1,8 +1,7 @@
 #pragma once
-#include <Eigen/Cholesky>
 #include <vector>
 
-#include "base/linalg.hpp"
+#include "algebra/factor.hpp"
 
 namespace reye::solver {
 
@@ -14,7 +13,7 @@ using base::Vector;
 class Condensed {
  public:
   Condensed() = default;
-  /// `near` and `far`: columns n and f of S.
+  /// `near` and `far`: columns n and f of S. Throws base::SolveError when S_ff is not definite.
   Condensed(const Matrix& S, std::vector<int> near, std::vector<int> far);
 
   const Matrix& stiffness() const { return S_; }
@@ -32,7 +31,7 @@ class Condensed {
  private:
   std::vector<int> near_, far_;
   Matrix S_, G_;
-  Eigen::LLT<Matrix> factor_;
+  algebra::DenseCholesky factor_;  ///< of S_ff
   Vector own_;  ///< S_ff^-1 f_f
 };
 

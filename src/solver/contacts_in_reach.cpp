@@ -31,7 +31,7 @@ bool ContactsInReach::choose(const System& system, const SolverState& before, bo
   return true;
 }
 
-void ContactsInReach::begin(const System& system, const SolverState& before, const Controls& controls) {
+void ContactsInReach::begin(const System& system, const SolverState& before, const Controls& controls, const Guess* guess) {
   const auto n = system.contacts.size();
   faces_.resize(n);
   nodes_.resize(n);
@@ -41,6 +41,7 @@ void ContactsInReach::begin(const System& system, const SolverState& before, con
     const auto& setup = system.contacts[c];
     start_[c] = sides_[c] = positions(system, setup, before.q);
     faces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
+    if (guess) faces_[c].expect(guess->status[c], guess->lambda[c]);
   }
   limit_faces();
 }

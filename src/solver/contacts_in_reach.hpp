@@ -13,7 +13,7 @@ class ContactsInReach {
   /// Which nodes take part; `limited`: those near the contact, unless `everything` shall. False: those that did.
   bool choose(const System& system, const SolverState& before, bool everything, bool limited);
   /// From the accepted state.
-  void begin(const System& system, const SolverState& before, const Controls& controls);
+  void begin(const System& system, const SolverState& before, const Controls& controls, const Guess* guess);
 
   /// Moves the nodes in reach to where the reduced q puts them, and integrates.
   void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }

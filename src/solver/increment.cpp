@@ -32,14 +32,17 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (contacts_.choose(system, before, everything, limited)) window_.forget();
 }
 
-base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, double continues) {
-  contacts_.begin(system, before, controls);
+base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, bool predicted) {
+  const Guess* guess = predicted ? controls.guess : nullptr;
+  const double continues = predicted && !guess ? controls.continues : 0.0;
+  contacts_.begin(system, before, controls, guess);
   lambda_.resize(system.contacts.size());
-  for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = before.contacts[c].lambda;
+  for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = guess ? guess->lambda[c] : before.contacts[c].lambda;
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), continues);
   base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
+  if (guess) advance(q, reduction().restrict_to(guess->dq));
   if (continues > 0.0) advance(q, continues * reduction().restrict_to(last_step_));
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)

@@ -23,9 +23,9 @@ class Increment {
   /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
-  /// From `before`, or where the last increment would lead that goes on `continues` times as far. Returns q; throws
+  /// From `before`; `predicted`: where the guess, or else the last increment gone on with, would lead. Returns q; throws
   /// base::SolveError when a nonlinear body can not be linearised there.
-  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, double continues);
+  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, bool predicted);
 
   /// Moves the surfaces to where q puts them, and integrates.
   void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }

@@ -20,7 +20,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   auto& report = result.report;
   base::TwoPart q;
   try {
-    q = increment_.begin(system, before, controls, predicted ? controls.continues : 0.0);
+    q = increment_.begin(system, before, controls, predicted);
   } catch (const base::SolveError& error) {
     report.reason = error.what();
     return result;
@@ -120,7 +120,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
   increment_.choose_reach(system, before, false, options_.limit_reach);
-  const bool predicted = controls.continues > 0.0 && increment_.follows(before);
+  const bool predicted = controls.guess || (controls.continues > 0.0 && increment_.follows(before));
   SolveResult result = iterate(system, before, controls, predicted, options_.limit_reach);
   if (predicted && !result.report.converged) {
     const int solves = result.report.solves, matrices = result.report.matrices;

@@ -42,12 +42,20 @@ struct SolverState {
   std::vector<contact::ContactState> contacts;
 };
 
+/// What an increment is expected to lead to: where Newton starts. It steers, it does not decide the result.
+struct Guess {
+  Vector dq;
+  std::vector<std::vector<Vec2>> lambda;                    ///< per contact
+  std::vector<std::vector<contact::ContactStatus>> status;  ///< per contact
+};
+
 /// What is imposed at the end of one increment, and how its contacts behave during it.
 struct Controls {
   std::vector<std::pair<int, double>> prescribed;  ///< global column, value
   std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
   std::vector<Vector> load_factors;                ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
+  const Guess* guess = nullptr;  ///< of systems of rigid and linear bodies
   double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
 };
 

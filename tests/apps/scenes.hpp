@@ -80,6 +80,7 @@ contact  = "pad"
 depth_mm = 2e-5
 
 [output]
+checkpoint_s = 0
 frames = { every_cycles = 200 }
 probes = { edge = { body = "flat", at_mm = [0.5, 0.0] } }
 )";
@@ -136,6 +137,7 @@ cycles = 6
 every_blocks = 1
 
 [output]
+checkpoint_s = 0
 frames = { every_cycles = 1 }
 )";
 

@@ -10,7 +10,7 @@ namespace {
 struct WithBlocks : test::Place {
   WithBlocks() {
     write("blocks.geo", test::blocks_geo);
-    write("blocks.toml", std::string(test::blocks) + "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n");
+    write("blocks.toml", std::string(test::blocks) + "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n[output]\ncheckpoint_s = 0\n");
   }
 };
 

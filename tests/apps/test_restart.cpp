@@ -110,7 +110,7 @@ TEST(Restart, AcrossARemesh) {
 // its start; both must go on to the bytes of the unbroken run.
 TEST(Restart, RareCheckpoints) {
   const WithWearing place;
-  place.write("wearing.toml", test::changed(test::wearing, {{"[output]", "[output]\ncheckpoint_s = 1e6"}}));
+  place.write("wearing.toml", test::changed(test::wearing, {{"checkpoint_s = 0", "checkpoint_s = 1e6"}}));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto rows = [&](const std::string& folder) {
     const auto file = nlohmann::json::parse(test::read(place / (folder + "/.reye.json")));

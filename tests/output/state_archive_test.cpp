@@ -4,6 +4,21 @@
 
 using namespace reye;
 
+// Where the increments of a cycle led must come back bit by bit: the next play of each starts there.
+TEST(StateArchive, RecallReadsBack) {
+  sim::State state;
+  state.recall.step = 2;
+  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0), {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
+                                      {{contact::ContactStatus::slip, contact::ContactStatus::inactive}, {}}};
+  const auto again = output::state_from_bytes(output::state_to_bytes(state)).recall;
+  EXPECT_EQ(again.step, 2);
+  ASSERT_EQ(again.played.size(), 1u);
+  const auto &guess = again.played.at({0.25, 0.5}), &kept = state.recall.played.at({0.25, 0.5});
+  EXPECT_EQ(guess.dq, kept.dq);
+  EXPECT_EQ(guess.lambda, kept.lambda);
+  EXPECT_EQ(guess.status, kept.status);
+}
+
 // What the Gauss points of a nonlinear body know must come back from a checkpoint bit by bit.
 TEST(StateArchive, InteriorsReadBack) {
   sim::State state;

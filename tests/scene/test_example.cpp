@@ -114,7 +114,7 @@ TEST(Example, Run) {
   EXPECT_EQ(s.output.frames.per_decade, 0);
   EXPECT_FALSE(s.output.frames.at_remeshes);
   EXPECT_EQ(s.output.history_every_blocks, 1);
-  EXPECT_EQ(s.output.checkpoint_s, 0.0);
+  EXPECT_EQ(s.output.checkpoint_s, 1.0);
   ASSERT_EQ(s.output.probes.size(), 1U);
   EXPECT_EQ(s.output.probes[0].at_mm, base::Vec2(0.5, 0.0));
   EXPECT_TRUE(s.shape);

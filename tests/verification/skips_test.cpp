@@ -139,6 +139,19 @@ TEST(Skips, SolverIsKept) {
   }));
 }
 
+// Increments that start from where they led a block before, and such that start from the last increment: the same wear,
+// with fewer solves.
+TEST(Skips, CyclesAreRecalled) {
+  const std::string text = fretting({{"jump = 600", "jump = 100"}, {"cycles = 1800", "cycles = 1200"}});
+  Player usual(text), forgetful(text);
+  forgetful.between = [&] { forgetful.state.recall = {}; };
+  usual.play();
+  forgetful.play();
+  ASSERT_EQ(forgetful.state.counts.cutbacks, 0);
+  expect_same(usual.state, forgetful.state, "fretting");
+  EXPECT_LT(usual.state.counts.newton_iterations, 0.9 * forgetful.state.counts.newton_iterations);
+}
+
 // Operators, their factorisations and all other derived data that are kept from block to block, and none of it.
 TEST(Skips, CacheIsKept) {
   for (const auto& [name, text] : scenes)
