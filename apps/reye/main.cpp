@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "commands.hpp"
+#include "heap.hpp"
 #include "sweep.hpp"
 
 namespace {
@@ -31,6 +32,7 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
 
 int main(int argc, char** argv) {
   using namespace reye;
+  apps::keep_heap();
   CLI::App app{"Reye: how contacts wear. From CAD and a load cycle to the worn shape and the wear life.", "reye"};
   app.set_version_flag("--version", apps::version());
   app.require_subcommand(1);

@@ -15,7 +15,7 @@ namespace reye::output {
 namespace fs = std::filesystem;
 
 RunWriter::RunWriter(std::string dir, const scene::Scene& scene)
-    : dir_(std::move(dir)), identity_(identity_of(scene)) {
+    : dir_(std::move(dir)), identity_(identity_of(scene)), paraview_(scene.output.frames.paraview) {
   for (const auto& support : scene.supports) supports_.push_back(support.name);
 }
 
@@ -74,6 +74,7 @@ void RunWriter::frame(const sim::Frame& frame) {
     append_text(path(file), surface_rows(frame.cycle, surface));
     rows += static_cast<long>(surface.arc_length_mm.size());
   }
+  if (!paraview_) return;
   const std::size_t index = counters_.frame_cycles.size();
   atomic_write(path(frame_file("bodies", "vtu", index)), bodies_vtu(frame));
   atomic_write(path(frame_file("surface", "vtp", index)), surfaces_vtp(frame));

@@ -53,6 +53,7 @@ class RunWriter {
 
   std::string dir_;
   Identity identity_;
+  bool paraview_ = true;
   std::vector<std::string> supports_;
   Counters counters_;
   bool started_ = false;

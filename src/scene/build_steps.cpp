@@ -107,7 +107,8 @@ Output output_of(const Entry& root) {
                    .per_decade = frames.whole("per_decade"),
                    .at_remeshes = frames.flag("at_remeshes"),
                    .every_increment = frames.flag("every_increment"),
-                   .last_block = frames.flag("last_block")};
+                   .last_block = frames.flag("last_block"),
+                   .paraview = frames.flag("paraview")};
   output.history_every_blocks = entry.at("history").whole("every_blocks");
   output.checkpoint_s = entry.number("checkpoint_s");
   output.estimate_error = entry.flag("estimate_error");

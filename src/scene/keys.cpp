@@ -177,6 +177,8 @@ constexpr Key table[] = {
     {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a body meshed anew"},
     {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
+    {"output.frames.paraview", Type::flag, "", "true", any,
+     "false: rows of the surface tables alone, no .vtu and .vtp; nothing inside the bodies is solved back"},
     {"output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
      "rows of history.csv of each so many blocks of a step, and of its first and last"},
     {"output.checkpoint_s", Type::number, "s", "1", at_least(0.0),

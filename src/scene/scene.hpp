@@ -65,6 +65,7 @@ struct FrameRules {
   bool at_remeshes = false;     ///< at the end of a block in which a body was meshed anew
   bool every_increment = false;
   bool last_block = false;      ///< at each increment of the last block of every step
+  bool paraview = true;         ///< false: rows of the surface tables alone
 };
 
 struct Output {

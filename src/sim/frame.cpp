@@ -34,37 +34,51 @@ std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const
   return std::get<body::RigidBody>(op).recover(q, load_factors);
 }
 
+namespace {
+
+/// Displacements and stress inside the bodies, and their wear.
+void paint_bodies(const Problem& problem, const State& state, const solver::System& system, Frame& frame) {
+  const scene::Step none;
+  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
+  for (int b = 0; b < problem.body_count(); ++b) {
+    BodyFrame& body = frame.bodies[b];
+    const Vector q = system.part(state.solution.q, b);
+    body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
+    paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
+    body.wear_depth_mm.assign(body.u.size(), 0.0);
+  }
+  const auto paint = [&](const std::vector<contact::SurfaceNode>& nodes, const std::vector<double>& depth) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      double& shown = frame.bodies[nodes[k].body].wear_depth_mm[nodes[k].mesh_node];
+      shown = std::max(shown, depth[k]);
+    }
+  };
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    paint(setup.secondary_nodes, depths(setup.secondary, state.solution.contacts[c].removed_secondary));
+    paint(setup.primary_nodes, depths(setup.primary, state.solution.contacts[c].removed_primary));
+  }
+}
+
+}  // namespace
+
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
   const auto& system = timed_system(problem, state, cache);
   Timer timer(cache, "frames");
   Frame frame;
   frame.cycle = state.cycle;
   frame.step = step;
-  const scene::Step none;
-  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
   for (int b = 0; b < problem.body_count(); ++b) {
     BodyFrame body;
     body.name = problem.inputs[b].name;
     body.mesh = std::shared_ptr<const mesh::Mesh>(state.shapes[b], &state.shapes[b]->mesh);
-    const Vector q = system.part(state.solution.q, b);
-    body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
-    paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
-    body.wear_depth_mm.assign(body.u.size(), 0.0);
     frame.bodies.push_back(std::move(body));
   }
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& setup = system.contacts[c];
-    const auto& contact = state.solution.contacts[c];
-    for (auto& surface : surface_records(setup, contact, state.shapes, problem.contacts[c])) frame.surfaces.push_back(std::move(surface));
-    const auto paint = [&](const std::vector<contact::SurfaceNode>& nodes, const std::vector<double>& depth) {
-      for (std::size_t k = 0; k < nodes.size(); ++k) {
-        double& shown = frame.bodies[nodes[k].body].wear_depth_mm[nodes[k].mesh_node];
-        shown = std::max(shown, depth[k]);
-      }
-    };
-    paint(setup.secondary_nodes, depths(setup.secondary, contact.removed_secondary));
-    paint(setup.primary_nodes, depths(setup.primary, contact.removed_primary));
-  }
+  const auto& output = problem.scene.output;
+  if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    for (auto& surface : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
+      frame.surfaces.push_back(std::move(surface));
   return frame;
 }
 

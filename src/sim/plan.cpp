@@ -52,8 +52,9 @@ bool wears(const Problem& p, int b) {
 /// What the displacements inside a linear body are wanted for.
 std::string solved_back_for(const Problem& p, int b) {
   const bool triggers = wears(p, b) && p.scene.remesh.automatic, estimate = p.kinematics[b].has_value();
-  std::string uses = "only for frames";
-  if (triggers || estimate) uses += " and, once a block, for ";
+  const auto& output = p.scene.output;
+  std::string uses = output.frames.paraview ? "only for frames" : output.probes.empty() ? "never" : "only for probes";
+  if (triggers || estimate) uses += (uses == "never" ? " but, once a block, for " : " and, once a block, for ");
   if (triggers) uses += "the triggers of remeshing";
   if (estimate) uses += triggers ? " and the estimate of small strain" : "the estimate of small strain";
   return uses;
@@ -144,8 +145,10 @@ void tell_remeshing(const Problem& p, Plan& plan) {
 }
 
 void tell_output(const Problem& p, Plan& plan) {
-  const auto& [cycles, blocks, decade, remeshes, increments, last_block] = p.scene.output.frames;
-  if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
+  const auto& [cycles, blocks, decade, remeshes, increments, last_block, paraview] = p.scene.output.frames;
+  if (!paraview)
+    plan.skipped.push_back("no files for ParaView: frames are rows of the surface tables alone");
+  else if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
     plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered there alone");
   if (const int n = p.scene.output.history_every_blocks; n > 1)
     plan.skipped.push_back(text("history: rows of every %dth block of a step, of its first and last", n));

@@ -212,3 +212,20 @@ TEST(Series, DepthGrowsThroughRemeshes) {
     }
   }
 }
+
+// Without files for ParaView the tables must be those of the same run with them, to the last byte.
+TEST(Series, TablesAlone) {
+  const test::Place place;
+  place.write("blocks.geo", test::blocks_geo);
+  for (const char* name : {"with", "without"})
+    place.write(std::string(name) + ".toml", std::string(test::blocks) + "[output]\nframes = { every_increment = true, paraview = " +
+                                                 (std::string(name) == "with" ? "true" : "false") + " }\n");
+  for (const char* name : {"with", "without"})
+    ASSERT_EQ(place.reye({"run", std::string(name) + ".toml", "--out", name, "--quiet"}).code, 0);
+  for (const char* file : {"surface_pad_secondary.csv", "surface_pad_primary.csv", "history.csv"})
+    EXPECT_EQ(test::read(place / "with" / file), test::read(place / "without" / file)) << file;
+  EXPECT_TRUE(test::fs::exists(place / "with/series.pvd"));
+  EXPECT_FALSE(test::fs::exists(place / "without/series.pvd"));
+  EXPECT_TRUE(test::fs::is_empty(place / "without/frames"));
+  EXPECT_TRUE(test::holds(place.reye({"plan", "without.toml"}).out, "interior solved back never"));
+}
