@@ -192,12 +192,10 @@ int mesh(const Request& request) {
     sim::BodyFrame body;
     body.name = problem.inputs[b].name;
     body.mesh = std::shared_ptr<const mesh::Mesh>(problem.shapes[b], &problem.shapes[b]->mesh);
-    body.u.assign(body.mesh->X.size(), base::Vec2::Zero());
-    body.wear_depth_mm.assign(body.u.size(), 0.0);
     frame.bodies.push_back(std::move(body));
   }
   std::filesystem::create_directories(dir);
-  output::atomic_write(dir + "/mesh.vtu", output::bodies_vtu(frame));
+  output::atomic_write(dir + "/mesh.vtu", output::mesh_vtu(frame));
   std::printf("%s/mesh.vtu\n", dir.c_str());
   return 0;
 }

@@ -5,7 +5,6 @@
 #include "cad/generate.hpp"
 #include "cad/geometry.hpp"
 #include "cad/plane.hpp"
-#include "cad/session.hpp"
 #include "mesh/quality.hpp"
 
 namespace reye::cad {
@@ -41,7 +40,6 @@ Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
 }  // namespace
 
 Geometry build(const GeometryOptions& options) {
-  const Session session;
   const Plans plans = make_plans(import_all(options.files, options.section), options);
   Geometry geometry;
   for (const BodyPlan& plan : plans.bodies) {

@@ -2,7 +2,6 @@
 
 #include "base/errors.hpp"
 #include "cad/generate.hpp"
-#include "cad/session.hpp"
 #include "cad/text.hpp"
 #include "mesh/quality.hpp"
 
@@ -17,13 +16,12 @@ BodyPlan plan_of(const Drawing& drawing) {
   return plan;
 }
 
-/// A mesh made in a session of its own, if it is not too large, and looked over.
+/// A mesh, if it is not too large, looked over.
 template <class Make>
 mesh::Mesh checked(const Drawing& drawing, double most_nodes, Make make) {
   const BodyPlan plan = plan_of(drawing);
   if (const double nodes = estimated_nodes(plan); !(nodes <= most_nodes))
     throw base::MeshError("a new mesh would need about " + text(nodes) + " nodes (at most " + text(most_nodes) + ")");
-  const Session session;
   mesh::Mesh mesh = make(plan);
   if (drawing.axisymmetric) clear_axis(mesh);
   mesh::check(mesh);

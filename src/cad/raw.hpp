@@ -36,7 +36,17 @@ struct RawPart {
   RawMesh mesh;
 };
 
-/// Reads one file in the running session: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, lengths in mm. Its solids are
+/// What a file is by its name's end: STEP, IGES, BREP; .geo; .msh; .vtu.
+enum class Format { shapes, script, mesh, vtu };
+
+/// Throws base::InputError, key "geometry".
+[[noreturn]] void refuse(const std::string& path, const std::string& rule);
+
+/// The meshes of a .vtu as `reye mesh` writes it: one part per body, named boundaries from its lines. Frames of a run serve,
+/// too: their bodies on X, without names of boundaries.
+std::vector<RawPart> read_vtu(const std::string& path);
+
+/// Reads one file: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, .vtu, lengths in mm. Its solids are
 /// cut by the section.
 /// Throws base::InputError (key "geometry", value the path) for what cannot be used; key "section.point_mm" where the
 /// section misses all its solids.

@@ -1,23 +1,16 @@
-#include <gmsh.h>
-
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
 
-#include "cad/section.hpp"
-#include "cad/session.hpp"
+#include "base/errors.hpp"
+#include "cad/kernel.hpp"
 
 namespace reye::cad {
 
 namespace {
 
-constexpr const char* formats = ".step .stp .iges .igs .brep .geo .geo_unrolled .msh";
-
-[[noreturn]] void refuse(const std::string& path, const std::string& rule) {
-  throw base::InputError({{"geometry", "\"" + path + "\"", rule}});
-}
+constexpr const char* formats = ".step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu";
 
 std::string extension(const std::string& path) {
   std::string ext = std::filesystem::path(path).extension().string();
@@ -34,14 +27,13 @@ void check_readable(const std::string& path) {
   if (std::filesystem::file_size(path, error) == 0) refuse(path, "the file is empty");
 }
 
-enum class Format { shapes, script, mesh };
-
 Format format_of(const std::string& path) {
   const std::string ext = extension(path);
   for (const char* shape : {".step", ".stp", ".iges", ".igs", ".brep"})
     if (ext == shape) return Format::shapes;
   if (ext == ".geo" || ext == ".geo_unrolled") return Format::script;
   if (ext == ".msh") return Format::mesh;
+  if (ext == ".vtu") return Format::vtu;
   refuse(path, "the format must be one of " + std::string(formats));
 }
 
@@ -54,82 +46,18 @@ void check_last_line(const std::string& path) {
       refuse(path, "the last line must end with a line break, or gmsh reads only its first statement");
 }
 
-void import_shapes(const std::string& path) {
-  gmsh::vectorpair shapes;
-  // The unit is sticky in gmsh and OCCT: whatever an earlier import left is overruled each time.
-  gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
-  try {
-    gmsh::model::occ::importShapes(path, shapes);
-  } catch (const std::string& message) {
-    if (message.find("target unit") == std::string::npos) throw;
-    // Before its first STEP import OCCT does not know the setting; then its own default, mm, still holds.
-    gmsh::option::setString("Geometry.OCCTargetUnit", "");
-    gmsh::model::occ::importShapes(path, shapes);
-  }
-  gmsh::model::occ::synchronize();
-}
-
-/// Loads the file into the current model.
-void load(const std::string& path, Format format) {
-  const Silence silence;
-  gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
-  gmsh::option::setNumber("Geometry.OCCScaling", 1);
-  if (format == Format::shapes)
-    import_shapes(path);
-  else
-    gmsh::merge(path);
-  gmsh::option::setNumber("General.Terminal", 0);  // a script may have asked for talk
-}
-
-bool has_solids() {
-  gmsh::vectorpair solids;
-  gmsh::model::getEntities(solids, 3);
-  return !solids.empty();
-}
-
-void check_content(const std::string& path, Format format, bool cut) {
-  gmsh::vectorpair faces;
-  gmsh::model::getEntities(faces, 2);
-  if (faces.empty()) refuse(path, "holds no face");
-  if (has_solids() && format == Format::mesh) refuse(path, "holds a mesh of a solid, which a plane scene has no use for");
-  if (has_solids() && !cut)
-    refuse(path,
-           "holds a solid; bodies are planar faces: cut it by section = { point_mm = [...], normal = [...] }");
-  if (has_solids() && !can_be_cut())
-    refuse(path, "holds a solid of gmsh's own kernel; only those of SetFactory(\"OpenCASCADE\") can be cut");
-  if (format != Format::mesh) return;
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 2);
-  if (types.empty()) refuse(path, "holds no mesh of triangles or quadrilaterals");
-  constexpr std::array known{2, 3, 9, 16, 10};  // triangles of 3 nodes, quadrilaterals of 4, then of 6 and of 8 and 9
-  if (types.size() > 1 || std::find(known.begin(), known.end(), types[0]) == known.end())
-    refuse(path, "the mesh must be all triangles of 3 or 6 nodes or all quadrilaterals of 4, 8 or 9 nodes");
-}
-
-/// The faces of the model: those there are, and those cut from its solids.
-std::vector<Face> faces_of(const std::string& path, const std::optional<Section>& section) {
-  std::vector<Face> faces = free_faces();
-  if (has_solids())
-    for (Face& face : faces_of_section(*section, path)) faces.push_back(std::move(face));
-  return faces;
-}
-
 }  // namespace
+
+void refuse(const std::string& path, const std::string& rule) {
+  throw base::InputError({{"geometry", "\"" + path + "\"", rule}});
+}
 
 std::vector<RawPart> read_file(const std::string& path, const std::optional<Section>& section) {
   const Format format = format_of(path);
   check_readable(path);
+  if (format == Format::vtu) return read_vtu(path);
   if (format == Format::script) check_last_line(path);
-  try {
-    gmsh::model::add("import");
-    load(path, format);
-    check_content(path, format, section.has_value());
-    std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces(faces_of(path, section));
-    gmsh::model::remove();
-    return parts;
-  } catch (const std::string& message) {
-    refuse(path, "gmsh cannot read it: " + message);
-  }
+  return kernel().read_file(path, format, section);
 }
 
 }  // namespace reye::cad

@@ -41,7 +41,7 @@ bool add_grid(Region& region, const SizeField& size);
 /// that is below a half. No cell gets worse than the worst one round the moved node was.
 void improve(Region& region, int first_free);
 
-/// Meshes what is left by gmsh in the running session. The nodes of the loops stay exactly where they are; sizes
+/// Meshes what is left by gmsh. The nodes of the loops stay exactly where they are; sizes
 /// inside follow the field. All-quad meshes need an even number of nodes between corners.
 /// Throws base::MeshError when no algorithm gives cells of one kind with positive Jacobians.
 void fill(Region& region, const SizeField& size);

@@ -205,6 +205,35 @@ std::string bodies_vtu(const sim::Frame& frame) {
   return written<vtkXMLUnstructuredGridWriter>(all.grid);
 }
 
+std::string mesh_vtu(const sim::Frame& frame) {
+  BodyGrid all;
+  const auto boundary = make_array<vtkIntArray>("boundary");
+  const auto names = make_array<vtkStringArray>("boundary_names"), bodies = make_array<vtkStringArray>("body_names");
+  for (std::size_t b = 0; b < frame.bodies.size(); ++b) {
+    const mesh::Mesh& mesh = *frame.bodies[b].mesh;
+    const vtkIdType first = all.points->GetNumberOfPoints();
+    all.add(frame.bodies[b], static_cast<int>(b));
+    while (boundary->GetNumberOfTuples() < all.grid->GetNumberOfCells()) boundary->InsertNextValue(-1);
+    const auto step = static_cast<std::size_t>(mesh::order(mesh.kind));
+    for (const auto& [name, chains] : mesh.boundaries) {
+      for (const auto& chain : chains)
+        for (std::size_t i = 0; i + step < chain.size(); i += step) {
+          const mesh::Cell nodes = mesh::cell_of({chain[i], chain[i + step], chain[i + 1]});  // the mid node comes last
+          all.add_cell(step == 1 ? VTK_LINE : VTK_QUADRATIC_EDGE, nodes, step + 1, first, static_cast<int>(b));
+          boundary->InsertNextValue(static_cast<int>(names->GetNumberOfValues()));
+        }
+      names->InsertNextValue(name);
+    }
+    bodies->InsertNextValue(frame.bodies[b].name);
+  }
+  all.grid->SetPoints(all.points);
+  all.grid->GetCellData()->AddArray(all.body);
+  all.grid->GetCellData()->AddArray(boundary);
+  all.grid->GetFieldData()->AddArray(bodies);
+  all.grid->GetFieldData()->AddArray(names);
+  return written<vtkXMLUnstructuredGridWriter>(all.grid);
+}
+
 std::string surfaces_vtp(const sim::Frame& frame) {
   SurfaceLines all;
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {

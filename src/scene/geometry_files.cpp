@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs", ".brep", ".geo", ".msh"};
+constexpr std::string_view extensions[] = {".step", ".stp", ".iges", ".igs", ".brep", ".geo", ".msh", ".vtu"};
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -26,7 +26,7 @@ std::string lower(std::string text) {
 /// The rule that a file breaks; empty when it can be given to the geometry stage.
 std::string broken_rule(const fs::path& file) {
   if (std::find(std::begin(extensions), std::end(extensions), lower(file.extension().string())) == std::end(extensions))
-    return "not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh";
+    return "not supported; use .step, .stp, .iges, .igs, .brep, .geo, .msh or .vtu";
   return unreadable_rule(file.string());
 }
 

@@ -14,7 +14,7 @@ constexpr Key table[] = {
     {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
      "idealisation; axisymmetric: r = x >= 0, axis y"},
     {"geometry", Type::texts, "", "required", any,
-     "geometry files in mm (.step .stp .iges .igs .brep .geo .msh); paths count from the scene file"},
+     "geometry files in mm (.step .stp .iges .igs .brep .geo .msh .vtu); paths count from the scene file"},
     {"section.point_mm", Type::triple, "mm", "required", any,
      "a point of the plane that cuts every solid of the geometry files into faces"},
     {"section.normal", Type::triple, "", "required", any, "normal of that plane; length and sign do not matter"},

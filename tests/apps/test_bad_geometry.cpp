@@ -13,7 +13,7 @@ TEST(BadInput, Files) {
       {"unsupported format",
        {{R"("blocks.geo")", R"("part.stl")"}},
        "",
-       R"(scene.toml:1: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh)"},
+       R"(scene.toml:1: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo, .msh or .vtu)"},
       {"a folder",
        {{R"("blocks.geo")", R"("folder.step")"}},
        "",

@@ -29,7 +29,7 @@ TEST(refusals, files) {
   const std::string part = temporary_file("part.stl", "solid");
   EXPECT_EQ(
       refusal_of_file(part),
-      "geometry = \"" + part + "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh");
+      "geometry = \"" + part + "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu");
   const std::string folder = std::filesystem::path(part).replace_filename("folder.step");
   std::filesystem::create_directories(folder);
   EXPECT_EQ(refusal_of_file(folder), "geometry = \"" + folder + "\": is not a file");

@@ -176,7 +176,7 @@ TEST(BadScene, Values) {
        {{R"(["cylinder_on_flat.step"])", R"(["no.step", "empty.geo", "part.stl", "cylinder_on_flat.step", "./cylinder_on_flat.step", "folder.msh"])"}},
        R"(scene.toml:3: geometry = "no.step": no such file)" "\n"
        R"(scene.toml:3: geometry = "empty.geo": is empty)" "\n"
-       R"(scene.toml:3: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo or .msh)" "\n"
+       R"(scene.toml:3: geometry = "part.stl": not supported; use .step, .stp, .iges, .igs, .brep, .geo, .msh or .vtu)" "\n"
        R"(scene.toml:3: geometry = "./cylinder_on_flat.step": is named twice)" "\n"
        R"(scene.toml:3: geometry = "folder.msh": is not a file)"},
       {"section",

@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "cad/region.hpp"
-#include "cad/session.hpp"
+#include "cad/gmsh/session.hpp"
+#include "cad/kernel.hpp"
 #include "cad/text.hpp"
 #include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
@@ -191,7 +191,8 @@ double poorest(const Region& region) {
 
 }  // namespace
 
-void fill(Region& region, const SizeField& size) {
+void fill_by_gmsh(Region& region, const SizeField& size) {
+  const Session session;
   constexpr double good_enough = 0.2;  // below it the next algorithm is tried, and the best is kept
   std::vector<Algorithm> algorithms(std::begin(quad_algorithms), std::end(quad_algorithms));
   if (region.kind == mesh::CellKind::tri3) algorithms.assign(std::begin(tri_algorithms), std::end(tri_algorithms));

@@ -1,4 +1,4 @@
-#include "cad/session.hpp"
+#include "cad/gmsh/session.hpp"
 
 #include <fcntl.h>
 #include <gmsh.h>

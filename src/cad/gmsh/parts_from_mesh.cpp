@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cad/gmsh_model.hpp"
+#include "cad/gmsh/model.hpp"
 
 namespace reye::cad {
 

@@ -1,4 +1,4 @@
-#include "cad/section.hpp"
+#include "cad/gmsh/section.hpp"
 
 #include <gmsh.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
-#include "cad/session.hpp"
+#include "cad/gmsh/session.hpp"
 #include "cad/text.hpp"
 
 namespace reye::cad {

@@ -1,5 +1,5 @@
 #pragma once
-#include "cad/gmsh_model.hpp"
+#include "cad/gmsh/model.hpp"
 
 namespace reye::cad {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cad/gmsh_model.hpp"
+#include "cad/gmsh/model.hpp"
 
 namespace reye::cad {
 

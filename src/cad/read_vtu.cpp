@@ -1,0 +1,131 @@
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <map>
+
+#include "cad/raw.hpp"
+
+namespace reye::cad {
+
+namespace {
+
+std::optional<mesh::CellKind> kind_of(int vtk_type) {
+  switch (vtk_type) {
+    case VTK_TRIANGLE: return mesh::CellKind::tri3;
+    case VTK_QUAD: return mesh::CellKind::quad4;
+    case VTK_QUADRATIC_TRIANGLE: return mesh::CellKind::tri6;
+    case VTK_QUADRATIC_QUAD: return mesh::CellKind::quad8;
+    default: return {};
+  }
+}
+
+std::vector<std::string> names_in(vtkUnstructuredGrid& grid, const char* array) {
+  std::vector<std::string> names;
+  if (auto* list = vtkStringArray::SafeDownCast(grid.GetFieldData()->GetAbstractArray(array)))
+    for (vtkIdType i = 0; i < list->GetNumberOfValues(); ++i) names.push_back(list->GetValue(i));
+  return names;
+}
+
+/// Values of a cell array, `otherwise` where there is none.
+std::vector<int> values_in(vtkUnstructuredGrid& grid, const char* array, int otherwise) {
+  std::vector<int> values(static_cast<std::size_t>(grid.GetNumberOfCells()), otherwise);
+  if (auto* list = grid.GetCellData()->GetArray(array); list && list->GetNumberOfTuples() == grid.GetNumberOfCells())
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<int>(list->GetComponent(static_cast<vtkIdType>(i), 0));
+  return values;
+}
+
+/// Nodes of every cell, by number in the file.
+std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
+  std::vector<std::vector<int>> cells;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+    grid.GetCellPoints(c, ids);
+    auto& nodes = cells.emplace_back();
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) nodes.push_back(static_cast<int>(ids->GetId(k)));
+    if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return node < 0 || node >= grid.GetNumberOfPoints(); }))
+      refuse(path, "a cell names a point that there is not");
+  }
+  return cells;
+}
+
+/// A part being read, with the place of each of its nodes.
+struct Reading {
+  RawPart part;
+  bool begun = false;
+  std::map<int, int> place;
+};
+
+void add_cell(Reading& body, mesh::CellKind kind, const std::vector<int>& nodes, const std::string& path) {
+  RawMesh& mesh = body.part.mesh;
+  if (body.begun && mesh.kind != kind) refuse(path, "the cells of a body must be of one kind");
+  body.begun = true;
+  mesh.kind = kind;
+  for (int node : nodes) body.place[node] = -1;
+  mesh::Cell cell = mesh::cell_of({});
+  std::copy_n(nodes.begin(), mesh::nodes_per_cell(kind), cell.begin());
+  mesh.cells.push_back(cell);
+}
+
+/// Nodes in the order of the file, and cells by their places.
+void place_nodes(Reading& body, vtkUnstructuredGrid& grid) {
+  auto* const on_X = grid.GetPointData()->GetArray("reference_position");
+  for (auto& [node, place] : body.place) {
+    place = static_cast<int>(body.part.mesh.nodes.size());
+    double x[3];
+    if (on_X)
+      on_X->GetTuple(node, x);
+    else
+      grid.GetPoint(node, x);
+    body.part.mesh.nodes.emplace_back(x[0], x[1], x[2]);
+  }
+  for (mesh::Cell& cell : body.part.mesh.cells)
+    for (int& node : cell)
+      if (node >= 0) node = body.place.at(node);
+}
+
+}  // namespace
+
+std::vector<RawPart> read_vtu(const std::string& path) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  vtkObject::GlobalWarningDisplayOff();  // what is wrong is told below
+  if (!reader->CanReadFile(path.c_str())) refuse(path, "VTK cannot read it");
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkUnstructuredGrid& grid = *reader->GetOutput();
+  if (reader->GetErrorCode() != 0 || grid.GetNumberOfCells() == 0) refuse(path, "holds no mesh");
+  const auto body_names = names_in(grid, "body_names"), boundary_names = names_in(grid, "boundary_names");
+  const auto body = values_in(grid, "body", 0), boundary = values_in(grid, "boundary", -1);
+  const auto cells = nodes_of_cells(grid, path);
+  std::map<int, Reading> bodies;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (const auto kind = kind_of(grid.GetCellType(static_cast<vtkIdType>(c)))) add_cell(bodies[body[c]], *kind, cells[c], path);
+  std::vector<RawPart> parts;
+  for (auto& [index, reading] : bodies) {
+    place_nodes(reading, grid);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const auto name = static_cast<std::size_t>(boundary[c]);
+      if (boundary[c] < 0 || name >= boundary_names.size() || body[c] != index) continue;
+      const auto a = reading.place.find(cells[c].front()), b = reading.place.find(cells[c].at(1));
+      if (a != reading.place.end() && b != reading.place.end())
+        reading.part.mesh.names[std::minmax(a->second, b->second)].insert(boundary_names[name]);
+    }
+    const auto own = static_cast<std::size_t>(index);
+    reading.part.label = index >= 0 && own < body_names.size() ? body_names[own] : "";
+    reading.part.group = !reading.part.label.empty();
+    parts.push_back(std::move(reading.part));
+  }
+  if (parts.empty()) refuse(path, "holds no mesh of triangles or quadrilaterals");
+  return parts;
+}
+
+}  // namespace reye::cad
