@@ -21,13 +21,13 @@ material = "steel"
 material = "steel"
 
 [support.holder]
-edge     = "cylinder_top"
+edge     = "top"
 rotation = "fixed"
 x        = {sideways}
 y        = {{ force_N_per_mm = {force}, history = "press" }}
 
 [support.base]
-edge     = "flat_bottom"
+edge     = "bottom"
 x        = {base}
 y        = "fixed"
 rotation = "fixed"
@@ -37,17 +37,20 @@ press  = [[0.0, 0.0], [1.0, 1.0]]
 load   = [[0.0, 0.0], [1.0, 1.0]]
 stroke = [[0.0, 0.0], [0.25, 1.0], [0.75, -1.0], [1.0, 0.0]]
 
+[output]
+frames = {{ every_increment = {every}, paraview = false }}
+
 [[step]]
 name = "press"
 play = ["press"]
 wear = false
 """
-FLAT_CARRIES = '\n[contact.pad]\nsecondary = "flat_top"\nprimary   = ["cylinder_round"]\n'
-CYLINDER_CARRIES = '\n[contact.pad]\nsecondary = "cylinder_round"\nprimary   = ["flat_top"]\n'
+FLAT_CARRIES = '\n[contact.pad]\nsecondary = "face"\nprimary   = ["round"]\n'
+CYLINDER_CARRIES = '\n[contact.pad]\nsecondary = "round"\nprimary   = ["face"]\n'
 
 
-def head(title, mesh, force, sideways='"fixed"', base='"fixed"'):
-    return HEAD.format(title=title, mesh=mesh, force=-force, sideways=sideways, base=base)
+def head(title, mesh, force, sideways='"fixed"', base='"fixed"', every="false"):
+    return HEAD.format(title=title, mesh=mesh, force=-force, sideways=sideways, base=base, every=every)
 
 
 def hertz(mesh):
@@ -66,9 +69,9 @@ def fretting(mesh, cycles=0):
     moved, each a block. The cylinder carries the tractions: contact does not travel along it."""
     c = FRETTING
     play = f'\n[[step]]\nname = "cycle"\nplay = ["stroke"]\nincrements = {c["increments"]}\n'
-    still = "wear = false\n\n[output]\nframes = { every_increment = true }\n"
-    play += f"cycles = {cycles}\njump = 1\n" if cycles else still
+    play += f"cycles = {cycles}\njump = 1\n" if cycles else "wear = false\n"
     wear = (f'wear = {{ law = "energy", secondary_mm3_per_J = {WEAR["cylinder"]}, '
             f'primary_mm3_per_J = {WEAR["flat"]} }}\n')
-    return (head("Gross slip", mesh, c["P"], base=f'{{ motion_mm = {c["stroke"]}, history = "stroke" }}') + play
+    return (head("Gross slip", mesh, c["P"], base=f'{{ motion_mm = {c["stroke"]}, history = "stroke" }}',
+                 every="false" if cycles else "true") + play
             + CYLINDER_CARRIES + f'friction  = {c["friction"]}\n' + (wear if cycles else ""))

@@ -25,7 +25,7 @@ PENALTY = ccx.STIFFNESS_MPA_PER_MM
 
 
 def mesh_of(scene, n, k, half_width, zone):
-    """Reye's mesh of geo/<scene> with n elements per half width at position k, and the .msh of it."""
+    """Reye's mesh of geo/<scene> with n elements per half width at position k, and the file it is in."""
     h = half_width / n
     source = ROOT / "geo" / scene / "scene.toml"
     lines = []
@@ -39,9 +39,8 @@ def mesh_of(scene, n, k, half_width, zone):
     file = WORK / f"{name}.toml"
     file.write_text("\n".join(lines), encoding="utf-8")
     subprocess.run([REYE, "mesh", str(file), "--out", str(WORK / name)], check=True, stdout=subprocess.DEVNULL)
-    mesh = meshes.read_vtu(WORK / name / "mesh.vtu")
-    meshes.write_msh(mesh, WORK / f"{name}.msh")
-    return mesh, WORK / f"{name}.msh"
+    written = WORK / name / "mesh.vtu"
+    return meshes.read_vtu(written), written
 
 
 def rows(triples):
@@ -132,11 +131,11 @@ def hertz(n, present):
     found = {name: {"cpu": [], "l2": [], "peak": []} for name in present}
     inner, own, dofs = [], [], 0
     for k in range(POSITIONS):
-        mesh, msh = mesh_of("hertz", n, k, cases.HERTZ["a"], (0.15, 0.12))
+        mesh, written = mesh_of("hertz", n, k, cases.HERTZ["a"], (0.15, 0.12))
         dofs = 2 * len(mesh.nodes)
         name, h = f"hertz_{n}_{k}", cases.HERTZ["a"] / n
         answers = {}
-        cpu, run_cpu, run = programs.reye(f"reye_{name}", cases.hertz(msh), repeats=3)
+        cpu, run_cpu, run = programs.reye(f"reye_{name}", cases.hertz(written), repeats=3)
         inner.append(run_cpu)
         answers["Reye"] = cpu, reye_rows(run.last("secondary"))
         if "CalculiX" in present:
@@ -161,9 +160,9 @@ def hertz(n, present):
 
 def mindlin(n, present):
     c = cases.MINDLIN
-    mesh, msh = mesh_of("hertz", n, 0, c["a"], (0.15, 0.12))
+    mesh, written = mesh_of("hertz", n, 0, c["a"], (0.15, 0.12))
     name, answers = f"mindlin_{n}", {}
-    cpu, inner, run = programs.reye(f"reye_{name}", cases.mindlin(msh), repeats=3)
+    cpu, inner, run = programs.reye(f"reye_{name}", cases.mindlin(written), repeats=3)
     answers["Reye"] = cpu, reye_rows(run.last("secondary"))
     if "CalculiX" in present:
         cpu = programs.calculix(f"ccx_{name}", ccx.mindlin(mesh, calculix_case(c, "flat_top")))
@@ -183,12 +182,12 @@ def mindlin(n, present):
 def fretting(n, present):
     """One cycle; Reye's with wear and moved shape, CalculiX's without."""
     c = cases.FRETTING
-    mesh, msh = mesh_of("fretting_mccoll", n, 0, c["a"], (0.08, 0.05))
+    mesh, written = mesh_of("fretting_mccoll", n, 0, c["a"], (0.08, 0.05))
     name, side, dofs = f"fretting_{n}", "cylinder_round", 2 * len(mesh.nodes)
     result = {}
-    one, inner, _ = programs.reye(f"reye_{name}_1", cases.fretting(msh, 1), repeats=3)
-    more, _, _ = programs.reye(f"reye_{name}_4", cases.fretting(msh, 4), repeats=3)
-    _, _, still = programs.reye(f"reye_{name}_still", cases.fretting(msh))
+    one, inner, _ = programs.reye(f"reye_{name}_1", cases.fretting(written, 1), repeats=3)
+    more, _, _ = programs.reye(f"reye_{name}_4", cases.fretting(written, 4), repeats=3)
+    _, _, still = programs.reye(f"reye_{name}_still", cases.fretting(written))
     frames = [reye_rows(table) for _, table in still.frames("secondary")]
     result["Reye"] = {"dofs": dofs, "cpu": one, "cpu_without_start": inner, "cpu_of_one_more_cycle": (more - one) / 3.0,
                       "jitter": jitter(sliding(frames[-c["increments"] - 1:]), c)}

@@ -1,4 +1,4 @@
-"""The meshes of Reye as values, and as .msh."""
+"""The meshes that `reye mesh` writes, as values."""
 import base64
 import struct
 import xml.etree.ElementTree as xml
@@ -41,10 +41,10 @@ def array(root, name):
 def read_vtu(path):
     """Mesh of cylinder and flat, told apart by the side of y = 0 they lie on; boundaries named by where they lie."""
     root = xml.parse(path).getroot()
-    position = array(root, "reference_position")
+    position = array(root, "Points")
     nodes = list(zip(position[0::3], position[1::3]))
-    flat_list = array(root, "connectivity")
-    cells = [flat_list[i:i + 4] for i in range(0, len(flat_list), 4)]
+    flat_list, ends = array(root, "connectivity"), array(root, "offsets")
+    cells = [flat_list[end - 4:end] for begin, end in zip((0,) + ends, ends) if end - begin == 4]
     quads = {"cylinder": [], "flat": []}
     for cell in cells:
         quads["cylinder" if sum(nodes[n][1] for n in cell) > 0.0 else "flat"].append(cell)
@@ -62,27 +62,3 @@ def place(body, a, b):
     if body == "cylinder":
         return "top" if min(a[1], b[1]) > 5.999 else "round"
     return "side" if a[1] != b[1] else "top" if a[1] > -0.001 else "bottom"
-
-
-def write_msh(mesh, path):
-    """Gmsh's binary format 2.2 with physical names: bodies are surfaces, boundaries curves."""
-    names = [(1, name) for name in mesh.edges] + [(2, body) for body in mesh.quads]
-    with path.open("wb") as file:
-        def say(*lines):
-            file.write("".join(f"{line}\n" for line in lines).encode())
-        say("$MeshFormat", "2.2 1 8")
-        file.write(struct.pack("i", 1))
-        say("", "$EndMeshFormat", "$PhysicalNames", len(names))
-        say(*(f'{dim} {k} "{name}"' for k, (dim, name) in enumerate(names, 1)))
-        say("$EndPhysicalNames", "$Nodes", len(mesh.nodes))
-        for k, (x, y) in enumerate(mesh.nodes, 1):
-            file.write(struct.pack("=i3d", k, x, y, 0.0))
-        cells = [mesh.edges[name] if dim == 1 else mesh.quads[name] for dim, name in names]
-        say("", "$EndNodes", "$Elements", sum(map(len, cells)))
-        number = 0
-        for k, (dim, _) in enumerate(names, 1):
-            file.write(struct.pack("3i", 1 if dim == 1 else 3, len(cells[k - 1]), 2))
-            for cell in cells[k - 1]:
-                number += 1
-                file.write(struct.pack(f"{3 + len(cell)}i", number, k, k, *(n + 1 for n in cell)))
-        say("", "$EndElements")

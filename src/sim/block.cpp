@@ -22,10 +22,9 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& contact = state.solution.contacts[c];
-    const auto largest = [](const std::vector<double>& v) { return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end()); };
     r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(setup, contact));
-    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, largest(depths(setup.secondary, contact.removed_secondary)));
-    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, largest(depths(setup.primary, contact.removed_primary)));
+    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, deepest(setup.secondary, contact.removed_secondary));
+    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, deepest(setup.primary, contact.removed_primary));
     r.energy_mJ += setup.options.wear.wears() ? contact.worn_work : contact.frictional_work;
   }
   r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));
@@ -104,11 +103,12 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   return {};
 }
 
-double deepest(const solver::System& system, const State& state) {
+double deepest_of_all(const solver::System& system, const State& state) {
   double depth = 0.0;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    for (double d : depths(system.contacts[c].secondary, state.solution.contacts[c].removed_secondary)) depth = std::max(depth, d);
-    for (double d : depths(system.contacts[c].primary, state.solution.contacts[c].removed_primary)) depth = std::max(depth, d);
+    const auto& contact = state.solution.contacts[c];
+    depth = std::max({depth, deepest(system.contacts[c].secondary, contact.removed_secondary),
+                      deepest(system.contacts[c].primary, contact.removed_primary)});
   }
   return depth;
 }
@@ -124,7 +124,7 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
   p.increment = increment;
   p.increments = increments;
   p.newton = block.newton;
-  p.depth_max_mm = deepest(system, state);
+  p.depth_max_mm = deepest_of_all(system, state);
   p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
   block.observer.progress(p);
 }

@@ -20,14 +20,13 @@ constexpr double refusal = 4.0;  ///< times the tolerance: a block's error fades
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
 
 double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
-double largest(const std::vector<double>& v) { return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end()); }
 
 double side_difference(const mortar::Surface& surface, const std::vector<double>& once, const std::vector<double>& halves) {
-  const double volume = sum(halves), depth = largest(depths(surface, halves));
+  const double volume = sum(halves), depth = deepest(surface, halves);
   if (volume <= 0.0) return 0.0;
   double apart = 0.0;
   for (std::size_t j = 0; j < halves.size(); ++j) apart += std::abs(halves[j] - once[j]);
-  return std::max(apart / volume, std::abs(depth - largest(depths(surface, once))) / depth);
+  return std::max(apart / volume, std::abs(depth - deepest(surface, once)) / depth);
 }
 
 double removed(const State& state) {

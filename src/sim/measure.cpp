@@ -22,6 +22,11 @@ std::vector<double> depths(const mortar::Surface& surface, const std::vector<dou
   return at_nodes(surface, std::move(depth));
 }
 
+double deepest(const mortar::Surface& surface, const std::vector<double>& removed) {
+  const auto depth = depths(surface, removed);
+  return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
+}
+
 wear::Ledger ledger(const contact::ContactState& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   return {state.law_work, state.strip_secondary + sum(state.pending_secondary),

@@ -35,6 +35,9 @@ std::vector<double> at_nodes(const mortar::Surface& surface, std::vector<double>
 /// Depth at each surface node [mm]; its coefficients are removed volume over full nodal length on X.
 std::vector<double> depths(const mortar::Surface& surface, const std::vector<double>& removed);
 
+/// The largest of them.
+double deepest(const mortar::Surface& surface, const std::vector<double>& removed);
+
 wear::Ledger ledger(const contact::ContactState& state);
 
 ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,

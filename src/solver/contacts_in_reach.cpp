@@ -81,8 +81,7 @@ void ContactsInReach::follow(const System& system, base::TwoPart& q) {
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.
 void ContactsInReach::integrate(const System& system, const Vector& q, bool everything) {
-  std::vector<Vector> parts;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) parts.emplace_back(system.part(q, static_cast<int>(b)));
+  const auto parts = system.parts(q);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     auto& nodes = nodes_[c];

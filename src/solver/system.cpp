@@ -78,19 +78,19 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
   return system;
 }
 
+std::vector<Vector> System::parts(const Vector& q) const {
+  std::vector<Vector> all;
+  for (std::size_t b = 0; b < bodies.size(); ++b) all.emplace_back(part(q, static_cast<int>(b)));
+  return all;
+}
+
 Sides positions(const System& system, const contact::Setup& setup, const Vector& q) {
+  const auto own = system.parts(q);
   const auto at = [&](const std::vector<contact::SurfaceNode>& nodes) {
     Points x;
     x.reserve(nodes.size());
-    int body = -1;
-    Vector part;
-    for (const auto& node : nodes) {
-      if (node.body != body) {
-        body = node.body;
-        part = system.part(q, body);
-      }
-      x.push_back(std::visit([&](const auto& b) { return b.position(node.contact_node, part).x; }, system.bodies[body]));
-    }
+    for (const auto& node : nodes)
+      x.push_back(std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]).x; }, system.bodies[node.body]));
     return x;
   };
   return {at(setup.secondary_nodes), at(setup.primary_nodes)};
@@ -98,12 +98,12 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
 
 Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q) {
   Vector total = Vector::Zero(system.dofs);
+  const auto own = system.parts(q);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& state = contacts[c];
     const auto add = [&](const contact::SurfaceNode& node, const Vec2& force) {
-      const auto p = std::visit([&](const auto& b) { return b.position(node.contact_node, Vector(system.part(q, node.body))); },
-                                system.bodies[node.body]);
+      const auto p = std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]); }, system.bodies[node.body]);
       for (int t = 0; t < p.count; ++t) total[system.offset[node.body] + p.terms[t].column] += force.dot(p.terms[t].direction);
     };
     for (int j = 0; j < setup.secondary_count(); ++j) {

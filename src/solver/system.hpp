@@ -29,6 +29,8 @@ struct System {
   auto part(const Vector& q, int body) const {
     return q.segment(offset[body], std::visit([](const auto& b) { return b.dofs(); }, bodies[body]));
   }
+  /// The same of all bodies.
+  std::vector<Vector> parts(const Vector& q) const;
 };
 
 /// Places the bodies in q and orders the contacts: one whose primary nodes are secondary elsewhere comes first.
@@ -68,8 +70,8 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
 /// Contact forces of all contacts added up in the global columns.
 Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q);
 
-/// Force that each support column carries: residual of the bodies plus contact forces at that column. Other columns hold
-/// nothing of use.
+/// Force that each support column carries: residual of the bodies plus contact forces at that column; what other columns
+/// hold is not that sum.
 Vector reactions(const System& system, const SolverState& state, const Controls& controls);
 
 }  // namespace reye::solver
