@@ -65,9 +65,14 @@ struct Dual {
   }
   friend Dual abs(const Dual& a) { return a.v < 0.0 ? -a : a; }
   friend Dual log(const Dual& a) { return chain(a, std::log(a.v), 1.0 / a.v); }
+  friend Dual log1p(const Dual& a) { return chain(a, std::log1p(a.v), 1.0 / (1.0 + a.v)); }
   friend Dual exp(const Dual& a) {
     const double e = std::exp(a.v);
     return chain(a, e, e);
+  }
+  friend Dual expm1(const Dual& a) {
+    const double e = std::expm1(a.v);
+    return chain(a, e, 1.0 + e);
   }
   friend Dual sin(const Dual& a) { return chain(a, std::sin(a.v), std::cos(a.v)); }
   friend Dual cos(const Dual& a) { return chain(a, std::cos(a.v), -std::sin(a.v)); }

@@ -78,8 +78,8 @@ struct SmallStrain {
   static const std::array<double, 4>& seen(bool, const std::array<double, 4>& x) { return x; }
 };
 
-/// x = (F11, F12, F21, F22, F33, J0), F from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of the
-/// cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X, and
+/// x = (H11, H12, H21, H22, H33, J0 - 1), F = I + H from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of
+/// the cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X, and
 /// J0 is det(I + G u) at the centre times the growth of the cell from unstressed to X, (sum dV) / sum(dV / det F0).
 /// F-bar evaluates the law at F-bar = s F, s = (J0 / J)^(1/3), F33 included, and does work on the true F over the true
 /// volume: P = (J / J0) tau F^-T = P(F-bar) / s^2. At small strain that is B-bar with its value at the centre.   (5)
@@ -98,20 +98,20 @@ struct FiniteStrain {
 
   /// What the law sees: F, or F-bar.
   static material::Gradient<double> seen(bool bar, const std::array<double, 6>& x) {
-    material::Gradient<double> F{x[0], x[1], x[2], x[3], x[4]};
-    if (bar) stretch_by(stretch(x), F);
-    return F;
+    material::Gradient<double> H = gradient_of(x);
+    if (bar) stretch_by(stretch(x), H);
+    return material::with_unit(H);
   }
 
   template <class T>
   static std::array<T, 5> stress(const Solid& solid, bool bar, const std::array<T, 6>& x,
                                  const material::PlasticState& before, material::PlasticState* after) {
-    material::Gradient<T> F{x[0], x[1], x[2], x[3], x[4]};
-    if (!bar) return material::first_piola(solid.material, solid.analysis, F, before, after);
+    material::Gradient<T> H = gradient_of(x);
+    if (!bar) return material::first_piola_from(solid.material, solid.analysis, H, before, after);
     const T s = stretch(x);
-    stretch_by(s, F);
-    auto P = material::first_piola(solid.material, solid.analysis, F, before, after);
-    const T back = 1.0 / (s * s);
+    stretch_by(s, H);
+    auto P = material::first_piola_from(solid.material, solid.analysis, H, before, after);
+    const T back = 1.0 / ((s + 1.0) * (s + 1.0));
     for (T& p : P) p *= back;
     return P;
   }
@@ -149,19 +149,12 @@ struct FiniteStrain {
   }
 
   template <int n>
-  static Eigen::Matrix<double, 5, 1> deformation(const Eigen::Matrix<double, 5, 2 * n>& G, const CellState<n>& state) {
-    Eigen::Matrix<double, 5, 1> F = G * state.u;
-    F[0] += 1.0, F[3] += 1.0, F[4] += 1.0;
-    return F;
-  }
-
-  template <int n>
   static void add_sample(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, const CellPoint& at,
                          Samples<inputs, n>& s) {
     auto& p = s.points[s.count++];
     Eigen::Matrix<double, 5, 2 * n> G;
     p.volume = gradient(mesh, cell, solid.analysis, state, at, G);
-    p.x << deformation<n>(G, state), 1.0;
+    p.x << G * state.u, 0.0;
     p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
   }
 
@@ -170,7 +163,7 @@ struct FiniteStrain {
     return material::plane_determinant(F0) * (analysis == Analysis::plane_stress ? 1.0 : F0[4]);
   }
 
-  /// Makes (I + G u) F0 of I + G u. Returns the growth of the cell from unstressed to X.
+  /// Makes (I + G u) F0 - I = G u F0 + F0 - I of G u. Returns the growth of the cell from unstressed to X.
   template <int n>
   static double start_unstressed(Analysis analysis, CellPrestrain F0, Samples<inputs, n>& s) {
     double on_X = 0.0, unstressed = 0.0;
@@ -182,6 +175,8 @@ struct FiniteStrain {
       right(4, 4) = F[4];
       auto& p = s.points[g];
       p.x.template head<5>() = (right * p.x.template head<5>()).eval();
+      const auto start = material::without_unit(F);
+      for (int i = 0; i < 5; ++i) p.x[i] += start[i];
       p.dx.template topRows<5>() = (right * p.dx.template topRows<5>()).eval();
       on_X += p.volume;
       p.volume /= content(analysis, F);
@@ -190,36 +185,45 @@ struct FiniteStrain {
     return on_X / unstressed;
   }
 
-  /// J0 and its derivative, the same at all points.
+  /// J0 - 1 and its derivative, the same at all points.
   template <int n>
   static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, double growth,
                          Samples<inputs, n>& s) {
     Eigen::Matrix<double, 5, 2 * n> G;
     gradient(mesh, cell, solid.analysis, state, {{0.0, 0.0}, 1.0}, G);
-    const Eigen::Matrix<double, 5, 1> F = deformation<n>(G, state);
-    const double plane = F[0] * F[3] - F[1] * F[2];
+    material::Gradient<double> H;
+    Eigen::Map<Eigen::Matrix<double, 5, 1>>(H.data()) = G * state.u;
+    const auto F = material::with_unit(H);
     Eigen::Matrix<double, 1, 5> cofactor;
-    cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], plane;
+    cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], material::plane_determinant(F);
     const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor * G;
     for (int g = 0; g < s.count; ++g) {
-      s.points[g].x[5] = growth * plane * F[4];
+      s.points[g].x[5] = growth * material::dilation(H) + (growth - 1.0);
       s.points[g].dx.row(5) = growth * dJ;
     }
   }
 
   template <class T>
-  static T stretch(const std::array<T, 6>& x) {
-    using std::exp, std::log;
-    const T J = (x[0] * x[3] - x[1] * x[2]) * x[4];
-    if (!(base::value(J) > 0.0) || !(base::value(x[5]) > 0.0))
-      throw base::SolveError("det F is " + std::to_string(base::value(J)) + ", at the centre of the cell " +
-                             std::to_string(base::value(x[5])));
-    return exp(log(x[5] / J) * (1.0 / 3.0));
+  static material::Gradient<T> gradient_of(const std::array<T, 6>& x) {
+    return {x[0], x[1], x[2], x[3], x[4]};
   }
 
+  /// s - 1
   template <class T>
-  static void stretch_by(const T& s, material::Gradient<T>& F) {
-    for (T& f : F) f *= s;
+  static T stretch(const std::array<T, 6>& x) {
+    using std::expm1, std::log1p;
+    const T j = material::dilation(gradient_of(x));
+    if (!(base::value(j) > -1.0) || !(base::value(x[5]) > -1.0))
+      throw base::SolveError("det F is " + std::to_string(base::value(j) + 1.0) + ", at the centre of the cell " +
+                             std::to_string(base::value(x[5]) + 1.0));
+    return expm1(T((log1p(x[5]) - log1p(j)) * (1.0 / 3.0)));
+  }
+
+  /// Makes s F - I of H = F - I, from s - 1.
+  template <class T>
+  static void stretch_by(const T& s, material::Gradient<T>& H) {
+    const auto F = material::with_unit(H);
+    for (int i = 0; i < 5; ++i) H[i] += s * F[i];
   }
 };
 

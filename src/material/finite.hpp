@@ -7,56 +7,57 @@
 
 #include "material/stress.hpp"
 
-/// Stress at finite strain, one formula for values and tangents.
+/// Stress at finite strain, one formula for values and tangents. All that vanishes with the strain is made of H = F - I,
+/// B = b - I and j = J - 1: made of F it would be a difference of ones, a stress of rounding in stiff materials.
 namespace reye::material {
 
-/// tau of an isotropic elastic law from b = F F^T and J = det F [MPa].
-/// St Venant-Kirchhoff, F S F^T: tau = lambda/2 (tr b - 3) b + mu (b^2 - b).      (2)
+/// tau of an isotropic elastic law from B = F F^T - I and j = det F - 1 [MPa].
+/// St Venant-Kirchhoff, F S F^T: tau = lambda/2 tr B b + mu (b^2 - b), b^2 - b = B + B^2.      (2)
 template <class T>
-Symmetric<T> elastic(const StVenantKirchhoff& m, const Symmetric<T>& b, const T&) {
+Symmetric<T> elastic(const StVenantKirchhoff& m, const Symmetric<T>& B, const T&) {
   const double mu = shear_modulus(m), lambda = lame_lambda(m);
-  const T f = (b[0] + b[1] + b[3] - 3.0) * (0.5 * lambda) - mu, shear = b[2] * b[2] * mu;
-  return {(f + mu * b[0]) * b[0] + shear, (f + mu * b[1]) * b[1] + shear, (f + mu * (b[0] + b[1])) * b[2],
-          (f + mu * b[3]) * b[3]};
+  const T f = (B[0] + B[1] + B[3]) * (0.5 * lambda), g = f + mu, shear = B[2] * B[2] * mu;
+  return {f + (g + mu * B[0]) * B[0] + shear, f + (g + mu * B[1]) * B[1] + shear, (g + mu * (B[0] + B[1])) * B[2],
+          f + (g + mu * B[3]) * B[3]};
 }
 
-/// J U'(J) - mu, the factor of I beside mu b; -mu J^(-2 beta) in the power form.      (4)
+/// J U'(J), the factor of I beside mu B.      (4)
 template <class T>
-T spherical(const NeoHookean& m, const T& J) {
-  using std::exp, std::log;
+T spherical(const NeoHookean& m, const T& j) {
+  using std::expm1, std::log1p;
   const double mu = shear_modulus(m), lambda = lame_lambda(m);
   switch (m.volumetric) {
     case Volumetric::quadratic:
-      return lambda * J * (J - 1.0) - mu;
+      return lambda * (j + 1.0) * j;
     case Volumetric::mixed:
-      return (0.5 * lambda) * (J * J - 1.0) - mu;
+      return (0.5 * lambda) * (j + 2.0) * j;
     case Volumetric::power:
-      return exp(log(J) * (-2.0 * m.nu / (1.0 - 2.0 * m.nu))) * (-mu);
+      return expm1(T(log1p(j) * (-2.0 * m.nu / (1.0 - 2.0 * m.nu)))) * (-mu);
     case Volumetric::log_squared:
       break;
   }
-  return lambda * log(J) - mu;
+  return lambda * log1p(j);
 }
 
-/// Neo-Hookean: tau = mu (b - I) + J U'(J) I.      (3)
+/// Neo-Hookean: tau = mu B + J U'(J) I.      (3)
 template <class T>
-Symmetric<T> elastic(const NeoHookean& m, const Symmetric<T>& b, const T& J) {
-  return combined(b, T(shear_modulus(m)), spherical(m, J));
+Symmetric<T> elastic(const NeoHookean& m, const Symmetric<T>& B, const T& j) {
+  return combined(B, T(shear_modulus(m)), spherical(m, j));
 }
 
 /// Hencky: tau, or sigma = tau / J, = lambda tr(eps) I + 2 mu eps, eps = 1/2 ln b.      (5)
 template <class T>
-Symmetric<T> elastic(const Hencky& m, const Symmetric<T>& b, const T& J) {
-  const Symmetric<T> twice = logarithm(b);
-  const T scale = m.cauchy ? J : T(1.0);
+Symmetric<T> elastic(const Hencky& m, const Symmetric<T>& B, const T& j) {
+  const Symmetric<T> twice = logarithm_beyond_unit(B);
+  const T scale = m.cauchy ? j + 1.0 : T(1.0);
   const T pressure = (twice[0] + twice[1] + twice[3]) * (0.5 * lame_lambda(m));
   return combined(twice, scale * shear_modulus(m), scale * pressure);
 }
 
-/// tau of an elastic law at a whole F.
+/// tau of an elastic law at a whole F = I + H.
 template <class Law, class T>
-Symmetric<T> finite_stress(const Law& m, const Gradient<T>& F, const PlasticState&, PlasticState* = nullptr) {
-  return elastic(m, pushed(F, Symmetric<double>{1.0, 1.0, 0.0, 1.0}), T(plane_determinant(F) * F[4]));
+Symmetric<T> finite_stress(const Law& m, const Gradient<T>& H, const PlasticState&, PlasticState* = nullptr) {
+  return elastic(m, stretched(H), dilation(H));
 }
 
 /// Plastic strain after a step: C_p^-1 = F^-1 exp(2 eps_e) F^-T, E_p = -1/2 ln C_p^-1. Its determinant is that
@@ -68,9 +69,13 @@ inline PlasticState updated(const Gradient<double>& F, const Symmetric<double>& 
 
 /// tau of J2 plasticity: radial return from eps_e = 1/2 ln(F exp(-2 E_p) F^T).      (6)
 template <class T>
-Symmetric<T> finite_stress(const HenckyJ2& m, const Gradient<T>& F, const PlasticState& before,
+Symmetric<T> finite_stress(const HenckyJ2& m, const Gradient<T>& H, const PlasticState& before,
                            PlasticState* after = nullptr) {
-  Symmetric<T> trial = logarithm(pushed(F, exponential(scaled(before.strain, -2.0))));
+  const auto F = with_unit(H);
+  const auto plastic = pushed(F, combined(exponential(scaled(before.strain, -2.0)), 1.0, -1.0));
+  Symmetric<T> trial = stretched(H);
+  for (int i = 0; i < 4; ++i) trial[i] += plastic[i];
+  trial = logarithm_beyond_unit(trial);
   for (T& e : trial) e = e * 0.5;
   const auto result = radial_return(m, trial, before.accumulated);
   if (after && result.increment == 0.0) *after = before;
@@ -88,41 +93,39 @@ Symmetric<T> finite_stress(const LinearElastic&, const Gradient<T>&, const Plast
 }
 
 /// Throws base::SolveError unless the in-plane determinant and F33 (not read in plane stress) are positive and finite.
-template <class T>
-void check_regular(base::Analysis analysis, const Gradient<T>& F) {
-  const double plane = base::value(plane_determinant(F));
-  const double thickness = analysis == base::Analysis::plane_stress ? 1.0 : base::value(F[4]);
+inline void check_regular(base::Analysis analysis, const Gradient<double>& F) {
+  const double plane = plane_determinant(F), thickness = analysis == base::Analysis::plane_stress ? 1.0 : F[4];
   if (plane > 0.0 && thickness > 0.0 && std::isfinite(plane * thickness)) return;
   throw base::SolveError("the deformation gradient has determinant " + std::to_string(plane) + " in the plane and " +
                          std::to_string(thickness) + " across it");
 }
 
-/// F33 of plane stress, from tau_33 = 0, of a law at an in-plane F; F33 as given is not read.
+/// H33 of plane stress, from tau_33 = 0, of a law at an in-plane H; H33 as given is not read.
 /// Throws base::SolveError when there is none (St Venant-Kirchhoff stretched far).
 template <class Law, class T>
-T condensed_stretch(const Law& m, const Gradient<T>& F, const PlasticState& before) {
-  using std::exp;
+T condensed_stretch(const Law& m, const Gradient<T>& H, const PlasticState& before) {
+  using std::expm1;
   const auto normal = [&](auto G, const auto& log_stretch) {
-    G[4] = exp(log_stretch);
+    G[4] = expm1(log_stretch);
     return finite_stress(m, G, before)[3] * (1.0 / m.E_MPa);
   };
-  const double trace = std::log(base::value(plane_determinant(F)));
+  const double trace = std::log1p(base::value(plane_dilation(H)));
   const Search search = thickness_search(m, trace, before);
-  return exp(solved(normal, F, search, "thickness stretch for the deformation gradient"));
+  return expm1(solved(normal, H, search, "thickness stretch for the displacement gradient"));
 }
 
-/// Kirchhoff stress tau = J sigma (11, 22, 12, 33) [MPa] at F, from the plastic state before the increment; `after`, if
-/// given, gets the state at its end (untouched by laws without history).
+/// Kirchhoff stress tau = J sigma (11, 22, 12, 33) [MPa] at F = I + H, from the plastic state before the increment;
+/// `after`, if given, gets the state at its end (untouched by laws without history).
 /// Plane strain and axisymmetric use F33 as given; in plane stress it is not read but condensed from tau_33 = 0.
 /// Throws base::SolveError when F is not a regular deformation, a local iteration fails or the stress is not finite;
 /// std::logic_error for a law that is not made for finite strain (`supports`).
 template <class T>
-Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Gradient<T>& F,
-                   const PlasticState& before = {}, PlasticState* after = nullptr) {
-  check_regular(analysis, F);
+Voigt<T> kirchhoff_from(const Material& material, base::Analysis analysis, const Gradient<T>& H,
+                        const PlasticState& before = {}, PlasticState* after = nullptr) {
+  check_regular(analysis, with_unit(lifted<double>(H)));
   const auto at = [&](const auto& m) {
-    auto G = F;
-    if (analysis == base::Analysis::plane_stress) G[4] = condensed_stretch(m, F, before);
+    auto G = H;
+    if (analysis == base::Analysis::plane_stress) G[4] = condensed_stretch(m, H, before);
     return finite_stress(m, G, before, after);
   };
   const Voigt<T> tau = std::visit(at, material);
@@ -132,15 +135,28 @@ Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Grad
 }
 
 /// First Piola-Kirchhoff stress P = tau F^-T (11, 12, 21, 22, 33) [MPa], work conjugate to F component by component.
-/// Arguments and errors as `kirchhoff`; in plane stress P33 = 0.
+/// Arguments and errors as `kirchhoff_from`; in plane stress P33 = 0.
 template <class T>
-Gradient<T> first_piola(const Material& material, base::Analysis analysis, const Gradient<T>& F,
-                        const PlasticState& before = {}, PlasticState* after = nullptr) {
-  const Voigt<T> tau = kirchhoff(material, analysis, F, before, after);
+Gradient<T> first_piola_from(const Material& material, base::Analysis analysis, const Gradient<T>& H,
+                             const PlasticState& before = {}, PlasticState* after = nullptr) {
+  const Voigt<T> tau = kirchhoff_from(material, analysis, H, before, after);
+  const Gradient<T> F = with_unit(H);
   const T f = 1.0 / plane_determinant(F);
   const bool thin = analysis == base::Analysis::plane_stress;
   return {(tau[0] * F[3] - tau[2] * F[1]) * f, (tau[2] * F[0] - tau[0] * F[2]) * f, (tau[2] * F[3] - tau[1] * F[1]) * f,
           (tau[1] * F[0] - tau[2] * F[2]) * f, thin ? T(0.0) : T(tau[3] / F[4])};
+}
+
+/// The same from F.
+template <class T>
+Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Gradient<T>& F,
+                   const PlasticState& before = {}, PlasticState* after = nullptr) {
+  return kirchhoff_from(material, analysis, without_unit(F), before, after);
+}
+template <class T>
+Gradient<T> first_piola(const Material& material, base::Analysis analysis, const Gradient<T>& F,
+                        const PlasticState& before = {}, PlasticState* after = nullptr) {
+  return first_piola_from(material, analysis, without_unit(F), before, after);
 }
 
 /// F33 at F: as given, or in plane stress the one that makes tau_33 = 0; with it sigma = tau / J.
@@ -148,8 +164,8 @@ template <class T>
 T thickness_stretch(const Material& material, base::Analysis analysis, const Gradient<T>& F,
                     const PlasticState& before = {}) {
   if (analysis != base::Analysis::plane_stress) return F[4];
-  check_regular(analysis, F);
-  return std::visit([&](const auto& m) { return condensed_stretch(m, F, before); }, material);
+  check_regular(analysis, lifted<double>(F));
+  return std::visit([&](const auto& m) { return T(condensed_stretch(m, without_unit(F), before) + 1.0); }, material);
 }
 
 }  // namespace reye::material

@@ -27,12 +27,42 @@ T plane_determinant(const Gradient<T>& F) {
   return F[0] * F[3] - F[1] * F[2];
 }
 
+/// I + A of a tensor given as A, and back: a small strain keeps in A the digits that I + A rounds away.
+template <class T>
+Gradient<T> with_unit(Gradient<T> H) {
+  for (int i : {0, 3, 4}) H[i] = H[i] + 1.0;
+  return H;
+}
+template <class T>
+Gradient<T> without_unit(Gradient<T> F) {
+  for (int i : {0, 3, 4}) F[i] = F[i] - 1.0;
+  return F;
+}
+
+/// det F - 1 of F = I + H, in the plane and of the whole.
+template <class T>
+T plane_dilation(const Gradient<T>& H) {
+  return H[0] + H[3] + plane_determinant(H);
+}
+template <class T>
+T dilation(const Gradient<T>& H) {
+  const T plane = plane_dilation(H);
+  return plane + H[4] + plane * H[4];
+}
+
 /// F A F^T, for a symmetric A.
 template <class T, class S>
 Symmetric<T> pushed(const Gradient<T>& F, const Symmetric<S>& A) {
   const T a = F[0] * A[0] + F[1] * A[2], b = F[0] * A[2] + F[1] * A[1];
   const T c = F[2] * A[0] + F[3] * A[2], d = F[2] * A[2] + F[3] * A[1];
   return {a * F[0] + b * F[1], c * F[2] + d * F[3], a * F[2] + b * F[3], F[4] * F[4] * A[3]};
+}
+
+/// F F^T - I = H + H^T + H H^T of F = I + H.
+template <class T>
+Symmetric<T> stretched(const Gradient<T>& H) {
+  return {2.0 * H[0] + H[0] * H[0] + H[1] * H[1], 2.0 * H[3] + H[2] * H[2] + H[3] * H[3],
+          H[1] + H[2] + H[0] * H[2] + H[1] * H[3], 2.0 * H[4] + H[4] * H[4]};
 }
 
 inline Gradient<double> inverse(const Gradient<double>& F) {
@@ -66,6 +96,15 @@ Symmetric<T> logarithm(const Symmetric<T>& A) {
   const T m = (A[0] + A[1]) * 0.5, d = (A[0] - A[1]) * 0.5, det = A[0] * A[1] - A[2] * A[2];
   const T ratio = atanh_ratio(T(det / (m * m))) / m, mean = log(det) * 0.5;
   return {mean + ratio * d, mean - ratio * d, ratio * A[2], log(A[3])};
+}
+
+/// ln(I + A), to the digits of A.
+template <class T>
+Symmetric<T> logarithm_beyond_unit(const Symmetric<T>& A) {
+  using std::log1p;
+  const T m = (A[0] + A[1]) * 0.5, d = (A[0] - A[1]) * 0.5, rise = 2.0 * m + (A[0] * A[1] - A[2] * A[2]), M = m + 1.0;
+  const T ratio = atanh_ratio(T((rise + 1.0) / (M * M))) / M, mean = log1p(rise) * 0.5;
+  return {mean + ratio * d, mean - ratio * d, ratio * A[2], log1p(A[3])};
 }
 
 /// exp A = e^m (cosh r I + sinh r / r D) in the plane, as above.

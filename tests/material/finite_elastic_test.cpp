@@ -33,6 +33,18 @@ TEST_P(FiniteLaw, small_strain_limit_is_hooke) {
   }
 }
 
+// However small a strain is, its stress must be Hooke's to the digits of the strain: not those of F = I + H.
+TEST_P(FiniteLaw, small_strain_keeps_its_digits) {
+  const double e = 1e-13;
+  const Gradient<double> H{2.0 * e, 1.7 * e, -0.5 * e, -1.5 * e, 0.3 * e};
+  for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress}) {
+    const Voigt<double> hooke = stress(LinearElastic{E, nu}, analysis, Voigt<double>{H[0], H[3], H[1] + H[2], H[4]});
+    const auto P = first_piola_from(material_, analysis, H);
+    const int voigt[] = {0, 2, 2, 1, 3};
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(P[i], hooke[voigt[i]], 1e-11 * e * E) << i;
+  }
+}
+
 // In plane stress tau_33 must vanish, and the stress be that of plane strain at the condensed stretch.
 TEST_P(FiniteLaw, plane_stress_has_no_stress_in_thickness) {
   const auto [state, first, F] = loaded(material_, Analysis::plane_stress);
