@@ -1,4 +1,6 @@
 #pragma once
+#include <utility>
+
 #include "base/linalg.hpp"
 
 namespace reye::base {
@@ -17,6 +19,17 @@ inline ExactSum exact_sum(double a, double b) {
 struct TwoPart {
   Vector high, low;
 
+  TwoPart() = default;
+  TwoPart(Vector nearest, Vector rest) : high(std::move(nearest)), low(std::move(rest)) {}
+  /// What has no more digits than a double.
+  template <class Doubles>
+  TwoPart(const Eigen::MatrixBase<Doubles>& doubles) : high(doubles), low(Vector::Zero(doubles.size())) {}
+
+  Eigen::Index size() const { return high.size(); }
+  TwoPart segment(Eigen::Index first, Eigen::Index count) const {
+    return {high.segment(first, count), low.segment(first, count)};
+  }
+
   TwoPart& operator+=(const Vector& step) {
     for (Eigen::Index i = 0; i < high.size(); ++i) {
       const auto [moved, rest] = exact_sum(high[i], step[i]);
@@ -27,5 +40,11 @@ struct TwoPart {
     return *this;
   }
 };
+
+inline TwoPart operator-(const TwoPart& a, const TwoPart& b) {
+  TwoPart difference = a;
+  difference += -b.high;
+  return difference += -b.low;
+}
 
 }  // namespace reye::base

@@ -230,11 +230,14 @@ base::SparseMatrix Columns::expansion() const {
   return B;
 }
 
-Matrix Columns::translations() const {
-  Matrix T = Matrix::Zero(retained, 2);
+Matrix Columns::translations(base::Analysis analysis) const {
+  Matrix T = Matrix::Zero(interior + retained, 2);
+  for (const auto& node : terms)
+    for (const Term& term : node) T.row(term.column) = term.direction;
   for (const ContactNode& node : seen)
-    for (const Term& term : node.terms) T.row(term.column - interior) = term.direction;
-  for (const SupportColumn& support : supports) T.row(support.column) = support.direction;
+    for (const Term& term : node.terms) T.row(term.column) = term.direction;
+  for (const SupportColumn& support : supports) T.row(interior + support.column) = support.direction;
+  if (analysis == base::Analysis::axisymmetric) T.col(0).setZero();
   return T;
 }
 

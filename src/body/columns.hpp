@@ -31,7 +31,9 @@ struct Columns {
   std::vector<SupportColumn> supports;    ///< columns of q
 
   base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)
-  Matrix translations() const;            ///< q as the body moves by one along x, along y: retained x 2
+  /// y as the body moves by one along x, along y, rigidly: all columns x 2. In axisymmetry nothing moves along the
+  /// radius without strain.
+  Matrix translations(base::Analysis analysis) const;
 
   /// Whether a column of y is the rotation of a rigid edge.
   bool turns(int column) const;

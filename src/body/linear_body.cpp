@@ -34,7 +34,7 @@ struct LinearBody::Impl {
         columns(number_columns(shape->mesh, input)),
         B(expansion()),
         factor(reduced_stiffness(input), columns.retained, std::move(known)),
-        translation(rigid_translations(input.analysis)) {
+        translation(columns.translations(input.analysis).bottomRows(columns.retained)) {
     for_each_load(input, [&](const auto& load) {
       Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
       Vector condensed = factor.condense(full);
@@ -48,13 +48,6 @@ struct LinearBody::Impl {
     SparseMatrix expansion = columns.expansion();
     columns.terms = {};
     return expansion;
-  }
-
-  /// Columns of q; in axisymmetry nothing moves along the radius without strain.
-  Matrix rigid_translations(base::Analysis analysis) const {
-    Matrix T = columns.translations();
-    if (analysis == base::Analysis::axisymmetric) T.col(0).setZero();
-    return T;
   }
 
   /// B^T K B

@@ -49,6 +49,8 @@ const std::vector<int>& NonlinearBody::contact_nodes() const { return impl_->col
 const std::vector<SupportColumn>& NonlinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& NonlinearBody::loads() const { return impl_->names; }
 
+const Translation& NonlinearBody::translation() const { return impl_->outer; }
+
 bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
 
 NodeFreedom NonlinearBody::freedom(int contact_node) const {
@@ -69,10 +71,10 @@ NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
 }
 
 Interior NonlinearBody::start() const {
-  return {Vector::Zero(impl_->interior()), fem::virgin(impl_->mesh(), impl_->solid), {}};
+  return {TwoPart(Vector::Zero(impl_->interior())), fem::virgin(impl_->mesh(), impl_->solid), {}};
 }
 
-void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
+void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                               Linearised& out) const {
   if (!out.kept || out.kept->owner != impl_) {
     out.kept = std::make_shared<Linearised::Kept>();
@@ -80,22 +82,23 @@ void NonlinearBody::linearise(const Interior& before, const Vector& y, const Vec
     out.kept->K = impl_->pattern.zero();
   }
   Linearised::Kept& kept = *out.kept;
-  const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
+  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
   impl_->named([&] {
     fem::tangent(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, impl_->pattern, kept.f, kept.K);
   });
   impl_->subtract_load_tangent(u, load_factors, kept.K);
-  kept.B = impl_->expansion(unknowns);
+  kept.B = impl_->expansion(v);
   const Vector r = impl_->unbalanced(kept.f, u, load_factors);
   kept.KB = kept.K * kept.B;
   kept.reduced = kept.B.transpose() * kept.KB;
-  impl_->add_turning(r, unknowns, kept.reduced);
+  impl_->add_turning(r, v, kept.reduced);
   kept.r = kept.B.transpose() * r;
   impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric()); });
   out.S = kept.condensation.schur();
   out.r = kept.condensation.condense(kept.r);
   out.interior_residual = impl_->interior() > 0 ? kept.r.head(impl_->interior()).cwiseAbs().maxCoeff() : 0.0;
   out.force_scale = kept.f.largest;
+  out.deformation = u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
 }
 
 Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) const {
@@ -116,49 +119,49 @@ std::string NonlinearBody::least_balanced(const Linearised& at) const {
   return "body " + impl_->name;
 }
 
-Vector NonlinearBody::retained_residual(const Interior& before, const Vector& y, const Vector& q,
+Vector NonlinearBody::retained_residual(const Interior& before, const TwoPart& y, const TwoPart& q,
                                         const Vector& load_factors) const {
-  const Vector unknowns = impl_->all(y, q), u = impl_->displacement(unknowns);
+  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
   fem::InternalForce f;
   impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, f); });
-  const Vector r = impl_->expansion(unknowns).transpose() * impl_->unbalanced(f, u, load_factors);
+  const Vector r = impl_->expansion(v).transpose() * impl_->unbalanced(f, u, load_factors);
   return r.tail(dofs());
 }
 
-Interior NonlinearBody::accepted(const Interior& before, const Vector& y, const Vector& q) const {
-  const Vector u = impl_->displacement(impl_->all(y, q));
+Interior NonlinearBody::accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const {
+  const Vector u = impl_->displacement(impl_->deformation(y, q));
   const auto history = [&] { return fem::updated(impl_->mesh(), impl_->solid, u, {before.history, before.F0}); };
   return {y, impl_->named(history), before.F0};
 }
 
-std::vector<material::Gradient<double>> NonlinearBody::deformation(const Interior& now, const Vector& q) const {
-  const Vector u = impl_->displacement(impl_->all(now.y, q));
+std::vector<material::Gradient<double>> NonlinearBody::deformation(const Interior& now, const TwoPart& q) const {
+  const Vector u = impl_->displacement(impl_->deformation(now.y, q));
   return impl_->named([&] { return fem::deformation(impl_->mesh(), impl_->solid, u, now.F0); });
 }
 
-std::vector<material::ElasticState> NonlinearBody::elastic_states(const Interior& now, const Vector& q) const {
-  const Vector u = impl_->displacement(impl_->all(now.y, q));
+std::vector<material::ElasticState> NonlinearBody::elastic_states(const Interior& now, const TwoPart& q) const {
+  const Vector u = impl_->displacement(impl_->deformation(now.y, q));
   return impl_->named([&] { return fem::elastic_states(impl_->mesh(), impl_->solid, u, {now.history, now.F0}); });
 }
 
-std::vector<material::PlasticState> NonlinearBody::compatible(const Interior& now, const Vector& q,
+std::vector<material::PlasticState> NonlinearBody::compatible(const Interior& now, const TwoPart& q,
                                                               const std::vector<material::ElasticState>& states) const {
-  const Vector u = impl_->displacement(impl_->all(now.y, q));
+  const Vector u = impl_->displacement(impl_->deformation(now.y, q));
   return impl_->named([&] { return fem::compatible(impl_->mesh(), impl_->solid, u, now.F0, states); });
 }
 
-double NonlinearBody::strain_energy(const Interior& now, const Vector& q) const {
-  const Vector u = impl_->displacement(impl_->all(now.y, q));
+double NonlinearBody::strain_energy(const Interior& now, const TwoPart& q) const {
+  const Vector u = impl_->displacement(impl_->deformation(now.y, q));
   return impl_->named([&] { return fem::strain_energy(impl_->mesh(), impl_->solid, u, {now.history, now.F0}); });
 }
 
-std::vector<Vec2> NonlinearBody::recover(const Vector& q, const Vector& y) const {
-  return by_node(impl_->displacement(impl_->all(y, q)));
+std::vector<Vec2> NonlinearBody::recover(const TwoPart& q, const TwoPart& y) const {
+  return by_node(impl_->displacement(impl_->all(y, q).high));
 }
 
-void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const {
+void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) const {
   const auto& columns = impl_->columns;
-  Vector unknowns = impl_->all(y, q);
+  Vector unknowns = impl_->all(y, q).high;
   std::vector<char> held(static_cast<size_t>(unknowns.size()), 0);
   for (const auto& support : columns.supports) held[impl_->interior() + support.column] = 1;
   std::vector<Term> free;
@@ -176,7 +179,7 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const
         free.push_back(term);
     set_free(free, rest, unknowns);
   }
-  y = unknowns.head(y.size());
+  y = TwoPart(unknowns.head(y.size()));
   q = unknowns.tail(q.size());
 }
 

@@ -32,6 +32,9 @@ NonlinearEquations::NonlinearEquations(ShapePtr s, const BodyInput& input)
       solid{input.material, input.analysis, input.kinematics, input.b_bar},
       columns(number_columns(shape->mesh, input)),
       pattern(shape->mesh) {
+  const Matrix T = columns.translations(input.analysis);
+  translation = Translation(T);
+  outer = Translation(T.bottomRows(columns.retained));
   for_each_load(input, [&](const auto& load) {
     names.push_back({load.name, load.history});
     loads.push_back(make_load(shape->mesh, input, load));
@@ -43,9 +46,10 @@ bool NonlinearEquations::symmetric() const {
   return solid.symmetric(mesh().kind) && std::none_of(loads.begin(), loads.end(), follows);
 }
 
-Vector NonlinearEquations::all(const Vector& y, const Vector& q) const {
-  Vector both(y.size() + q.size());
-  both << y, q;
+TwoPart NonlinearEquations::all(const TwoPart& y, const TwoPart& q) const {
+  TwoPart both{Vector(y.size() + q.size()), Vector(y.size() + q.size())};
+  both.high << y.high, q.high;
+  both.low << y.low, q.low;
   return both;
 }
 

@@ -25,6 +25,7 @@ struct NonlinearEquations {
   fem::Pattern pattern;
   std::vector<LoadColumn> names;
   std::vector<NonlinearLoad> loads;
+  Translation translation, outer;  ///< of all unknowns, of the retained
 
   NonlinearEquations(ShapePtr shape, const BodyInput& input);
 
@@ -33,7 +34,9 @@ struct NonlinearEquations {
   bool turning() const { return solid.kinematics == base::Kinematics::finite; }
   bool symmetric() const;  ///< of the tangent
 
-  Vector all(const Vector& y, const Vector& q) const;        ///< [y; q]
+  TwoPart all(const TwoPart& y, const TwoPart& q) const;     ///< [y; q]
+  /// Unknowns without rigid translation, which costs no force: all but positions is made of them.   [README (8)]
+  Vector deformation(const TwoPart& y, const TwoPart& q) const { return translation.without(all(y, q)); }
   Vector displacement(const Vector& unknowns) const;         ///< 2 per node
   base::SparseMatrix expansion(const Vector& unknowns) const;  ///< B = du/d(y, q)
 

@@ -144,7 +144,7 @@ class RigidBody {
 
 /// What a nonlinear body carries beside q.
 struct Interior {
-  Vector y;                                     ///< free dofs of the nodes not in contact
+  TwoPart y;                                    ///< free dofs of the nodes not in contact
   std::vector<material::PlasticState> history;  ///< per Gauss point, cell by cell; empty for an elastic material
   std::vector<material::Gradient<double>> F0;   ///< likewise, from unstressed to X; empty where X is unstressed
 };
@@ -167,6 +167,8 @@ class NonlinearBody {
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const;                                        ///< before condensation
 
+  const Translation& translation() const;  ///< costs no force, by q alone: S T = 0
+
   /// Whether the tangent is: with a law and a cure that keep it so (fem::Solid::symmetric), and no pressure that follows.
   bool symmetric() const;
 
@@ -183,33 +185,36 @@ class NonlinearBody {
     Vector r;                        ///< r_hat, size dofs()
     double interior_residual = 0.0;  ///< largest entry of r_i
     double force_scale = 0.0;        ///< largest nodal force that the cells exert, before they add up to balance
+    double deformation = 0.0;        ///< largest displacement but for rigid translation: what is rounded
     struct Kept;
     std::shared_ptr<Kept> kept;
   };
-  void linearise(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors,
+  void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                  Linearised& out) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
   std::string least_balanced(const Linearised& at) const;
 
   /// r_c alone: what the retained dofs carry. No factorisation.
-  Vector retained_residual(const Interior& before, const Vector& y, const Vector& q, const Vector& load_factors) const;
+  Vector retained_residual(const Interior& before, const TwoPart& y, const TwoPart& q,
+                           const Vector& load_factors) const;
   /// y with the history that the deformation from `before` to (y, q) leaves.
-  Interior accepted(const Interior& before, const Vector& y, const Vector& q) const;
+  Interior accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const;
   /// What F0 becomes when x = X + u of an accepted state does become the new X (fem::deformation). Finite strain only.
-  std::vector<material::Gradient<double>> deformation(const Interior& now, const Vector& q) const;
+  std::vector<material::Gradient<double>> deformation(const Interior& now, const TwoPart& q) const;
   /// What stress and yielding of an accepted state depend on, per Gauss point; empty without history.
-  std::vector<material::ElasticState> elastic_states(const Interior& now, const Vector& q) const;
+  std::vector<material::ElasticState> elastic_states(const Interior& now, const TwoPart& q) const;
   /// The history with which the deformation (y, q) from F0 leaves these elastic states (fem::compatible).
-  std::vector<material::PlasticState> compatible(const Interior& now, const Vector& q,
+  std::vector<material::PlasticState> compatible(const Interior& now, const TwoPart& q,
                                                  const std::vector<material::ElasticState>& states) const;
-  double strain_energy(const Interior& now, const Vector& q) const;  ///< elastic, of an accepted state (fem::strain_energy)
+  /// Elastic, of an accepted state (fem::strain_energy).
+  double strain_energy(const Interior& now, const TwoPart& q) const;
   /// Displacement of all mesh nodes.
-  std::vector<Vec2> recover(const Vector& q, const Vector& y) const;
+  std::vector<Vec2> recover(const TwoPart& q, const TwoPart& y) const;
 
   /// Sets the free columns of q and y so that the nodes take the displacements u (one per mesh node) as far as supports
   /// leave them free; the support columns of q are given and stay.
-  void seat(const std::vector<Vec2>& u, Vector& q, Vector& y) const;
+  void seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) const;
 
   /// Per column, the sum over contact nodes of d^2 x / dq^2 . force: what turning rigid edges adds to the diagonal of
   /// the tangent (zero at small strain, and where no contact node lies on a rigid edge).

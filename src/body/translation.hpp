@@ -8,8 +8,9 @@ using base::TwoPart;
 using base::Vec2;
 using base::Vector;
 
-/// How the columns q of a linear body hold its rigid translation: q = T a + v. S T = 0, but in numbers S T a is rounding,
-/// and where a stiff body moves far under a small force no balance is left. Without T a what is rounded is S v.   [README (8)]
+/// How the columns q of a body hold its rigid translation: q = T a + v. S T = 0, but in numbers S T a is rounding,
+/// and where a stiff body moves far under a small force no balance is left. Without T a what is rounded is S v. The same
+/// of the columns [y; q] of a nonlinear body and its stress.   [README (8)]
 class Translation {
  public:
   Translation() = default;

@@ -2,6 +2,15 @@
 
 #include "output/serialize.hpp"
 
+namespace reye::base {
+
+template <class Archive>
+void serialize(Archive& archive, TwoPart& v) {
+  archive(v.high, v.low);
+}
+
+}  // namespace reye::base
+
 namespace reye::contact {
 
 template <class Archive>

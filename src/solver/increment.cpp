@@ -42,15 +42,15 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), continues);
   base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
-  if (guess) advance(q, reduction().restrict_to(guess->dq));
-  if (continues > 0.0) advance(q, continues * reduction().restrict_to(last_step_));
+  if (guess) q += reduction().restrict_to(guess->dq);
+  if (continues > 0.0) q += continues * reduction().restrict_to(last_step_);
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)
     if (!nonlinear_.own(column)) {
       q.high[reduction().index(column)] = value;
       q.low[reduction().index(column)] = 0.0;
     }
-  nonlinear_.linearise(q.high, lambda_);
+  nonlinear_.linearise(q, lambda_);
   return q;
 }
 
@@ -90,15 +90,19 @@ const Matrix& Increment::stiffness(std::size_t body) const {
   return tangent ? *tangent : reduction().stiffness(static_cast<int>(body));
 }
 
-/// Per linear body its deformation v on the reduced columns, in which no rigid translation is rounded.
+/// Per deformable body its deformation v on the reduced columns, in which no rigid translation is rounded; of nonlinear
+/// ones since the anchor.
 std::vector<Vector> Increment::deformations(const System& system, const base::TwoPart& q) const {
   std::vector<Vector> v(system.bodies.size());
-  for (std::size_t b = 0; b < v.size(); ++b)
-    if (std::holds_alternative<body::LinearBody>(system.bodies[b])) v[b] = reduction().deformation(static_cast<int>(b), q);
+  for (std::size_t b = 0; b < v.size(); ++b) {
+    const int body = static_cast<int>(b);
+    if (std::holds_alternative<body::LinearBody>(system.bodies[b])) v[b] = reduction().deformation(body, q);
+    if (nonlinear_.tangent(body)) v[b] = nonlinear_.deformation(body, q);
+  }
   return v;
 }
 
-/// S' v - f' of all bodies on the reduced columns; of nonlinear ones r + S (q - q_anchor).
+/// S' v - f' of all bodies on the reduced columns; of nonlinear ones r + S v.
 Vector Increment::residual(const System& system, const Controls& controls, const base::TwoPart& q,
                            const std::vector<Vector>& v) const {
   Vector r = -loads_;
@@ -108,7 +112,7 @@ Vector Increment::residual(const System& system, const Controls& controls, const
       const Vector part = q.high.segment(at, rigid->dofs());
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
     } else if (nonlinear_.tangent(body)) {
-      nonlinear_.add_residual(body, q.high, r);
+      nonlinear_.add_residual(body, v[b], r);
     } else {
       r.segment(at, v[b].size()).noalias() += reduction().stiffness(body) * v[b];
     }
@@ -116,7 +120,7 @@ Vector Increment::residual(const System& system, const Controls& controls, const
   return r;
 }
 
-/// Of a linear body S v is rounded, not S q: rigid motion leaves nothing. The stress of a nonlinear one is that of F(q).
+/// Of a linear body S v is rounded, not S q: rigid motion leaves nothing. Of a nonlinear one so is the stress.
 Increment::Rounding Increment::rounding(const System& system, const base::TwoPart& q, const std::vector<Vector>& v) const {
   Rounding result;
   const double way = this->way(q.high);
@@ -126,8 +130,9 @@ Increment::Rounding Increment::rounding(const System& system, const base::TwoPar
     if (S.size() == 0) continue;
     const auto arm = arm_.segment(reduction().first(body), S.rows());
     const double stiffness = S.diagonal().cwiseQuotient(arm.cwiseAbs2()).maxCoeff();
-    const double lost = nonlinear_.tangent(body) ? 1e-13 * way : digits * largest_of(v[b].cwiseProduct(arm));
-    result.inside = std::max(result.inside, stiffness * lost);
+    double moved = largest_of(v[b].cwiseProduct(arm));
+    if (nonlinear_.tangent(body)) moved = std::max(moved, nonlinear_.deformation(body));
+    result.inside = std::max(result.inside, digits * stiffness * moved);
     result.scale = std::max(result.scale, digits * stiffness * way);
   }
   return result;
@@ -221,7 +226,7 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
     face.evaluate(lambda_[c]);
     state.contacts.push_back(face.accepted(lambda_[c]));
   }
-  state.interiors = nonlinear_.accepted(state.q);
+  state.interiors = nonlinear_.accepted({state.q, state.q_low});
   return true;
 }
 
@@ -258,11 +263,6 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < faces.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
   return window_.expand(dq);
-}
-
-void Increment::advance(base::TwoPart& q, const Vector& dq) const {
-  q += dq;
-  nonlinear_.round(q);
 }
 
 double Increment::way(const Vector& dq) const { return largest_of(dq.cwiseProduct(arm_)); }

@@ -97,7 +97,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       on_chord = chord;
       ++report.solves;
       report.matrices += chord ? 0 : 1;
-      increment_.advance(q, dq);
+      q += dq;
       // Far out the rounding of S q hides that nothing is in balance any more.
       const double way = increment_.way(dq), bound = 1e3 * system.extent;
       if (!system.contacts.empty() && !(way < bound)) {

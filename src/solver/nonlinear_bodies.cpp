@@ -35,7 +35,7 @@ bool NonlinearBodies::own(int column) const {
   return body(static_cast<std::size_t>(next - system_->offset.begin()) - 1) != nullptr;
 }
 
-void NonlinearBodies::linearise(const Vector& q, const Multipliers& lambda) {
+void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambda) {
   for (std::size_t b = 0; b < interior_.size(); ++b)
     if (const auto* own = body(b))
       own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b]);
@@ -44,7 +44,7 @@ void NonlinearBodies::linearise(const Vector& q, const Multipliers& lambda) {
 }
 
 std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
-  Vector way = q.high - anchor_;
+  Vector way = (q - anchor_).high;
   std::vector<Vector> inside(interior_.size());
   for (std::size_t b = 0; b < inside.size(); ++b)
     if (const auto* own = body(b)) {
@@ -55,7 +55,7 @@ std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
   const double imbalance = inside_imbalance();
   for (int halvings = 0;; ++halvings) {
     try {
-      linearise(q.high, lambda);
+      linearise(q, lambda);
       // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
       if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
     } catch (const base::SolveError& error) {
@@ -63,29 +63,28 @@ std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
     }
     way *= 0.5;
     q += -way;
-    round(q);
     for (std::size_t b = 0; b < inside.size(); ++b)
-      if (inside[b].size() > 0) interior_[b] -= (inside[b] *= 0.5);
+      if (inside[b].size() > 0) interior_[b] += -(inside[b] *= 0.5);
     for (std::size_t c = 0; c < lambda.size(); ++c)
       for (std::size_t j = 0; j < lambda[c].size(); ++j) lambda[c][j] = 0.5 * (lambda[c][j] + start[c][j]);
   }
-}
-
-void NonlinearBodies::round(base::TwoPart& q) const {
-  for (std::size_t b = 0; b < interior_.size(); ++b)
-    if (const auto* own = body(b)) q.low.segment(reduction_->first(static_cast<int>(b)), own->dofs()).setZero();
 }
 
 const Matrix* NonlinearBodies::tangent(int b) const {
   return body(static_cast<std::size_t>(b)) ? &linearised_[static_cast<std::size_t>(b)].S : nullptr;
 }
 
-void NonlinearBodies::add_residual(int b, const Vector& q, Vector& r) const {
+Vector NonlinearBodies::deformation(int b, const base::TwoPart& q) const {
+  const auto body = static_cast<std::size_t>(b);
+  const auto& own = *this->body(body);
+  return own.translation().without(part(own, body, q) - part(own, body, anchor_));
+}
+
+void NonlinearBodies::add_residual(int b, const Vector& v, Vector& r) const {
   const auto& at = linearised_[static_cast<std::size_t>(b)];
-  const int first = reduction_->first(b);
-  const auto n = at.r.size();
-  r.segment(first, n) += at.r;
-  r.segment(first, n).noalias() += at.S * (q.segment(first, n) - anchor_.segment(first, n));
+  auto own = r.segment(reduction_->first(b), at.r.size());
+  own += at.r;
+  own.noalias() += at.S * v;
 }
 
 double NonlinearBodies::inside_imbalance() const {
@@ -108,18 +107,18 @@ double NonlinearBodies::force_scale() const {
   return largest;
 }
 
-std::vector<body::Interior> NonlinearBodies::accepted(const Vector& q) const {
+std::vector<body::Interior> NonlinearBodies::accepted(const base::TwoPart& q) const {
   std::vector<body::Interior> interiors(interior_.size());
   for (std::size_t b = 0; b < interiors.size(); ++b)
     if (const auto* own = body(b))
-      interiors[b] = own->accepted(before_->interiors[b], interior_[b], system_->part(q, static_cast<int>(b)));
+      interiors[b] = own->accepted(before_->interiors[b], interior_[b], q.segment(system_->offset[b], own->dofs()));
   return interiors;
 }
 
 void NonlinearBodies::remember(const SolverState& after) {
   last_step_.assign(interior_.size(), {});
   for (std::size_t b = 0; b < last_step_.size(); ++b)
-    if (body(b)) last_step_[b] = after.interiors[b].y - before_->interiors[b].y;
+    if (body(b)) last_step_[b] = (after.interiors[b].y - before_->interiors[b].y).high;
 }
 
 }  // namespace reye::solver

@@ -23,24 +23,25 @@ class NonlinearBodies {
 
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress can not be found.
-  void linearise(const Vector& q, const Multipliers& lambda);
+  void linearise(const base::TwoPart& q, const Multipliers& lambda);
   /// Takes the interiors to where q has gone since the anchor and linearises there; where that can not be done, or is far
   /// worse balanced, half the way is tried, and so on. Returns why it can not be done at all.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
 
-  /// Drops the low part of their columns: their stress is not so fine.
-  void round(base::TwoPart& q) const;
-
   /// S of a body; null when it is not nonlinear.
   const Matrix* tangent(int body) const;
-  /// Adds r + S (q - q_anchor) of a body.
-  void add_residual(int body, const Vector& q, Vector& r) const;
+  /// v of q - q_anchor of a body: what of the way costs force.
+  Vector deformation(int body, const base::TwoPart& q) const;
+  /// Adds r + S v of a body.
+  void add_residual(int body, const Vector& v, Vector& r) const;
   double inside_imbalance() const;  ///< largest r_i at the anchor
   double force_scale() const;       ///< largest force of a cell at the anchor
+  /// Largest displacement of a body at the anchor but for its translation.
+  double deformation(int body) const { return linearised_[static_cast<std::size_t>(body)].deformation; }
   std::string least_balanced() const;  ///< where the largest r_i is, in words
 
   /// Interiors after the increment that led to the global q, per body.
-  std::vector<body::Interior> accepted(const Vector& q) const;
+  std::vector<body::Interior> accepted(const base::TwoPart& q) const;
   /// Keeps the step of the interiors for the next `begin`.
   void remember(const SolverState& after);
   void forget() { last_step_.clear(); }
@@ -48,7 +49,8 @@ class NonlinearBodies {
  private:
   using Linearised = body::NonlinearBody::Linearised;
   const body::NonlinearBody* body(std::size_t b) const { return std::get_if<body::NonlinearBody>(&system_->bodies[b]); }
-  auto part(const body::NonlinearBody& body, std::size_t b, const Vector& q) const {
+  template <class Columns>
+  auto part(const body::NonlinearBody& body, std::size_t b, const Columns& q) const {
     return q.segment(reduction_->first(static_cast<int>(b)), body.dofs());
   }
 
@@ -57,10 +59,10 @@ class NonlinearBodies {
   const Controls* controls_ = nullptr;
   const Reduction* reduction_ = nullptr;
   bool any_ = false;
-  std::vector<Vector> interior_;        ///< y per body, empty but for nonlinear ones
+  std::vector<base::TwoPart> interior_;  ///< y per body, empty but for nonlinear ones
   std::vector<Vector> last_step_;       ///< of the interiors in the last accepted increment
   std::vector<Linearised> linearised_;  ///< about the anchor
-  Vector anchor_;
+  base::TwoPart anchor_;
   Multipliers anchor_lambda_;
 };
 

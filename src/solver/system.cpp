@@ -121,16 +121,15 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
   Vector total = contact_forces(system, state.contacts, state.q);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b);
-    const base::TwoPart both{system.part(state.q, body), system.part(state.q_low, body)};
-    const Vector& q = both.high;
+    const base::TwoPart q{system.part(state.q, body), system.part(state.q_low, body)};
     const Vector r = std::visit(
         [&](const auto& o) {
           if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
             return o.retained_residual(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
           else if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::LinearBody>)
-            return o.at_supports(o.translation().without(both), controls.load_factors[b]);
+            return o.at_supports(o.translation().without(q), controls.load_factors[b]);
           else
-            return o.residual(q, controls.load_factors[b]);
+            return o.residual(q.high, controls.load_factors[b]);
         },
         system.bodies[b]);
     total.segment(system.offset[b], r.size()) += r;

@@ -24,3 +24,11 @@ TEST(two_part, small_steps_add_up) {
   q += Vector::Constant(2, -1.0);
   EXPECT_EQ(q.high, 1024.0 * step);
 }
+
+// The difference of two that round to the same doubles must be that of their rests.
+TEST(two_part, difference_is_of_both_parts) {
+  const Vector one = Vector::Ones(2);
+  const TwoPart a{one, 1e-20 * one}, b{one, -3e-20 * one};
+  EXPECT_LT(((a - b).high - 4e-20 * one).norm(), 1e-35);
+  EXPECT_EQ((a - TwoPart(one)).segment(1, 1).high[0], 1e-20);
+}

@@ -100,7 +100,8 @@ TEST(control_points, are_seated_on_nodal_displacements) {
   const auto back = b.recover(q, {});
   for (std::size_t k = 0; k < u.size(); ++k) EXPECT_LT((back[b.contact_nodes()[k]] - u[k]).norm(), 1e-12);
   const body::NonlinearBody finite(body::make_shape(mesh), in);
-  Vector y = finite.start().y, p = Vector::Zero(finite.dofs());
+  Vector p = Vector::Zero(finite.dofs());
+  auto y = finite.start().y;
   finite.seat(back, p, y);
   const auto again = finite.recover(p, y);
   for (std::size_t node = 0; node < back.size(); ++node) EXPECT_LT((again[node] - back[node]).norm(), 1e-12);

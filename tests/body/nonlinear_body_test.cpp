@@ -285,6 +285,40 @@ TEST(nonlinear_body, positions_on_a_turning_edge_are_differentiated) {
   EXPECT_NEAR(b.geometric(q, forces)[2], second, 1e-5 * std::abs(second));
 }
 
+// A small deformation must cost the same force after a body has moved far, to the digits of the deformation.
+TEST(nonlinear_body, far_motion_costs_no_digits) {
+  const auto m = rectangle({.size = {3, 2}, .nx = 6, .ny = 5, .distortion = 0.5});
+  for (auto kinematics : {Kinematics::small, Kinematics::finite}) {
+    auto in = busy(rubber, kinematics);
+    in.boundary_loads.clear();
+    in.point_loads.clear();
+    in.body_forces.clear();
+    const NonlinearBody b(body::make_shape(m), in);
+    const auto start = b.start();
+    const auto wave = [](Eigen::Index n, double k) {
+      return Vector(1e-9 * Vector::LinSpaced(n, 1.0, k).array().sin());
+    };
+    const Vector v = wave(b.dofs(), 50.0), w = wave(start.y.size(), 90.0);
+    const Vector near = b.retained_residual(start, w, v, {});
+
+    const Vec2 a{4.0, -8.0};
+    base::TwoPart q = b.translation().with(a, Vector::Zero(b.dofs())), y = start.y;
+    b.seat(std::vector<Vec2>(m.X.size(), a), q.high, y);
+    q += v;
+    y += w;
+    EXPECT_LT((b.retained_residual(start, y, q, {}) - near).norm(), 1e-13 * near.norm());
+    EXPECT_GT((b.retained_residual(start, y.high, q.high, {}) - near).norm(), 1e-8 * near.norm());
+    // Stress is linear in what is so small.
+    EXPECT_LT((b.retained_residual(start, 2.0 * w, 2.0 * v, {}) - 2.0 * near).norm(), 1e-8 * near.norm());
+    EXPECT_LT((b.retained_residual(start, 1e-6 * w, 1e-6 * v, {}) - 1e-6 * near).norm(), 1e-6 * 1e-8 * near.norm());
+
+    NonlinearBody::Linearised lin;
+    b.linearise(start, y, q, {}, lin);
+    EXPECT_LT((lin.S * b.translation().with(a, Vector::Zero(b.dofs())).high).norm(), 1e-12 * lin.S.norm() * a.norm());
+    EXPECT_LT(lin.deformation, 1e-8);
+  }
+}
+
 // A failure of the material must name the body.
 TEST(nonlinear_body, failures_name_the_body) {
   const auto m = rectangle({.nx = 2, .ny = 2});
@@ -292,7 +326,7 @@ TEST(nonlinear_body, failures_name_the_body) {
   in.name = "pin";
   in.supports = {fixed_edge("wall", "left")};
   const NonlinearBody b(body::make_shape(m), in);
-  Vector y = b.start().y;
+  Vector y = b.start().y.high;
   y[4] = -3.0;
   NonlinearBody::Linearised lin;
   try {
