@@ -256,7 +256,8 @@ void huge_increments(Table& t) {
         .set("step[0].increments", "1");
   };
   t.push_back(at_once("-0.3"));
-  t.push_back(at_once("-0.5"));
+  // Drawn by more than 0.5 mm this one loses its hold: the edge springs off, and no state in touch follows.
+  t.push_back(at_once("-0.5").set("support.holder.x.motion_mm", "@mm(0.4)"));
   t.push_back(
       crowned("increments", "crowned_pressed_200_times").set("support.holder.y.force_N_per_mm", "@N_per_mm(-12e3)"));
 }

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/errors.hpp"
-#include "material/parameters.hpp"
 #include "scene/rewrite.hpp"
 #include "sim/block.hpp"
 #include "support/problem.hpp"
@@ -49,15 +47,7 @@ class Watch {
   }
 
   void finish() {
-    if (largest_force_ > 0.0) {
-      double modulus = 0.0;
-      for (const auto& body : p_.inputs)
-        if (body.kinematics == base::Kinematics::finite)
-          modulus = std::max(modulus, material::bulk_modulus(body.material) +
-                                          4.0 / 3.0 * material::shear_modulus(body.material));
-      out_.balance = left_over_ / largest_force_;
-      out_.rounding = 256.0 * std::numeric_limits<double>::epsilon() * modulus * way_ / largest_force_;
-    }
+    if (largest_force_ > 0.0) out_.balance = left_over_ / largest_force_;
     out_.multiplier = largest_multiplier_ > 0.0 ? smallest_multiplier_ / largest_multiplier_ : 0.0;
   }
 
@@ -83,8 +73,6 @@ class Watch {
     for (const auto& surface : f.surfaces)
       if (surface.side == sim::Side::secondary)
         for (double p : surface.pressure_MPa) multiplier(p);
-    for (const auto& body : f.bodies)
-      for (const Vec2& u : body.u) way_ = std::max(way_, u.norm());
   }
 
   /// Supports and contact must hold each body, on the shape that wear has left.
@@ -113,7 +101,7 @@ class Watch {
   Played& out_;
   sim::Cache cache_;
   long newton_ = 0;
-  double left_over_ = 0.0, largest_force_ = 0.0, way_ = 0.0, smallest_multiplier_ = 0.0, largest_multiplier_ = 0.0;
+  double left_over_ = 0.0, largest_force_ = 0.0, smallest_multiplier_ = 0.0, largest_multiplier_ = 0.0;
 };
 
 std::vector<double> figures_of(const sim::ContactSummary& c, const Units& u) {

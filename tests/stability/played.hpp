@@ -14,8 +14,6 @@ struct Played {
   int newton_most = 0;   ///< solves of one accepted increment
   double ledger = 0.0;   ///< |removed volume - coefficient x work| over it
   double balance = 0.0;  ///< forces on all bodies and on each one, left over; over the largest support force of the run
-  /// What rounding of F leaves of it where a body is at finite strain: 256 eps x its confined modulus x way over that force.
-  double rounding = 0.0;
   double multiplier =
       0.0;  ///< smallest nodal normal multiplier over the largest, of any state seen; 0: none is negative
   double cpu_s = 0.0;
