@@ -15,7 +15,8 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
 std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, const std::string& path, Issues& issues);
 std::optional<cad::Section> section_of(const Entry& root, Issues& issues);
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues);
-std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries);
+std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
+                                         Issues& issues);
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
 /// Boundary, point and body loads, told apart by their keys.
 void add_loads(const Entry& root, Scene& scene, Issues& issues);

@@ -122,11 +122,14 @@ std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issu
   return contacts;
 }
 
-std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries) {
+std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
+                                         Issues& issues) {
   std::vector<cad::FineZone> zones;
   for (const auto& entry : root.all("contact")) {
     const auto place = entry.at("fine_zone");
     if (!place.is_table()) continue;
+    if (!place.given("size_mm") && !root.given("accuracy"))
+      issues.push_back({place.key("size_mm"), "", "missing; only a scene with accuracy may leave it out"});
     auto edges = entry.texts("primary");
     edges.insert(edges.begin(), entry.text("secondary"));
     cad::FineZone zone;

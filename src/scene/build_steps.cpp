@@ -7,13 +7,15 @@ namespace reye::scene {
 
 namespace {
 
-void set_jump(const Entry& entry, Step& step) {
+/// A step that wears and says no jump is controlled by half of the accuracy, where one is asked for.
+void set_jump(const Entry& entry, double accuracy, Step& step) {
   const auto control = entry.at("jump");
-  if (!control.is_table()) {
+  const bool by_accuracy = accuracy > 0.0 && !entry.given("jump") && step.wear && step.cycles > 0.0;
+  if (!control.is_table() && !by_accuracy) {
     step.jump = entry.number("jump");
     return;
   }
-  step.jump_tolerance = control.number("tolerance");
+  step.jump_tolerance = by_accuracy ? 0.5 * accuracy : control.number("tolerance");
   step.jump = control.maybe_number("first").value_or(std::max(1.0, 1e-3 * step.cycles));
   step.jump_most = control.maybe_number("most").value_or(step.jump_most);
 }
@@ -51,7 +53,7 @@ std::vector<Step> steps_of(const Entry& root, Issues& issues) {
     step.increments = entry.whole("increments");
     step.wear = entry.flag("wear");
     step.cycles = entry.number("cycles");
-    set_jump(entry, step);
+    set_jump(entry, root.number("accuracy"), step);
     step.period_s = entry.number("period_s");
     steps.push_back(step);
   }
@@ -111,7 +113,7 @@ Output output_of(const Entry& root) {
                    .paraview = frames.flag("paraview")};
   output.history_every_blocks = entry.at("history").whole("every_blocks");
   output.checkpoint_s = entry.number("checkpoint_s");
-  output.estimate_error = entry.flag("estimate_error");
+  output.estimate_error = entry.maybe_flag("estimate_error").value_or(root.given("accuracy"));
   for (const auto& probe : entry.all("probes"))
     output.probes.push_back({.name = probe.name(),
                              .body = probe.text("body"),

@@ -67,6 +67,7 @@ std::string name_of(const std::string& path) {
 void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.title = root.given("title") ? root.text("title") : scene.name;
   scene.analysis = analysis_of(root);
+  scene.accuracy = root.number("accuracy");
   scene.shape = root.text("shape") == "on";
   scene.max_newton = root.at("solver").whole("max_newton");
   scene.max_cutbacks = root.at("solver").whole("max_cutbacks");
@@ -77,7 +78,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.geometry.bodies = bodies_of(root, issues);
   scene.geometry.section = section_of(root, issues);
   scene.geometry.boundaries = boundaries_of(root, scene.path, issues);
-  scene.geometry.fine_zones = fine_zones_of(root, scene.geometry.boundaries);
+  scene.geometry.fine_zones = fine_zones_of(root, scene.geometry.boundaries, issues);
   scene.contacts = contacts_of(root, issues);
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);

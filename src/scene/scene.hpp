@@ -88,7 +88,8 @@ struct Remesh {
 struct Scene {
   std::string title;
   base::Analysis analysis = base::Analysis::plane_strain;
-  cad::GeometryOptions geometry;                       ///< files, bodies, boundaries, fine zones
+  double accuracy = 0.0;                               ///< relative, that sizes and jumps left open are for; 0: none
+  cad::GeometryOptions geometry;                       ///< files, bodies, boundaries, fine zones; size 0: left to `accuracy`
   std::map<std::string, material::Material> materials;
   std::map<std::string, BodyMaterial> body_material;   ///< by body name
   std::vector<contact::ContactOptions> contacts;

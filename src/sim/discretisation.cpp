@@ -163,8 +163,8 @@ MeshError compared(const Problem& problem, const State& state, Cache& cache, con
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
   if (too_few(surfaces, end)) return {RunStatus::done, "of elements twice as long fewer than four touch", {}, {}};
   const auto apart = mesh_difference(surfaces_of(problem, state, cache), surfaces, problem.scene.analysis);
-  if (apart.wear) return {RunStatus::done, {}, left(wear_order) * *apart.wear, {}};
-  if (apart.traction) return {RunStatus::done, {}, left(traction_order) * *apart.traction, {}};
+  if (apart.wear) return {RunStatus::done, {}, left(wear_order) * *apart.wear, {}, wear_order};
+  if (apart.traction) return {RunStatus::done, {}, left(traction_order) * *apart.traction, {}, traction_order};
   return {RunStatus::done, "nothing touches at the end", {}, {}};
 }
 

@@ -26,6 +26,7 @@ struct MeshError {
   std::string reason;                     ///< why there is no error of the surface; empty when there is
   std::optional<double> surface;          ///< of depths, or of tractions where nothing wears
   std::optional<double> energy_norm;      ///< of the stress in linear bodies, by recovery (`fem::recovered_error`)
+  double order = 0.0;                     ///< power of the element size that `surface` falls with
 };
 
 /// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The

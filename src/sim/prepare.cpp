@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "cad/geometry.hpp"
 #include "scene/read.hpp"
+#include "sim/accuracy.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/plan.hpp"
 #include "sim/problem.hpp"
@@ -221,7 +222,8 @@ std::vector<Issue> as_written(const scene::Scene& scene, std::vector<Issue> issu
   return issues;
 }
 
-Problem built(const scene::Scene& scene, Cache& cache) {
+Problem built(scene::Scene scene, Cache& cache) {
+  const auto sizes = choose_sizes(scene, cache);
   Problem p;
   p.scene = scene;
   cad::Geometry geometry = cad::build(scene.geometry);
@@ -249,7 +251,8 @@ Problem built(const scene::Scene& scene, Cache& cache) {
   refuse(issues);
   choose_kinematics(p, cache);
   p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
-  cache.cpu_s = cpu_seconds() - before;
+  p.plan.lines.insert(p.plan.lines.begin(), sizes.begin(), sizes.end());
+  cache.cpu_s += cpu_seconds() - before;
   return p;
 }
 

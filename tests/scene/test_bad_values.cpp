@@ -16,7 +16,7 @@ TEST(BadScene, Values) {
       {"unknown key far from all",
        {{"[material.steel]", R"(colour = "red")" "\n"
          "[material.steel]"}},
-       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, geometry, section, shape, material, body, boundary, contact, support, load, history, step, spectrum, limit, output, remesh, solver)"},
+       R"(scene.toml:5: colour = "red": unknown key; known here: title, analysis, accuracy, geometry, section, shape, material, body, boundary, contact, support, load, history, step, spectrum, limit, output, remesh, solver)"},
       {"unknown table",
        {{"[limit.life]", "[limits.life]"}},
        "scene.toml:68: limits: unknown key; did you mean limit?"},
@@ -29,6 +29,15 @@ TEST(BadScene, Values) {
        "scene.toml:29: contact.pad.friction = -0.1: must be >= 0\n"
        "scene.toml:31: contact.pad.fine_zone.size_mm = 0: must be > 0\n"
        "scene.toml:52: step[0].increments = 0: must be >= 1"},
+      {"accuracy",
+       {{"[material.steel]", "accuracy = 0\n[material.steel]"}},
+       "scene.toml:5: accuracy = 0: must lie in (0, 0.2]"},
+      {"accuracy of a guess",
+       {{"[material.steel]", "accuracy = 0.21\n[material.steel]"}},
+       "scene.toml:5: accuracy = 0.21: must lie in (0, 0.2]"},
+      {"size left out without an accuracy",
+       {{", size_mm = 0.010", ""}},
+       "scene.toml:31: contact.pad.fine_zone.size_mm: missing; only a scene with accuracy may leave it out"},
       {"remeshing",
        {{"[material.steel]", "[remesh]\nevery_blocks = -1\nmin_scaled_jacobian = 0.9\nmin_angle_deg = 60\nsize_ratio = 1\n"
                              "wear_fraction = 0\nmax_dofs = 10\nfit_tolerance_mm = 0\n[material.steel]"}},

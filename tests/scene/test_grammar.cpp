@@ -188,6 +188,35 @@ TEST(Grammar, JumpUnderControl) {
   EXPECT_EQ(given.jump_most, 90.0);
 }
 
+/// With an accuracy a fine zone may leave out its size, a step that wears its jump, which half of it controls then, and the mesh's
+/// error is estimated; what the scene says stays, load steps and steps that do not wear have no tolerance.
+TEST(Grammar, Accuracy) {
+  const auto none = changed("jump = 100 ", ""), sized = changed("[material.steel]", "accuracy = 0.02\n[material.steel]");
+  EXPECT_EQ(none.accuracy, 0.0);
+  EXPECT_EQ(none.steps[2].jump_tolerance, 0.0);
+  EXPECT_EQ(none.steps[2].jump, 1.0);
+  EXPECT_FALSE(none.output.estimate_error);
+  EXPECT_EQ(sized.accuracy, 0.02);
+  EXPECT_EQ(sized.geometry.fine_zones[0].size_mm, 0.010);
+  EXPECT_EQ(sized.steps[2].jump_tolerance, 0.0);
+  EXPECT_EQ(sized.steps[2].jump, 100.0);
+  EXPECT_TRUE(sized.output.estimate_error);
+
+  const test::Folder folder;
+  auto text = test::replaced(test::example, ", size_mm = 0.010", "");
+  text = test::replaced(text, "jump = 100 ", "[[step]]\nplay = [\"stroke\"]\ncycles = 5\nwear = false\n");
+  text = test::replaced(text, "[output]", "[output]\nestimate_error = false");
+  test::Folder::write("scene.toml", "accuracy = 0.2\n" + text);
+  test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+  const auto left = scene::read("scene.toml");
+  EXPECT_EQ(left.geometry.fine_zones[0].size_mm, 0.0);
+  EXPECT_EQ(left.steps[2].jump_tolerance, 0.1);
+  EXPECT_EQ(left.steps[2].jump, 18.0);
+  for (int k : {0, 1, 3}) EXPECT_EQ(left.steps.at(k).jump_tolerance, 0.0) << k;
+  EXPECT_EQ(left.steps[3].jump, 1.0);
+  EXPECT_FALSE(left.output.estimate_error);
+}
+
 /// The steps of a spectrum are played in their order, as often as it says, between what stands before and after them.
 TEST(Grammar, Spectrum) {
   const auto s = with("[spectrum]\nsteps = [\"run in without wear\", \"wear\"]\ntimes = 3\n");
