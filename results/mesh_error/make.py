@@ -7,8 +7,9 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import contact_case as cc  # noqa: E402
-from mesh_case import A, A0, C, LOW_A, LOW_P0, MU, ONLY_LOADING, P0, SAME_BLOCKS, SECOND, TO_ONE  # noqa: E402
-from wear_case import figure, profile_error, read_csv, run, worn_profile, write_csv, write_measured  # noqa: E402
+from mesh_case import (A, A0, C, LOW_A, LOW_P0, MU, ONLY_LOADING, P0, SAME_BLOCKS, SECOND, TO_ONE, mindlin_norm,  # noqa: E402
+                       traction_error, wear_error)
+from wear_case import figure, read_csv, run, write_csv, write_measured  # noqa: E402
 
 ASKED = ("[output]\n", "[output]\nestimate_error = true\n")
 
@@ -22,11 +23,6 @@ def meshes(a, old_size):
                 yield order, n, shift, cc.zone(old_size, size, shift * size / cc.SHIFTS) + ([SECOND] if order == 2 else [])
 
 
-def traction_error(rows, pressure, shear, norm):
-    """Of pressure and shear together, relative."""
-    return math.hypot(cc.l2_error(cc.profile(rows, "pressure_MPa"), pressure), cc.l2_error(cc.profile(rows, "shear_MPa"), shear)) / norm
-
-
 def hertz():
     for order, n, shift, words in meshes(LOW_A, "0.010"):
         done = run("hertz_halfplane", f"hertz_{order}_{n}_{shift}",
@@ -36,21 +32,10 @@ def hertz():
 
 
 def cattaneo_mindlin():
-    norm = P0 * math.sqrt(4.0 * A / 3.0 + cc.l2_error([(-A, 0.0), (A, 0.0)], lambda x: cc.mindlin(x, A, C, MU), 4000) ** 2)
     for order, n, shift, words in meshes(A, "0.0045"):
         done = run("cattaneo_mindlin", f"shear_{order}_{n}_{shift}", words + ONLY_LOADING + [ASKED])
         yield order, n, shift, done, traction_error(done.last("secondary"), lambda x: cc.hertz(x, A, P0),
-                                                    lambda x: cc.mindlin(x, A, C, MU * P0), norm)
-
-
-def wear_error(done, reference, frame=-1):
-    """The larger side's, of the profile and of the largest depth."""
-    errors = []
-    for side in ("secondary", "primary"):
-        found, exact = (worn_profile(r.frames(side)[frame][1]) for r in (done, reference))
-        deepest = [max(w for _, w in profile) for profile in (found, exact)]
-        errors += [profile_error(found, exact), abs(deepest[0] / deepest[1] - 1.0)]
-    return max(errors)
+                                                    lambda x: cc.mindlin(x, A, C, MU * P0), mindlin_norm())
 
 
 def gross_slip():
