@@ -199,11 +199,11 @@ def fretting(n, present):
     return result
 
 
-def at_error(table, program, key, error):
-    """CPU at an L2 error, by a power law through the meshes."""
-    pairs = [(t[program]["l2"], t[program][key]) for t in table.values()]
-    middle = [math.exp(sum(map(math.log, values)) / len(values)) for values in zip(*pairs)]
-    return middle[1] * (error / middle[0]) ** cc.slope(pairs)
+def at_error(table, program, error):
+    """CPU of a command at an L2 error, by the power law through the two meshes nearest to it."""
+    pairs = sorted(((t[program]["l2"], t[program]["cpu"]) for t in table.values()),
+                   key=lambda pair: abs(math.log(pair[0] / error)))[:2]
+    return pairs[0][1] * (error / pairs[0][0]) ** cc.slope(pairs)
 
 
 def machine():
@@ -233,17 +233,15 @@ def measures(study, installed):
     """The numbers that are compared: ratios and errors; a word for what an absent program leaves out."""
     out = {}
     h, m, f = study["hertz"], study["mindlin"], study["fretting"]
-    target = h[16]["Reye"]["l2"]
     for n in PER_HALF_WIDTH:
         out[f"hertz_l2_reye_{n}"] = h[n]["Reye"]["l2"]
         out[f"mindlin_shear_l2_reye_{n}"] = m[n]["Reye"]["shear"]
         out[f"jitter_reye_{n}"] = f[n]["Reye"]["jitter"]
     for program in ("CalculiX", "GetFEM"):
         absent = f"{program} is not installed" if not installed[program] else None
-        for key, label in (("cpu", "whole_command"), ("cpu_without_start", "without_start")):
-            out[f"hertz_equal_l2_{program}_over_Reye_{label}"] = absent or (
-                at_error(h, program, "cpu", target) / at_error(h, "Reye", key, target))
         for n in PER_HALF_WIDTH:
+            out[f"hertz_equal_l2_{program}_over_Reye_{n}"] = absent or (
+                at_error(h, program, h[n]["Reye"]["l2"]) / h[n]["Reye"]["cpu"])
             out[f"hertz_l2_{program}_over_Reye_{n}"] = absent or h[n][program]["l2"] / h[n]["Reye"]["l2"]
             out[f"hertz_cpu_{program}_over_Reye_{n}"] = absent or h[n][program]["cpu"] / h[n]["Reye"]["cpu"]
             out[f"mindlin_cpu_{program}_over_Reye_{n}"] = absent or m[n][program]["cpu"] / m[n]["Reye"]["cpu"]
