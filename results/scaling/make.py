@@ -24,7 +24,7 @@ def line(rows, exponent):
 
 
 def main():
-    linear = rows_of("scaling", (4, 20, 60, 180))
+    linear = rows_of("scaling", (4, 20, 60, 200))
     plastic = rows_of("scaling_plastic", (4, 20))
     write_csv("scaling.csv", COLUMNS, linear)
     write_csv("plastic.csv", COLUMNS, plastic)
