@@ -22,6 +22,7 @@
 #include "progress_line.hpp"
 #include "scene/read.hpp"
 #include "sim/run.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::apps {
 
@@ -42,10 +43,12 @@ std::string folder_of(const Request& request, const scene::Scene& scene) {
 scene::Scene read(const Request& request) {
   spdlog::set_pattern("%v");
   if (request.quiet) spdlog::set_level(spdlog::level::err);
-  scene::Scene scene = scene::read(request.path);
-  for (const auto& warning : scene.warnings)
-    if (!request.quiet) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  return scene;
+  return scene::read(request.path);
+}
+
+/// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the run.
+void tell(const std::vector<sim::Warning>& warnings) {
+  for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", sim::in_words(warning).c_str());
 }
 
 /// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
@@ -132,6 +135,7 @@ void tell_result(const sim::Summary& s, const std::string& dir) {
     if (band.shortest_cycles)
       spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
+  tell(s.warnings);
 }
 
 }  // namespace
@@ -149,6 +153,8 @@ int run(const Request& request) {
   for (const auto& text : problem.plan.lines) spdlog::info("{}", text);
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
+  for (const auto& warning : problem.warnings) writer.log("warning: " + sim::in_words(warning));
+  if (!request.quiet) tell(problem.warnings);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error with a reason, not the end at once
@@ -163,6 +169,7 @@ int plan(const Request& request) {
   const sim::Problem problem = sim::prepare(read(request));
   for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
   for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", text.c_str());
+  tell(problem.warnings);
   return 0;
 }
 
@@ -179,6 +186,7 @@ int check(const Request& request) {
                   mesh::nodes_of(boundary).size());
   }
   for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
+  tell(problem.warnings);
   std::printf("ok\n");
   return 0;
 }

@@ -33,6 +33,8 @@ td.number { text-align: right; white-space: nowrap; } th.number { text-align: ri
 figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
 li { margin: 2px 0; }
+.warnings { margin: 14px 0; padding: 2px 18px 8px; background: #fff6df; border-left: 4px solid #b08900; }
+.warnings h2 { border: 0; margin: 8px 0 4px; }
 @media print { body { max-width: none; padding: 0; font-size: 12px; } h2 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; } }
 )";
@@ -52,6 +54,18 @@ std::string heading(const RunData& run) {
             escaped(sides[1]) + ".</p>\n";
   return html + "<p class=\"quiet\">Scene " + escaped(run.identity.name) + " · " +
          kind[static_cast<int>(run.identity.analysis)] + " · reye " + version + "</p>\n";
+}
+
+std::string warning_list(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  const auto warnings = run.summary.find("warnings");
+  if (warnings == run.summary.end() || !warnings->is_array() || warnings->empty()) return {};
+  std::string html = "<div class=\"warnings\">\n<h2>Warnings</h2>\n<ul>\n";
+  for (const auto& w : *warnings) {
+    const std::string about = w["about"].is_string() ? ", " + w["about"].get<std::string>() : "";
+    html += "<li><strong>" + escaped(w.value("kind", "") + about) + ":</strong> " + escaped(w.value("text", "")) + "</li>\n";
+  }
+  return html + "</ul>\n</div>\n";
 }
 
 std::string figure_grid(const std::vector<Figure>& all) {
@@ -79,7 +93,7 @@ std::string page(const RunData& run, const std::vector<Figure>& all, const std::
                      "<meta charset=\"utf-8\"/>\n"
                      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
                      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
+  html += heading(run) + warning_list(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }

@@ -66,6 +66,11 @@ void serialize(Archive& archive, Counts& c) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, Warning& w) {
+  archive(w.kind, w.about, w.text, w.severity);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Recall& r) {
   archive(r.step, r.played);
 }
@@ -86,7 +91,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
   archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_error, s.factors, s.solution, s.recall, s.renewed_at,
-          s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.counts, s.shown, s.cutback_reasons);
+          s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.warnings, s.counts, s.shown, s.cutback_reasons);
 }
 
 }  // namespace

@@ -77,6 +77,12 @@ Json bands(const sim::Summary& summary) {
   return all;
 }
 
+Json warnings(const sim::Summary& summary) {
+  Json all = Json::array();
+  for (const auto& w : summary.warnings) all.push_back({{"kind", w.kind}, {"about", text(w.about)}, {"text", w.text}});
+  return all;
+}
+
 }  // namespace
 
 const char* status_name(sim::RunStatus status) {
@@ -111,7 +117,8 @@ std::string summary_json(const sim::Summary& s) {
             {"life_band", bands(s)},
             {"room_seconds", Json::object()},
             {"skipped", s.skipped},
-            {"cutback_reasons", s.cutback_reasons}};
+            {"cutback_reasons", s.cutback_reasons},
+            {"warnings", warnings(s)}};
   for (const auto& [room, seconds] : s.room_seconds) json["room_seconds"][room] = value(seconds);
   // A title that is no valid UTF-8 must not cost the user the results.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

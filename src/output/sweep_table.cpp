@@ -69,6 +69,8 @@ RunEnd read_end(const std::string& dir) {
   for (const auto* part : parts)
     if (const auto found = summary.find(part); found != summary.end() && !found->is_null())
       add_figures(*found, part, end);
+  if (const auto warnings = summary.find("warnings"); warnings != summary.end() && warnings->is_array())
+    end.figures.emplace_back("warnings", std::to_string(warnings->size()));
   return end;
 }
 

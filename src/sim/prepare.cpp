@@ -11,6 +11,7 @@
 #include "sim/plan.hpp"
 #include "sim/problem.hpp"
 #include "sim/timer.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::sim {
 
@@ -226,6 +227,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   const auto sizes = choose_sizes(scene, cache);
   Problem p;
   p.scene = scene;
+  for (const auto& text : scene.warnings) warn(p.warnings, {"scene", "", text});
   cad::Geometry geometry = cad::build(scene.geometry);
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];

@@ -53,6 +53,7 @@ struct Problem {
   std::vector<body::ShapePtr> shapes;            ///< at the start
   std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene says it
   Plan plan;
+  std::vector<Warning> warnings;                 ///< known before the run
 
   int body_count() const { return static_cast<int>(inputs.size()); }
 };
@@ -80,6 +81,7 @@ struct State {
   std::map<std::string, double> life_error;      ///< of those, by the error known of the cycle jump [cycles]
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
   std::optional<double> small_strain_error;      ///< largest estimate so far where small strain was chosen
+  std::vector<Warning> warnings;                 ///< found in the run
   Counts counts;
   bool shown = false;                            ///< this very state is a frame already: none is written twice
   std::vector<std::string> cutback_reasons;      ///< of the first `told_cutbacks`

@@ -102,6 +102,14 @@ struct Counts {
   long refused_blocks = 0;   ///< blocks under a tolerance that were tried with too many cycles
 };
 
+/// What a reader of the results must know before trusting them.
+struct Warning {
+  std::string kind;       ///< one word for scripts: "strain", "overlap", "resolution", "tolerance" ...
+  std::string about;      ///< contact, body, step, limit or support of the scene, "contact pad"; empty: the whole run
+  std::string text;       ///< a sentence with the size of the thing and what to change
+  double severity = 0.0;  ///< of one kind about one thing only the most severe is kept
+};
+
 enum class RunStatus { done, failed, interrupted };
 
 struct Summary {
@@ -116,6 +124,7 @@ struct Summary {
   std::map<std::string, double> limit_share;                 ///< of every limit: its measure at the end over its bound
   std::map<std::string, LifeBand> life_band;                 ///< of the limits with a scatter
   std::optional<double> error_cycle_jump, error_discretisation, error_small_strain, error_energy_norm;
+  std::vector<Warning> warnings;               ///< those known before the run, then those found in it
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;
   std::map<std::string, double> room_seconds;  ///< where the time went

@@ -14,6 +14,7 @@
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
 #include "sim/timer.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::sim {
 
@@ -225,6 +226,8 @@ class Runner {
     s.scene_sha256 = p_.scene.sha256;
     s.skipped = p_.plan.skipped;
     s.cutback_reasons = state_.cutback_reasons;
+    s.warnings = p_.warnings;
+    for (const auto& warning : state_.warnings) warn(s.warnings, warning);
     for (const auto& limit : p_.scene.limits) {
       const auto found = state_.life_cycles.find(limit.name);
       const bool reached = found != state_.life_cycles.end();

@@ -6,6 +6,7 @@
 
 #include "output/figures.hpp"
 #include "output/files.hpp"
+#include "output/summary.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
@@ -49,6 +50,21 @@ TEST(Report, EscapesText) {
   sample::TemporaryFolder dir;
   sample::write_run(dir.str(), 4);
   EXPECT_TRUE(holds(page_of(dir.str()), "<h1>Cylinder on flat &lt;steel &amp; steel&gt;</h1>"));
+}
+
+// Warnings stand before every figure of a report, and there is no such section where there is none.
+TEST(Report, WarningsComeFirst) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  EXPECT_FALSE(holds(page_of(dir.str()), "<h2>Warnings</h2>"));
+  auto summary = sample::summary();
+  summary.warnings = {{"resolution", "contact pad", "2 elements touch & more.", 4.0}};
+  atomic_write(dir / "summary.json", summary_json(summary));
+  write_report(dir.str(), false);
+  const std::string page = page_of(dir.str());
+  EXPECT_TRUE(well_formed(page));
+  EXPECT_TRUE(holds(page, "<li><strong>resolution, contact pad:</strong> 2 elements touch &amp; more.</li>"));
+  EXPECT_LT(page.find("<h2>Warnings</h2>"), page.find("<h2>Results</h2>"));
 }
 
 // A killed run without summary, with half a row in its tables, still gives a page that says so.

@@ -27,7 +27,7 @@ TEST(Summary, PlaneKeysAreTheContract) {
   const Json json = read(sample::summary());
   EXPECT_EQ(keys(json), (Keys{"title", "status", "reason", "cycles", "contacts", "probes", "life_cycles",
                               "estimated_error", "counts", "wall_s", "cpu_s", "peak_rss_MB", "version", "scene_sha256",
-                              "life_band", "room_seconds", "skipped", "cutback_reasons"}));
+                              "life_band", "room_seconds", "skipped", "cutback_reasons", "warnings"}));
   const Json& pad = json["contacts"]["pad"];
   EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
                              "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
@@ -65,6 +65,17 @@ TEST(Summary, UnknownIsNull) {
   EXPECT_EQ(read(summary)["estimated_error"]["life_cycles"]["deep"], 120.0);
   summary.life_cycles.clear();
   EXPECT_TRUE(read(summary)["life_cycles"].is_null());
+}
+
+// Warnings are objects with what scripts ask for; a run without any has an empty list.
+TEST(Summary, Warnings) {
+  auto summary = sample::summary();
+  EXPECT_EQ(read(summary)["warnings"], Json::array());
+  summary.warnings = {{"resolution", "contact pad", "2 elements touch.", 4.0}, {"scene", "", "no step plays it.", 0.0}};
+  const Json all = read(summary)["warnings"];
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0], (Json{{"kind", "resolution"}, {"about", "contact pad"}, {"text", "2 elements touch."}}));
+  EXPECT_TRUE(all[1]["about"].is_null());
 }
 
 // The band of a life stands by its limit: null without one, null cycles when the limit is not reached.
