@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Partial-slip fretting towards its state without further wear (references B4), for several element sizes; and the
-edge forces of a flat punch, pressed and sheared, on the same meshes (reye-bench), which tell where its stick edge ends."""
+"""Partial-slip fretting towards its state without further wear (references B4), for several element sizes; the edge forces of
+a flat punch, pressed and sheared, on the same meshes, which show where its stick edge ends; and at Q = 0.6 mu P the depth
+at equal cycles against the half-plane solution of the tests (both by reye-bench)."""
 import math
 import pathlib
 import sys
@@ -13,8 +14,8 @@ C = A * math.sqrt(0.5)
 LIMIT = 0.15674e-3                # largest depth of the limit [mm]
 SIZES = {(1, 20): 0.009, (1, 40): 0.0045, (1, 80): 0.00225,
          (2, 20): 0.009, (2, 30): 0.006, (2, 40): 0.0045}   # order, elements across the first contact
-SECOND_ORDER = [('material = "steel"\nmesh', 'material = "steel"\norder = 2\nmesh'),
-                ("friction  =", 'dual      = "linear"\nfriction  =')]
+FIRST_ORDER = [('material = "steel"\nmesh', 'material = "steel"\norder = 1\nmesh')]   # left open, the scene takes second order
+STRONGER = [("force_N_per_mm = 36.0", "force_N_per_mm = 43.2"), ("every_cycles = 500", "every_cycles = 9000")]   # Q = 0.6 mu P
 
 
 def largest_depth(c):
@@ -39,12 +40,33 @@ def edge_ratios():
     return {tuple(int(n) for n in b["name"].split("/")[1:3]): b["edge_ratio"] for b in benchmarks("^punch")}
 
 
+def worn_area(rows):
+    return sum(0.5 * (r["x_mm"] - q["x_mm"]) * (r["wear_depth_mm"] + q["wear_depth_mm"]) for q, r in zip(rows, rows[1:]))
+
+
+def against_half_plane(measured):
+    """Depth and area over those of the half-planes, Q = 0.6 mu P, first and second order."""
+    exact = {int(b["name"].split("/")[2]) / 1000.0: b for b in benchmarks("^half_plane/60/")}
+    table = []
+    for order in (1, 2):
+        result = run("partial_slip_life", f"stronger_order_{order}", [*STRONGER, *(FIRST_ORDER if order == 1 else [])])
+        for cycle, rows in result.frames("secondary"):
+            if (alpha_N := cycle * 2.5e-3) not in exact:
+                continue
+            depth = max(r["wear_depth_mm"] for r in rows) / exact[alpha_N]["depth_mm"]
+            area = worn_area(rows) / exact[alpha_N]["area_mm2"]
+            table.append([order, alpha_N, depth, area])
+            measured[f"depth_over_half_plane_order_{order}_at_{alpha_N:g}"] = depth
+            measured[f"area_over_half_plane_order_{order}_at_{alpha_N:g}"] = area
+    write_csv("half_plane.csv", ["order", "alpha_N_mm3_per_J", "depth_over_half_plane", "area_over_half_plane"], table)
+
+
 def main():
     measured, sizes, profiles, growth = {}, [], [], []
     ratios = edge_ratios()
     for (order, across), h in SIZES.items():
         result = run("partial_slip_life", f"order_{order}_across_{across}",
-                     [("size_mm = 0.0045", f"size_mm = {h}"), *(SECOND_ORDER if order == 2 else [])])
+                     [("size_mm = 0.0045", f"size_mm = {h}"), *(FIRST_ORDER if order == 1 else [])])
         frames = result.frames("secondary")
         depth = {cycle: max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
         rows = frames[-1][1]
@@ -62,7 +84,7 @@ def main():
                      for r in rows if abs(r["x_mm"]) < 0.125]
         measured[f"edge_order_{order}_across_{across}"] = own / C
         measured[f"edge_ratio_order_{order}_across_{across}"] = ratio
-        if (order, across) == (1, 40):
+        if (order, across) == (2, 40):
             measured.update({
                 "cycles_solved": counts["cycles_solved"],
                 "depth_at_2.5_over_limit": depth[1000.0] / LIMIT,
@@ -74,6 +96,7 @@ def main():
                 "largest_drop_of_depth": max(0.0, max(a - b for a, b in zip(wear, wear[1:]))) / wear[-1],
                 "cpu_s": result.summary["cpu_s"],
                 "ledger": result.contact["ledger_relative_error"]})
+    against_half_plane(measured)
     write_csv("sizes.csv", ["order", "across", "h_mm", "punch_edge_ratio", "expected_edge_mm", "depth_at_2.5", "depth_at_25",
                             "stick_edge_mm", "exact_c_mm", "p0_ratio", "cycles_solved", "estimate", "cpu_s"], sizes)
     write_csv("profiles.csv", ["order", "across", "x_mm", "depth_um", "pressure_MPa", "status"], profiles)

@@ -55,7 +55,7 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues) {
     if (entry.given("name")) body.label = entry.text("name");
     body.rigid = entry.flag("rigid");
     body.mesh.element = mesh.text("element") == "tri" ? mesh::CellKind::tri3 : mesh::CellKind::quad4;
-    body.mesh.order = entry.whole("order");
+    body.mesh.order = entry.given("order") ? entry.whole("order") : 1;
     body.mesh.far_size_mm = mesh.number("far_size_mm");
     body.mesh.growth = mesh.number("growth");
     bodies.push_back(body);

@@ -57,8 +57,9 @@ constexpr Key table[] = {
     {"body.*.kinematics", Type::text, "", "small", one_of("small|finite|auto"),
      "strain measure; of the secondary body also that of its contact: per length on X (small) or on x (finite); auto: small "
      "where a trial estimates its error at 1 % or less, else finite, as `plan` tells; linear_elastic is then hencky"},
-    {"body.*.order", Type::whole, "", "1", one_of("1|2"),
-     "polynomial order of the elements: 2 puts a node on every edge, on curves of the outline; a mesh file of second order stays one"},
+    {"body.*.order", Type::whole, "", "", one_of("1|2"),
+     "polynomial order of the elements: 2 puts a node on every edge, on curves of the outline; a mesh file of second order stays one; "
+     "without it 1, but 2 at a contact with friction and wear that only forces drive"},
     {"body.*.mesh.element", Type::text, "", "quad", one_of("quad|tri"), "kind of the elements"},
     {"body.*.mesh.far_size_mm", Type::number, "mm", "", positive,
      "element size away from contacts; without it a twentieth of the body's diagonal"},
@@ -82,8 +83,9 @@ constexpr Key table[] = {
      "cycles, increasing; a block takes the coefficient at the cycle it begins with"},
     {"contact.*.friction.value", Type::numbers, "", "required", at_least(0.0),
      "coefficient at each of them, straight lines between, constant before and after"},
-    {"contact.*.dual", Type::text, "", "quadratic", one_of("linear|quadratic"),
-     "basis of the multipliers where the secondary body is of order 2; on order 1 it is linear"},
+    {"contact.*.dual", Type::text, "", "", one_of("linear|quadratic"),
+     "basis of the multipliers where the secondary body is of order 2; on order 1 it is linear; without it quadratic, but "
+     "linear with friction and wear that only forces drive"},
     {"contact.*.implicit", Type::flag, "", "true", any, "an increment's own wear stands inside its equations"},
     {"contact.*.imposed_sliding_mm", Type::number, "mm", "", any,
      "slip as a number per play of a step; without it slip comes from the motion"},

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "scene/build.hpp"
+#include "scene/choose_elements.hpp"
 #include "scene/geometry_files.hpp"
 #include "scene/validate.hpp"
 
@@ -87,6 +88,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.limits = limits_of(root, issues);
   scene.remesh = remesh_of(root);
   scene.output = output_of(root);
+  choose_elements(scene);
 }
 
 /// The files that make the scene what it is: geometry, then profiles.

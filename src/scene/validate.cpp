@@ -157,12 +157,18 @@ void validate(const Entry& root, const Scene& scene, Issues& issues) {
 
 namespace {
 
+int order_of(const Scene& scene, const std::string& name) {
+  for (const auto& body : scene.geometry.bodies)
+    if (body.name == name) return body.mesh.order;
+  return 1;
+}
+
 /// Elements that lock: triangles of order 1, and quads without their cure, where volume is (nearly) kept.
 void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
   if (scene.analysis == base::Analysis::plane_stress) return;
   for (const auto& body : root.all("body")) {
     const auto material = scene.materials.find(body.text("material"));
-    if (material == scene.materials.end() || body.whole("order") == 2) continue;
+    if (material == scene.materials.end() || order_of(scene, body.name()) == 2) continue;
     const bool plastic = std::holds_alternative<material::HenckyJ2>(material->second);
     const double nu = std::visit([](const auto& m) { return m.nu; }, material->second);
     const bool triangles = body.at("mesh").text("element") == "tri";

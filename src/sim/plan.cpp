@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "material/parameters.hpp"
+#include "scene/choose_elements.hpp"
 #include "sim/block.hpp"
 #include "sim/kinematics.hpp"
 
@@ -18,7 +19,15 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
-const char* cell_name(mesh::CellKind kind) { return kind == mesh::CellKind::quad4 ? "quads" : "triangles"; }
+const char* cell_name(mesh::CellKind kind) {
+  switch (kind) {
+    case mesh::CellKind::tri3: return "triangles";
+    case mesh::CellKind::quad4: return "quads";
+    case mesh::CellKind::tri6: return "triangles of second order";
+    case mesh::CellKind::quad8: break;
+  }
+  return "quads of second order";
+}
 
 const char* law_name(const material::Material& material) {
   constexpr const char* names[] = {"linear elastic", "St Venant-Kirchhoff", "neo-Hookean", "Hencky", "Hencky with J2 plasticity"};
@@ -162,6 +171,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     tell_body(p, system, b, plan);
     tell_kinematics(p, b, plan);
   }
+  for (const auto& choice : scene::element_choices(p.scene)) plan.lines.push_back(scene::in_words(p.scene, choice));
   for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
   for (const auto& step : p.scene.steps) {
     if (step.cycles > 0.0)

@@ -13,6 +13,7 @@
 #include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
+#include "sim/stick_edge.hpp"
 #include "sim/timer.hpp"
 #include "sim/warnings.hpp"
 
@@ -158,6 +159,7 @@ class Runner {
     const double cycle_before = state_.cycle;
     const long remeshes_before = state_.counts.remeshes;
     const BlockSpan span = next_span(step, state_);
+    const auto slip_before = slip_paths(state_);
     Outcome outcome = controlled(step) ? play_controlled(p_, state_, cache_, span, observer_)
                                        : play_block(p_, state_, cache_, span, observer_);
     state_ = std::move(outcome.state);
@@ -172,6 +174,8 @@ class Runner {
     ++state_.step_blocks;
     ++state_.counts.blocks;
     watch_strain();
+    if (step.wear && span.cycles && state_.counts.remeshes == remeshes_before)
+      warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
     const bool remeshed = state_.counts.remeshes > remeshes_before;

@@ -1,0 +1,63 @@
+#include "sim/stick_edge.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "sim/warnings.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr int fewest = 3;  ///< stick nodes of a zone: one on an axis never slips, nor does one that has just been touched
+
+struct Loaded {
+  int stick = 0, slip = 0;  ///< nodes that carry pressure: through the block in stick, or not
+};
+
+Loaded count(const contact::ContactState& state, const std::vector<double>& slip_before) {
+  Loaded nodes;
+  for (std::size_t j = 0; j < state.slip.size(); ++j)
+    if (state.lambda[j].dot(state.normal[j]) > 0.0) ++(state.slip[j] > slip_before[j] ? nodes.slip : nodes.stick);
+  return nodes;
+}
+
+std::string text_of(const Loaded& nodes) {
+  const double share = nodes.stick / static_cast<double>(nodes.stick + nodes.slip), left = receded(share);
+  char estimate[160] = "; by the estimate for a round contact it vanishes";
+  if (left > 0.0)
+    std::snprintf(estimate, sizeof estimate, "; by the estimate for a round contact by %.0f %% of its width, and the largest "
+                  "depth is %.0f %% too large in the end", 100.0 * (1.0 - left / share),
+                  100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
+  return std::to_string(nodes.stick) + " of " + std::to_string(nodes.stick + nodes.slip) +
+         " nodes in contact stick while the others slip and wear, and on elements of first order the edge of a stick zone "
+         "recedes as wear empties what lies around it" + estimate +
+         "; order = 2 for the bodies and dual = \"linear\" for the contact hold it to one node";
+}
+
+}  // namespace
+
+double receded(double stick_share) { return std::sqrt(std::max(0.0, 1.0 - edge_ratio * (1.0 - stick_share * stick_share))); }
+
+double limit_depth(double stick_share) {
+  const double c2 = stick_share * stick_share, x = std::sqrt(0.5 * (1.0 + c2));
+  return std::acosh(x / stick_share) - x * std::sqrt(x * x - c2);
+}
+
+std::vector<std::vector<double>> slip_paths(const State& state) {
+  std::vector<std::vector<double>> paths;
+  for (const auto& contact : state.solution.contacts) paths.push_back(contact.slip);
+  return paths;
+}
+
+void warn_of_stick_edge(const Problem& problem, const solver::System& system,
+                        const std::vector<std::vector<double>>& slip_before, State& state, const Observer& observer) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& o = problem.contacts[c].options;
+    if (o.friction == 0.0 || o.imposed || !o.wear.wears() || system.contacts[c].secondary.order != 1) continue;
+    const Loaded nodes = count(state.solution.contacts[c], slip_before[c]);
+    if (nodes.stick >= fewest && nodes.slip > 0) warn(state, observer, {"resolution", "contact " + o.name, text_of(nodes)});
+  }
+}
+
+}  // namespace reye::sim
