@@ -45,7 +45,8 @@ TEST(StickEdge, SecondOrderWhereForcesDrive) {
   EXPECT_EQ(run.problem.contacts.at(0).options.dual, contact::DualOrder::linear);
   const auto& lines = run.problem.plan.lines;
   EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-    return line.find("contact pad: only forces drive it") == 0 && line.find("second order for cylinder, flat and linear multipliers") != std::string::npos;
+    return line.starts_with("contact pad: only forces drive it") &&
+           line.find("second order for cylinder, flat and linear multipliers") != std::string::npos;
   }));
   EXPECT_EQ(stick_warning(run), nullptr);
 }
