@@ -1,5 +1,6 @@
 #include "body/edges.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -121,6 +122,23 @@ SupportPlace place_support(const Mesh& mesh, const Support& support) {
   place.x_axis = tangents(mesh, boundary, place);
   for (size_t k = 0; k < place.nodes.size(); ++k) place.y_axis[k] = base::right_of(place.x_axis[k]);
   return place;
+}
+
+bool holds_rotation(const Mesh& mesh, const Support& support, const SupportPlace& place) {
+  const Vec2& origin = mesh.X[place.nodes.front()];
+  double size = 0.0;
+  for (const Vec2& X : mesh.X) size = std::max(size, (X - origin).norm());
+  const auto holds = [&](const Motion& m, const Vec2& d) {
+    if (m.drive != Drive::fixed && m.drive != Drive::moved) return false;
+    double low = 0.0, high = 0.0;
+    for (int node : place.nodes) {
+      const double lever = base::cross(mesh.X[node] - origin, d);
+      low = std::min(low, lever);
+      high = std::max(high, lever);
+    }
+    return high - low > 1e-9 * size;
+  };
+  return holds(support.x, place.x_axis.front()) || holds(support.y, place.y_axis.front());
 }
 
 }  // namespace reye::body

@@ -27,4 +27,7 @@ struct SupportPlace {
 /// Throws base::InputError: unknown edge, neither edge nor point, rotation at a point.
 SupportPlace place_support(const mesh::Mesh& mesh, const Support& support);
 
+/// Whether nodes held one by one along d hold the rotation of a rigid body, too: unless d . (e_3 x X) is the same for all.
+bool holds_rotation(const mesh::Mesh& mesh, const Support& support, const SupportPlace& place);
+
 }  // namespace reye::body

@@ -76,7 +76,7 @@ struct RigidBody::Impl {
     for (bool idle : {false, true})
       for (int s = 0; s < static_cast<int>(places.size()); ++s) add_columns(s, input.supports[s], places[s], idle);
     for (size_t s = 0; s < places.size(); ++s)
-      if (!is_rigid(input.supports[s])) hold_rotation(input.supports[s], places[s]);
+      if (!is_rigid(input.supports[s]) && holds_rotation(shape->mesh, input.supports[s], places[s])) held[2] = true;
   }
 
   void add_columns(int s, const Support& support, const SupportPlace& place, bool idle) {
@@ -97,25 +97,6 @@ struct RigidBody::Impl {
       if ((axes[k] - direction).norm() < 1e-9) return k;
     throw base::InputError({{"support." + support.name + ".angle_deg", "",
                              "all supports of a rigid body must have the same axes (x and y in axisymmetry)"}});
-  }
-
-  /// Nodes held one by one along d hold the rotation too, unless d . (e_3 x X) is the same for all of them.
-  void hold_rotation(const Support& support, const SupportPlace& place) {
-    const auto holds = [](const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved; };
-    const auto reach = [&](const Vec2& d) {
-      double low = 0.0, high = 0.0;
-      for (int node : place.nodes) {
-        const double lever = base::cross(shape->mesh.X[node] - shape->mesh.X[place.nodes.front()], d);
-        low = std::min(low, lever);
-        high = std::max(high, lever);
-      }
-      return high - low;
-    };
-    double size = 0.0;
-    for (const Vec2& X : shape->mesh.X) size = std::max(size, (X - centre).norm());
-    if ((holds(support.x) && reach(place.x_axis.front()) > 1e-9 * size) ||
-        (holds(support.y) && reach(place.y_axis.front()) > 1e-9 * size))
-      held[2] = true;
   }
 
   Vec2 translation(const Vector& q) const {

@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <map>
+#include <string>
+
+#include "body/supports.hpp"
+
+/// What supports impose, as values that can be compared.
+namespace reye::body {
+
+inline constexpr std::array<const char*, 3> motion_names{"x", "y", "rotation"};
+
+/// An imposed displacement as a sum of histories times amplitudes; what is fixed is empty.
+using Imposed = std::map<std::string, double>;
+
+/// The motion of a support with that number: x, y, rotation.
+inline const Motion& motion_of(const Support& s, int m) { return m == 0 ? s.x : m == 1 ? s.y : s.rotation; }
+
+inline bool drives(const Motion& m) { return m.drive == Drive::moved || m.drive == Drive::loaded; }
+
+void add(Imposed& to, const Motion& motion, double weight);
+void add(Imposed& to, const Imposed& other, double weight);
+
+/// Equal to round-off of the amplitudes.
+bool same(const Imposed& a, const Imposed& b);
+
+}  // namespace reye::body
