@@ -115,6 +115,7 @@ std::string error_table(const RunData& run) {
   const Json& error = part(run.summary, "estimated_error");
   std::vector<Row> rows;
   for (const auto& [key, label] : {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
+                                  std::pair("peak_pressure", "of the peak pressure, by the mesh"),
                                   std::pair("kinematics", "of small strain"),
                                   std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
     if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});

@@ -71,6 +71,11 @@ void serialize(Archive& archive, Warning& w) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ContactWatch& w) {  // what was seen in a block is forgotten at its end
+  archive(w.force_most, w.slipped_most);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Recall& r) {
   archive(r.step, r.played);
 }
@@ -91,7 +96,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
   archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_error, s.factors, s.solution, s.recall, s.renewed_at,
-          s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.warnings, s.counts, s.shown, s.cutback_reasons);
+          s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.warnings, s.watch, s.counts, s.shown, s.cutback_reasons);
 }
 
 }  // namespace

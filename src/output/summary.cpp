@@ -105,6 +105,7 @@ std::string summary_json(const sim::Summary& s) {
             {"estimated_error",
              {{"cycle_jump", value(s.error_cycle_jump)},
               {"discretisation", value(s.error_discretisation)},
+              {"peak_pressure", value(s.error_peak_pressure)},
               {"kinematics", value(s.error_small_strain)},
               {"life_cycles", life_errors(s)},
               {"energy_norm", value(s.error_energy_norm)}}},

@@ -7,6 +7,7 @@
 #include "sim/rules.hpp"
 #include "sim/thickness.hpp"
 #include "sim/timer.hpp"
+#include "sim/warn_contact.hpp"
 
 namespace reye::sim {
 
@@ -94,6 +95,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     state.factors = factors;
     block.last_length = to - from;
     block.newton = result.report.solves;
+    watch_contacts(problem, state, system, span.step->wear);
     state.shown = false;
     ++state.counts.increments;
     if (observer.increment && in_history)
@@ -148,6 +150,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
   const auto& output = problem.scene.output;
   Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
   cache.newton.reset();
+  begin_watch(problem, state);
   const auto ends = increment_ends(problem.scene, *span.step);
   double from = 0.0;
   for (std::size_t i = 0; i < ends.size(); ++i) {

@@ -108,6 +108,11 @@ std::optional<double> traction_difference(const SurfaceRecord& fine, const Surfa
   return all > 0.0 ? std::optional(std::sqrt(apart / all)) : std::nullopt;
 }
 
+std::optional<double> peak_difference(const SurfaceRecord& fine, const SurfaceRecord& coarse) {
+  const double peak = largest(fine.pressure_MPa);
+  return peak > 0.0 ? std::optional(std::abs(peak - largest(coarse.pressure_MPa)) / peak) : std::nullopt;
+}
+
 /// Root of the energy of recovered less computed stress over that of the stress, in all linear bodies.
 std::optional<double> energy_norm(const Problem& problem, const State& state, Cache& cache) {
   const auto& system = system_of(problem, state, cache);
@@ -156,16 +161,25 @@ Observer aside(const Observer& outside) {
 MeshError compared(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
   Cache of_coarse;
   const Problem coarse = prepare(coarser(problem, state), &of_coarse);
-  if (same_meshes(problem, coarse)) return {RunStatus::failed, "the meshes came with their files as they are", {}, {}};
+  const auto none = [](RunStatus status, std::string reason) {
+    MeshError error;
+    error.companion = status;
+    error.reason = std::move(reason);
+    return error;
+  };
+  if (same_meshes(problem, coarse)) return none(RunStatus::failed, "the meshes came with their files as they are");
   State end = initial_state(coarse);
   const Summary summary = run(coarse, end, aside(observer), of_coarse);
-  if (summary.status != RunStatus::done) return {summary.status, "the companion run: " + summary.reason, {}, {}};
+  if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
-  if (too_few(surfaces, end)) return {RunStatus::done, "of elements twice as long fewer than four touch", {}, {}};
+  if (too_few(surfaces, end)) return none(RunStatus::done, "of elements twice as long fewer than four touch");
   const auto apart = mesh_difference(surfaces_of(problem, state, cache), surfaces, problem.scene.analysis);
-  if (apart.wear) return {RunStatus::done, {}, left(wear_order) * *apart.wear, {}, wear_order};
-  if (apart.traction) return {RunStatus::done, {}, left(traction_order) * *apart.traction, {}, traction_order};
-  return {RunStatus::done, "nothing touches at the end", {}, {}};
+  if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");
+  MeshError error;
+  error.order = apart.wear ? wear_order : traction_order;
+  error.surface = left(error.order) * (apart.wear ? *apart.wear : *apart.traction);
+  if (apart.peak) error.peak_pressure = left(traction_order) * *apart.peak;
+  return error;
 }
 
 }  // namespace
@@ -203,7 +217,9 @@ MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std
   for (std::size_t k = 0; k < fine.size(); ++k) {
     const auto share = shares(fine[k], analysis);
     raise(most.wear, wear_difference(fine[k], coarse[k], share));
-    if (fine[k].side == Side::secondary) raise(most.traction, traction_difference(fine[k], coarse[k], share));
+    if (fine[k].side != Side::secondary) continue;
+    raise(most.traction, traction_difference(fine[k], coarse[k], share));
+    raise(most.peak, peak_difference(fine[k], coarse[k]));
   }
   return most;
 }

@@ -15,6 +15,8 @@ struct MeshDifference {
   std::optional<double> wear;
   /// Of secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
   std::optional<double> traction;
+  /// Of the same: the difference of the largest pressures over the largest pressure.
+  std::optional<double> peak;
 };
 
 MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std::vector<SurfaceRecord>& coarse,
@@ -25,6 +27,7 @@ struct MeshError {
   RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
   std::string reason;                     ///< why there is no error of the surface; empty when there is
   std::optional<double> surface;          ///< of depths, or of tractions where nothing wears
+  std::optional<double> peak_pressure;    ///< of the largest pressure at the end
   std::optional<double> energy_norm;      ///< of the stress in linear bodies, by recovery (`fem::recovered_error`)
   double order = 0.0;                     ///< power of the element size that `surface` falls with
 };

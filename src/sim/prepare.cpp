@@ -11,6 +11,7 @@
 #include "sim/plan.hpp"
 #include "sim/problem.hpp"
 #include "sim/timer.hpp"
+#include "sim/warn_setup.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {
@@ -228,6 +229,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   Problem p;
   p.scene = scene;
   for (const auto& text : scene.warnings) warn(p.warnings, {"scene", "", text});
+  warn_of_steps(scene, p.warnings);
   cad::Geometry geometry = cad::build(scene.geometry);
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
@@ -247,12 +249,14 @@ Problem built(scene::Scene scene, Cache& cache) {
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
   check_rigid_motions(p, issues);
+  for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
   refuse(issues);
   const double before = cpu_seconds();
   check_facing(timed_system(p, initial_state(p), cache), issues);
   refuse(issues);
   choose_kinematics(p, cache);
   p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
+  warn_of_meshes(p, timed_system(p, initial_state(p), cache));
   p.plan.lines.insert(p.plan.lines.begin(), sizes.begin(), sizes.end());
   cache.cpu_s += cpu_seconds() - before;
   return p;

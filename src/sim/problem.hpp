@@ -12,6 +12,7 @@
 #include "scene/scene.hpp"
 #include "sim/recall.hpp"
 #include "sim/records.hpp"
+#include "sim/watch.hpp"
 #include "solver/newton.hpp"
 
 namespace reye::sim {
@@ -82,6 +83,7 @@ struct State {
   std::map<std::string, double> limit_measure;   ///< value of each limit's measure at the last block end
   std::optional<double> small_strain_error;      ///< largest estimate so far where small strain was chosen
   std::vector<Warning> warnings;                 ///< found in the run
+  std::vector<ContactWatch> watch;               ///< what was seen of each contact
   Counts counts;
   bool shown = false;                            ///< this very state is a frame already: none is written twice
   std::vector<std::string> cutback_reasons;      ///< of the first `told_cutbacks`

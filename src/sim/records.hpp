@@ -123,7 +123,7 @@ struct Summary {
   std::map<std::string, double> life_error;                  ///< of the limits reached, where known [cycles]
   std::map<std::string, double> limit_share;                 ///< of every limit: its measure at the end over its bound
   std::map<std::string, LifeBand> life_band;                 ///< of the limits with a scatter
-  std::optional<double> error_cycle_jump, error_discretisation, error_small_strain, error_energy_norm;
+  std::optional<double> error_cycle_jump, error_discretisation, error_peak_pressure, error_small_strain, error_energy_norm;
   std::vector<Warning> warnings;               ///< those known before the run, then those found in it
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;

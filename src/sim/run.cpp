@@ -15,6 +15,7 @@
 #include "sim/rules.hpp"
 #include "sim/stick_edge.hpp"
 #include "sim/timer.hpp"
+#include "sim/warn_contact.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {
@@ -103,9 +104,12 @@ void probe(const Problem& problem, const Frame& frame, Summary& summary) {
 
 std::string in_words(const MeshError& error) {
   if (!error.surface) return "no estimate of the mesh's error: " + error.reason;
-  char text[80];
+  char text[120];
   std::snprintf(text, sizeof text, "estimated error of the mesh %.3g %%", 100.0 * *error.surface);
-  return text;
+  std::string words = text;
+  if (!error.peak_pressure) return words;
+  std::snprintf(text, sizeof text, ", of the peak pressure %.3g %%", 100.0 * *error.peak_pressure);
+  return words + text;
 }
 
 /// One run in progress: the loop over steps and blocks.
@@ -176,6 +180,7 @@ class Runner {
     watch_strain();
     if (step.wear && span.cycles && state_.counts.remeshes == remeshes_before)
       warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
+    warn_of_block(p_, state_, observer_);
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
     const bool remeshed = state_.counts.remeshes > remeshes_before;
@@ -209,6 +214,7 @@ class Runner {
   void estimate() {
     const MeshError error = mesh_error(p_, state_, cache_, observer_);
     summary_.error_discretisation = error.surface;
+    summary_.error_peak_pressure = error.peak_pressure;
     summary_.error_energy_norm = error.energy_norm;
     if (error.companion == RunStatus::interrupted) {
       summary_.status = RunStatus::interrupted;
@@ -230,8 +236,6 @@ class Runner {
     s.scene_sha256 = p_.scene.sha256;
     s.skipped = p_.plan.skipped;
     s.cutback_reasons = state_.cutback_reasons;
-    s.warnings = p_.warnings;
-    for (const auto& warning : state_.warnings) warn(s.warnings, warning);
     for (const auto& limit : p_.scene.limits) {
       const auto found = state_.life_cycles.find(limit.name);
       const bool reached = found != state_.life_cycles.end();
@@ -246,8 +250,11 @@ class Runner {
       const auto& system = system_of(p_, state_, cache_);
       for (std::size_t c = 0; c < system.contacts.size(); ++c)
         s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
+      warn_of_run(p_, state_, s, observer_);
       if (!p_.scene.output.probes.empty()) probe(p_, make_frame(p_, state_, cache_, ""), s);
     }
+    s.warnings = p_.warnings;
+    for (const auto& warning : state_.warnings) warn(s.warnings, warning);
     s.life_error = state_.life_error;
     s.error_cycle_jump = state_.jump_error;
     s.error_small_strain = state_.small_strain_error;

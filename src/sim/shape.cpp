@@ -8,6 +8,7 @@
 #include "adapt/shape_step.hpp"
 #include "sim/drive.hpp"
 #include "sim/timer.hpp"
+#include "sim/warn_contact.hpp"
 
 namespace reye::sim {
 
@@ -159,6 +160,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
       r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     tell(observer, records);
+    for (const auto& r : records) warn_of_remesh(next, observer, r);
   }
   return {std::move(next), {}, false};
 }

@@ -44,6 +44,7 @@ TEST(Discretisation, ATenthMore) {
   const auto apart = sim::mesh_difference(fine, coarse, base::Analysis::plane_strain);
   EXPECT_NEAR(apart.wear.value(), 0.1, 1e-12);
   EXPECT_NEAR(apart.traction.value(), 0.1, 1e-12);
+  EXPECT_NEAR(apart.peak.value(), 0.1, 1e-12);
   EXPECT_EQ(sim::mesh_difference(fine, fine, base::Analysis::plane_strain).wear, 0.0);
 }
 
@@ -66,11 +67,21 @@ TEST(Discretisation, OrderOfInterpolation) {
   for (int k : {0, 1}) EXPECT_NEAR(std::log2(apart[k] / apart[k + 1]), 2.0, 0.1) << apart[k];
 }
 
+// A spike of one node must show in the error of the peak, though in the mean it is small.
+TEST(Discretisation, ASpikeIsAnErrorOfThePeak) {
+  const std::vector coarse{side(100, [](double) { return 1.0; })};
+  auto fine = coarse;
+  fine[0].pressure_MPa[50] = 2.0;
+  const auto apart = sim::mesh_difference(fine, coarse, base::Analysis::plane_strain);
+  EXPECT_LT(apart.traction.value(), 0.11);
+  EXPECT_NEAR(apart.peak.value(), 0.5, 1e-12);
+}
+
 // Where nothing has worn or touches there must be no number, not a zero.
 TEST(Discretisation, NothingToCompare) {
   const std::vector none{side(8, [](double) { return 0.0; })};
   const auto apart = sim::mesh_difference(none, none, base::Analysis::plane_strain);
-  EXPECT_FALSE(apart.wear || apart.traction);
+  EXPECT_FALSE(apart.wear || apart.traction || apart.peak);
 }
 
 // The companion's scene must have all sizes doubled, automatic ones, too, and no further end than the run had.
@@ -110,8 +121,9 @@ TEST(Discretisation, OnlyWhenAsked) {
   }
   EXPECT_EQ(q[0], q[1]);
   EXPECT_EQ(told[0].counts.newton_iterations, told[1].counts.newton_iterations);
-  EXPECT_FALSE(told[0].error_discretisation || told[0].error_energy_norm);
+  EXPECT_FALSE(told[0].error_discretisation || told[0].error_peak_pressure || told[0].error_energy_norm);
   EXPECT_GT(told[1].error_discretisation.value(), 0.0);
+  EXPECT_GT(told[1].error_peak_pressure.value(), 0.0);
   EXPECT_GT(told[1].error_energy_norm.value(), 0.0);
 }
 

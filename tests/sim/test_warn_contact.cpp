@@ -1,0 +1,105 @@
+#include "sim/warn_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "disc_scene.hpp"
+
+using namespace reye;
+
+namespace {
+
+using Kinds = std::vector<std::string>;
+
+sim::Summary played(const sim::Problem& problem) {
+  auto state = sim::initial_state(problem);
+  return sim::run(problem, state, {});
+}
+
+/// Kinds and what they are about, of the run alone.
+Kinds found(sim::Problem problem) {
+  problem.warnings.clear();
+  const auto summary = played(problem);
+  EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
+  Kinds kinds;
+  for (const auto& w : summary.warnings) kinds.push_back(w.kind + ", " + w.about);
+  return kinds;
+}
+
+Kinds blocks(const std::vector<std::pair<std::string, std::string>>& changes, double gap = 0.0) {
+  return found(test::problem_of(test::with(test::block_scene, changes), gap));
+}
+
+const std::string few = "cycles = 40\njump = 10", two_blocks = "cycles = 20\njump = 10";
+
+}  // namespace
+
+// A contact that is resolved, and one that ends where the bodies end, must be told nothing.
+TEST(WarnContact, NothingWithoutCause) {
+  EXPECT_EQ(found(test::disc_problem()), Kinds{});
+  EXPECT_EQ(blocks({{few, two_blocks}}), Kinds{});
+}
+
+// Some three elements across a contact must be told, with how many there are.
+TEST(WarnContact, ElementsAcross) {
+  auto problem = test::disc_problem({{"size_mm = 0.005", "size_mm = 0.02"}});
+  EXPECT_EQ(found(problem), Kinds{"resolution, contact pad"});
+  problem.warnings.clear();
+  const auto warning = played(problem).warnings.at(0);
+  EXPECT_NEAR(warning.severity, 8.0 / 3.0, 8.0 / 3.0 - 8.0 / 4.0 + 1e-9);
+}
+
+// A contact that runs to the end of its named boundary, while the outline goes straight on, must be told with the name.
+TEST(WarnContact, EndOfANamedBoundary) {
+  auto problem = test::disc_problem({}, "0.01");
+  problem.warnings.clear();
+  const auto warnings = played(problem).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, "boundary_end");
+  EXPECT_NE(warnings[0].text.find("the end of face"), std::string::npos) << warnings[0].text;
+}
+
+// A contact that most of its load is carried by beside its fine zone must be told.
+TEST(WarnContact, BesideTheFineZone) {
+  const auto kinds = found(test::disc_problem({{"centre_mm = [0.0, 0.0]", "centre_mm = [0.4, 0.0]"}}, "0.9"));
+  EXPECT_NE(std::find(kinds.begin(), kinds.end(), "fine_zone, contact pad"), kinds.end());
+}
+
+// A contact that never touched must be told; nothing is said then of its wear.
+TEST(WarnContact, NeverClosed) {
+  EXPECT_EQ(blocks({{few, two_blocks}, {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}}, 0.01),
+            Kinds{"never_closed, contact pad"});
+}
+
+// A contact that should wear but sticks throughout must be told, with the stroke that was asked for.
+TEST(WarnContact, NothingSlipped) {
+  auto problem = test::problem_of(test::with(test::block_scene, {{few, two_blocks}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
+  const auto warnings = played(problem).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].kind, "no_slip");
+  EXPECT_NE(warnings[0].text.find("up to 1e-08 mm"), std::string::npos) << warnings[0].text;
+}
+
+// A limit on the side that wears a twentieth must be told, unless another limit watches the other side.
+TEST(WarnContact, LimitOfTheMilderSide) {
+  const std::string limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n";
+  const std::string other = "[limit.other]\ncontact = \"pad\"\nside = \"primary\"\ndepth_mm = 1.0\n";
+  const std::pair<std::string, std::string> mild{"secondary_mm3_per_J = 3.0e-5", "secondary_mm3_per_J = 1.0e-6"};
+  EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + "[history]"}}), Kinds{"limit_side, limit life"});
+  EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + other + "[history]"}}), Kinds{});
+}
+
+// A fresh mesh that changed the pressure by more than a tenth must be told, one that did not must not.
+TEST(WarnContact, JumpAtARemesh) {
+  sim::State state;
+  sim::RemeshRecord record;
+  record.body = "pad";
+  record.pressure_jump = 0.09;
+  sim::warn_of_remesh(state, {}, record);
+  EXPECT_TRUE(state.warnings.empty());
+  record.pressure_jump = 0.3;
+  sim::warn_of_remesh(state, {}, record);
+  ASSERT_EQ(state.warnings.size(), 1u);
+  EXPECT_EQ(state.warnings[0].kind + ", " + state.warnings[0].about, "remesh, body pad");
+}
