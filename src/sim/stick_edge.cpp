@@ -56,7 +56,7 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
     const auto& o = problem.contacts[c].options;
     if (o.friction == 0.0 || o.imposed || !o.wear.wears() || system.contacts[c].secondary.order != 1) continue;
     const Loaded nodes = count(state.solution.contacts[c], slip_before[c]);
-    if (nodes.stick >= fewest && nodes.slip > 0) warn(state, observer, {"resolution", "contact " + o.name, text_of(nodes)});
+    if (nodes.stick >= fewest && nodes.slip > 0) warn(state, observer, {"stick_edge", "contact " + o.name, text_of(nodes)});
   }
 }
 

@@ -24,7 +24,7 @@ Played coarse(Replacements words) {
 const sim::Warning* stick_warning(const Played& run) {
   const auto& all = run.summary.warnings;
   const auto found = std::find_if(all.begin(), all.end(), [](const sim::Warning& w) {
-    return w.kind == "resolution" && w.text.find("stick zone recedes") != std::string::npos;
+    return w.kind == "stick_edge" && w.text.find("stick zone recedes") != std::string::npos;
   });
   return found == all.end() ? nullptr : &*found;
 }
