@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "scene/nearest.hpp"
 
@@ -66,12 +67,29 @@ void check_period(const Entry& step, const Scene& scene, Issues& issues) {
     }
 }
 
+/// A cycle ends where it began: the jump back to its start would be played inside the next one's first increment, once
+/// in a block of many cycles.
+void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
+  if (step.number("cycles") <= 1.0 || !step.flag("wear")) return;
+  for (const auto& name : step.texts("play")) {
+    const auto found = scene.histories.find(name);
+    if (found == scene.histories.end() || found->second.empty()) continue;
+    const auto factor = [](double v) { std::ostringstream text; text << v; return text.str(); };
+    const double start = found->second.front()[1], end = found->second.back()[1];
+    if (start != end)
+      issues.push_back({step.key("play"), step.written("play"),
+                        "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " + factor(start) +
+                            "; give it the way back: a last corner [1, " + factor(start) + "]"});
+  }
+}
+
 void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
   const auto histories = keys_of(scene.histories);
   std::set<std::string> seen;
   for (const auto& step : root.all("step")) {
     check_step(step, histories, issues);
     check_period(step, scene, issues);
+    check_cycle(step, scene, issues);
     if (step.given("name") && !seen.insert(step.text("name")).second)
       issues.push_back({step.key("name"), step.written("name"), "another step has this name"});
   }

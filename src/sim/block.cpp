@@ -15,19 +15,13 @@ namespace {
 
 IncrementRecord record_of(const Problem& problem, const State& state, const solver::System& system,
                           const solver::Controls& controls, const BlockSpan& span, double progress, int newton) {
-  IncrementRecord r;
+  IncrementRecord r = wear_of(system, state);
   r.step = span.step->name;
   r.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
   r.progress = progress;
   r.newton = newton;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& setup = system.contacts[c];
-    const auto& contact = state.solution.contacts[c];
-    r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(setup, contact));
-    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, deepest(setup.secondary, contact.removed_secondary));
-    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, deepest(setup.primary, contact.removed_primary));
-    r.energy_mJ += setup.options.wear.wears() ? contact.worn_work : contact.frictional_work;
-  }
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(system.contacts[c], state.solution.contacts[c]));
   r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));
   return r;
 }
@@ -49,6 +43,7 @@ struct Playing {
   bool in_history = true;
   double last_length = 0.0;
   int newton = 0;
+  std::vector<double> ends{};  ///< of the increments played so far
 };
 
 void note_cutback(State& state, const std::string& where, const Observer& observer) {
@@ -58,10 +53,10 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
 
 /// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
 std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to, int depth) {
-  const auto& [span, observer, held, in_history, last_length, newton] = block;
+  const auto& [span, observer, held, in_history, last_length, newton, played] = block;
   const auto& system = timed_system(problem, state, cache);
   const auto factors = factors_at(problem.scene, *span.step, to, held);
-  auto controls = controls_at(problem, system, factors, *span.step, from, to, span.jump);
+  auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
   set_friction(controls, problem, state.cycle);
   for (std::size_t c = 0; c < controls.contacts.size(); ++c)
     if (controls.contacts[c].wear) {
@@ -94,6 +89,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     state.solution = std::move(result.state);
     state.factors = factors;
     block.last_length = to - from;
+    if (to > from) block.ends.push_back(to);
     block.newton = result.report.solves;
     watch_contacts(problem, state, system, span.step->wear);
     state.shown = false;
@@ -133,6 +129,18 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
 
 }  // namespace
 
+IncrementRecord wear_of(const solver::System& system, const State& state) {
+  IncrementRecord r;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& contact = state.solution.contacts[c];
+    r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, deepest(setup.secondary, contact.removed_secondary));
+    r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, deepest(setup.primary, contact.removed_primary));
+    r.energy_mJ += setup.options.wear.wears() ? contact.worn_work : contact.frictional_work;
+  }
+  return r;
+}
+
 void begin_state(const Problem& problem, State& state, Cache& cache) {
   const auto& system = timed_system(problem, state, cache);
   state.solution.q = state.solution.q_low = Vector::Zero(system.dofs);
@@ -151,8 +159,10 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
   Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
   cache.newton.reset();
   begin_watch(problem, state);
-  const auto ends = increment_ends(problem.scene, *span.step);
+  const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
   double from = 0.0;
+  if (span.cycles && state.step_cycles == 0.0 && factors_at(problem.scene, *span.step, 0.0, block.held) != block.held)
+    if (const auto failure = play(problem, state, cache, block, 0.0, 0.0, 0); !failure.empty()) return {std::move(state), failure, false};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
@@ -174,7 +184,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     state.cycle += span.jump;
     ++state.counts.cycles_solved;
   }
-  return {std::move(state), {}, false};
+  return {std::move(state), {}, false, {}, std::move(block.ends)};
 }
 
 Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {

@@ -10,6 +10,7 @@ struct Outcome {
   std::string failure;  ///< empty when the state is accepted
   bool interrupted = false;
   std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
+  std::vector<double> ends{};              ///< of the increments that were played, by progress
 };
 
 /// The part of a step that one block plays.
@@ -18,7 +19,9 @@ struct BlockSpan {
   double jump = 1.0;   ///< cycles of this block; 1 for a load step
   bool cycles = false;
   bool last = false;   ///< no block of the step comes after it
+  bool level = false;  ///< its end is shown: under a tolerance levelling cycles are its last part
   bool remesh = true;  ///< false: poor elements wait for the end of the block
+  std::vector<double> ends{};  ///< of its increments, by progress; empty: as the step has them
 };
 
 /// Zero displacement, fresh contacts.
@@ -61,6 +64,9 @@ bool can_renew(const Problem& problem, int body);
 /// plastic state, contacts their tractions; then re-equilibration with the shear as history. Waits while wear waits in
 /// the gap. False: nothing was done, because there was no reason or, as the log then says, because it failed.
 bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer);
+
+/// A row of the history with only what has worn until now: largest depths and energy.
+IncrementRecord wear_of(const solver::System& system, const State& state);
 
 /// Displacement of all mesh nodes of a body.
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,

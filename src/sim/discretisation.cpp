@@ -18,8 +18,9 @@ namespace {
 
 constexpr double coarsening = 2.0;
 /// Powers of the element size that the errors fall with: tractions have a root at the edge of contact, worn profiles
-/// are smooth but for a corner at the end (measured in `results/time_against_error`, `results/mesh_error`).
-constexpr double traction_order = 1.0, wear_order = 2.0;
+/// are smooth but for a corner at the end (measured in `results/time_against_error`, `results/mesh_error`); with an edge
+/// of stick, which is found to one node, their error falls with it (`results/partial_slip_life`).
+constexpr double traction_order = 1.0, wear_order = 2.0, stick_order = 1.0;
 constexpr double margin = 3.0;  ///< elements that a zone keeps free at each end
 
 /// Error on the mesh h over the difference between h and 2 h: 1 / (2^p - 1) where both errors have the same shape,
@@ -145,6 +146,18 @@ bool too_few(const std::vector<SurfaceRecord>& surfaces, const State& state) {
   return false;
 }
 
+/// Whether loaded nodes of some secondary side have never slipped while others have: worn profiles have a corner there,
+/// which lies anywhere in its element.
+bool has_stick_edge(const std::vector<SurfaceRecord>& surfaces) {
+  for (const auto& s : surfaces) {
+    if (s.side != Side::secondary || s.slip_mm.empty()) continue;
+    const double bound = 1e-9 * largest(s.slip_mm);
+    for (std::size_t i = 0; bound > 0.0 && i < s.slip_mm.size(); ++i)
+      if (s.status[i] != 0 && s.slip_mm[i] <= bound) return true;
+  }
+  return false;
+}
+
 /// Hears of nothing but progress, and may interrupt.
 Observer aside(const Observer& outside) {
   Observer o;
@@ -173,10 +186,11 @@ MeshError compared(const Problem& problem, const State& state, Cache& cache, con
   if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
   if (too_few(surfaces, end)) return none(RunStatus::done, "of elements twice as long fewer than four touch");
-  const auto apart = mesh_difference(surfaces_of(problem, state, cache), surfaces, problem.scene.analysis);
+  const auto fine = surfaces_of(problem, state, cache);
+  const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);
   if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");
   MeshError error;
-  error.order = apart.wear ? wear_order : traction_order;
+  error.order = !apart.wear ? traction_order : has_stick_edge(fine) ? stick_order : wear_order;
   error.surface = left(error.order) * (apart.wear ? *apart.wear : *apart.traction);
   if (apart.peak) error.peak_pressure = left(traction_order) * *apart.peak;
   return error;

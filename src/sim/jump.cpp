@@ -3,89 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
+#include <cstdlib>
 #include <numeric>
 
+#include "sim/correction.hpp"
+#include "sim/limits.hpp"
 #include "sim/measure.hpp"
+#include "sim/recording.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr double fewest = 1.0;   ///< cycles of a block that is never refused for its error
-constexpr double left = 0.8;     ///< of a block's difference after extrapolation (results/cycle_jump)
-constexpr double aim = 0.9;      ///< times the tolerance, for the next block
-constexpr double refusal = 4.0;  ///< times the tolerance: a block's error fades as more is worn, repeating costs three cycles
+constexpr double fewest = 1.0;  ///< cycles of a block that jumps none: it is played once and has no error
+constexpr double aim = 0.85;    ///< times what a block may have, for the next block
+constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
-
-double side_difference(const mortar::Surface& surface, const std::vector<double>& once, const std::vector<double>& halves) {
-  const double volume = sum(halves), depth = deepest(surface, halves);
-  if (volume <= 0.0) return 0.0;
-  double apart = 0.0;
-  for (std::size_t j = 0; j < halves.size(); ++j) apart += std::abs(halves[j] - once[j]);
-  return std::max(apart / volume, std::abs(depth - deepest(surface, once)) / depth);
-}
+constexpr double levelling = 0.04;  ///< of a block's cycles, in those that level it
 
 double removed(const State& state) {
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   double volume = 0.0;
   for (const auto& c : state.solution.contacts) volume += sum(c.removed_secondary) + sum(c.removed_primary);
   return volume;
 }
 
-/// What the halves have corrected per node, such that no waiting volume becomes negative and the sum stays; empty when
-/// that cannot be.
-std::vector<double> correction(const std::vector<double>& once, const std::vector<double>& halves,
-                               const std::vector<double>& pending) {
-  std::vector<double> d(halves.size());
-  double cut = 0.0, gained = 0.0;
-  for (std::size_t j = 0; j < d.size(); ++j) {
-    const double wanted = halves[j] - once[j];
-    d[j] = std::max(wanted, -pending[j]);
-    cut += d[j] - wanted;
-    gained += std::max(d[j], 0.0);
-  }
-  if (cut > gained) return {};
-  if (cut > 0.0)
-    for (double& v : d)
-      if (v > 0.0) v *= 1.0 - cut / gained;
-  return d;
-}
-
-void add(std::vector<double>& to, const std::vector<double>& d) {
-  for (std::size_t j = 0; j < d.size(); ++j) to[j] += d[j];
-}
-
-/// x + (x - once), not below zero.
-void double_correction(double once, double& x) { x = std::max(0.0, 2.0 * x - once); }
-
-/// Hears of progress and cut-backs, and may interrupt: what a block that may be refused tells at once.
-Observer quiet(const Observer& outside) {
-  Observer o;
-  o.progress = outside.progress;
-  o.interrupted = outside.interrupted;
-  o.log = outside.log;
-  return o;
-}
-
-/// What happens in a block that may be refused: told when it is not.
-struct Recording {
-  std::vector<std::function<void(const Observer&)>> events;
-
-  Observer observer(const Observer& outside) {
-    Observer o = quiet(outside);
-    if (outside.increment)
-      o.increment = [this](const IncrementRecord& r) { events.push_back([r](const Observer& to) { to.increment(r); }); };
-    if (outside.frame) o.frame = [this](const Frame& f) { events.push_back([f](const Observer& to) { to.frame(f); }); };
-    return o;
-  }
-};
-
 /// Both ends of a block, before its shape step.
 struct Attempt {
   State once, halves;
+  std::vector<contact::ContactState> half_way;
   std::map<std::string, double> middle;  ///< measures of the limits after the first half
   std::string failure;
   bool interrupted = false;
@@ -106,6 +53,7 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
   Outcome outcome = play_increments(problem, state, cache, span, coarse);
   if (over(outcome)) return attempt;
   attempt.once = std::move(outcome.state);
+  span.ends = std::move(outcome.ends);  // where one play was cut back and the other not, they would be equally fine
   span.jump *= 0.5;
   State start = state;
   start.counts = attempt.counts;
@@ -114,10 +62,12 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
   first.last = false;
   outcome = play_increments(problem, std::move(start), cache, first, fine);
   if (over(outcome)) return attempt;
+  span.ends = std::move(outcome.ends);
   if (problem.scene.shape) {
     outcome = evolve_shape(problem, std::move(outcome.state), cache, span, {});
     if (over(outcome)) return attempt;
   }
+  attempt.half_way = outcome.state.solution.contacts;
   attempt.middle = limit_measures(problem, system_of(problem, outcome.state, cache), outcome.state);
   outcome.state.step_cycles += span.jump;
   outcome = play_increments(problem, std::move(outcome.state), cache, span, fine);
@@ -140,76 +90,149 @@ std::string estimated(double error) {
   return text;
 }
 
+/// The first wears uneven pressure level, up to some 2 % of it; a second at the end of a step leaves half a per cent.
+int levelling_cycles(const BlockSpan& span) { return span.last ? 2 : 1; }
+
+/// Short cycles after a block, not extrapolated: what the correction or a fresh mesh left uneven is worn level before
+/// it is shown or jumped from. Their wear waits in the gap.
+Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
+  const bool last = span.last;
+  const int cycles = levelling_cycles(span);
+  span.jump /= cycles;
+  for (int k = 1; k <= cycles && outcome.failure.empty() && !outcome.interrupted; ++k) {
+    span.last = last && k == cycles;
+    outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
+  }
+  return outcome;
+}
+
+/// Rows of the halves with their share of what the end of the block was corrected by.
+void correct(IncrementRecord& row, double share, const IncrementRecord& before, const IncrementRecord& after) {
+  row.depth_max_secondary_mm += share * (after.depth_max_secondary_mm - before.depth_max_secondary_mm);
+  row.depth_max_primary_mm += share * (after.depth_max_primary_mm - before.depth_max_primary_mm);
+  row.energy_mJ += share * (after.energy_mJ - before.energy_mJ);
+}
+
+/// The error that a block from `start` to `end` of its step may have: errors fade as more is worn, until the end of the
+/// step or the next limit, where the tolerance holds.
+double allowed(const Problem& problem, const scene::Step& step, const State& start, double end) {
+  double growth = step.cycles / end;
+  for (const auto& limit : problem.scene.limits) {
+    const auto measure = start.limit_measure.find(limit.name);
+    if (measure == start.limit_measure.end() || measure->second <= 0.0 || start.life_cycles.contains(limit.name)) continue;
+    growth = std::min(growth, bound_of(limit) / measure->second * start.step_cycles / end);
+  }
+  return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+}
+
+/// One try of a block.
+struct Trial {
+  Outcome outcome;
+  double error = 0.0;     ///< estimated; 0 where it was not played to its end
+  bool too_long = false;  ///< by its error
+  Recording rows, later;  ///< of the halves, and of what came after them
+  IncrementRecord uncorrected, corrected;  ///< what was worn at the end of the halves
+};
+
+/// The cycles of a block without those that level it.
+double without_levelling(const BlockSpan& span) {
+  return span.level ? span.jump / (1.0 + levelling) : span.jump;
+}
+
+/// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body was
+/// remeshed. The last block of a step leaves remeshing to the next step.
+Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles, const Observer& observer) {
+  const long remeshes = state.counts.remeshes;
+  span.jump = levelling * cycles;
+  Outcome outcome{std::move(state), {}};
+  if (span.level) outcome = level(problem, std::move(outcome), cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.remesh = !span.last;
+  outcome = end_block(problem, std::move(outcome.state), cache, span, observer);
+  if (!outcome.failure.empty() || outcome.state.counts.remeshes == remeshes) return outcome;
+  span.level = span.remesh = false;
+  outcome = level(problem, std::move(outcome), cache, span, observer);
+  return outcome.failure.empty() && !outcome.interrupted ? end_block(problem, std::move(outcome.state), cache, span, observer)
+                                                         : outcome;
+}
+
+void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span, const Observer& observer,
+                Trial& trial) {
+  BlockSpan block = span;
+  block.jump = without_levelling(span);
+  block.last = span.last && !span.level;
+  Attempt attempt = try_block(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
+  trial.outcome = {start, attempt.failure, attempt.interrupted};
+  trial.outcome.state.counts = attempt.counts;
+  if (!attempt.failure.empty() || attempt.interrupted) return;
+  const auto& system = system_of(problem, attempt.halves, cache);
+  trial.error = wear_difference(system, attempt.once, attempt.halves);
+  trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  if (trial.too_long) return;
+  trial.uncorrected = wear_of(system, attempt.halves);
+  const auto by_halves = limit_measures(problem, system, attempt.halves);
+  extrapolate(system, {start, attempt.once, attempt.half_way}, attempt.halves);
+  trial.corrected = wear_of(system, attempt.halves);
+  // The first half has half of the error of both; half of the block with its levelling comes a little later.
+  const auto measures = limit_measures(problem, system, attempt.halves);
+  for (auto& [name, value] : attempt.middle) {
+    value += 0.5 * (measures.at(name) - by_halves.at(name));
+    if (span.level) value += levelling * (measures.at(name) - value);
+  }
+  trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
+  trial.outcome.middle = std::move(attempt.middle);
+}
+
+/// A block of one cycle: nothing is jumped.
+Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  Outcome outcome = play_block(problem, state, cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  outcome.state.jump = most_growth * span.jump;
+  const double after = removed(outcome.state);
+  if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
+  return outcome;
+}
+
 }  // namespace
 
-double wear_difference(const solver::System& system, const State& once, const State& halves) {
-  double difference = 0.0;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& setup = system.contacts[c];
-    const auto &a = once.solution.contacts[c], &b = halves.solution.contacts[c];
-    difference = std::max({difference, side_difference(setup.secondary, a.removed_secondary, b.removed_secondary),
-                           side_difference(setup.primary, a.removed_primary, b.removed_primary)});
-  }
-  return difference;
-}
-
-void extrapolate(const State& once, State& halves) {
-  for (std::size_t c = 0; c < halves.solution.contacts.size(); ++c) {
-    const auto& a = once.solution.contacts[c];
-    auto& b = halves.solution.contacts[c];
-    const auto secondary = correction(a.removed_secondary, b.removed_secondary, b.pending_secondary);
-    const auto primary = correction(a.removed_primary, b.removed_primary, b.pending_primary);
-    if (secondary.size() != b.removed_secondary.size() || primary.size() != b.removed_primary.size()) continue;
-    add(b.removed_secondary, secondary);
-    add(b.pending_secondary, secondary);
-    add(b.removed_primary, primary);
-    add(b.pending_primary, primary);
-    for (std::size_t j = 0; j < b.slip.size(); ++j) double_correction(a.slip[j], b.slip[j]);
-    for (std::size_t j = 0; j < b.energy_secondary.size(); ++j) double_correction(a.energy_secondary[j], b.energy_secondary[j]);
-    double_correction(a.frictional_work, b.frictional_work);
-    double_correction(a.worn_work, b.worn_work);
-    double_correction(a.law_work, b.law_work);
-  }
-}
-
-double next_jump(double jump, double error, double tolerance, double growth) {
-  const double factor = error > 0.0 ? growth * std::sqrt(aim * tolerance / error) : most_growth;
+double next_jump(double jump, double error, double tolerance, double before, double after) {
+  const double share = after > 0.0 ? 1.0 - before / after : 1.0;
+  const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
+  const double wanted = share * (ratio < 1.0 ? ratio : std::sqrt(ratio));
+  const double factor = wanted < 1.0 ? wanted / (1.0 - wanted) / share : most_growth;
   return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
 }
 
 Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {
-  const double tolerance = span.step->jump_tolerance;
   State start = state;
-  for (;;) {
-    Recording recording;
-    Attempt attempt = try_block(problem, start, cache, span, quiet(observer), recording.observer(observer));
-    start.counts = attempt.counts;
-    if (attempt.interrupted) return {std::move(start), {}, true};
-    const bool played = attempt.failure.empty(), least = span.jump <= fewest;
-    const double error =
-        played ? left * wear_difference(system_of(problem, attempt.halves, cache), attempt.once, attempt.halves) : 0.0;
-    const bool too_long = error > refusal * tolerance && !least;
-    std::string why = too_long ? estimated(error) : attempt.failure;
-    if (why.empty()) {
-      extrapolate(attempt.once, attempt.halves);
-      Outcome outcome = end_block(problem, std::move(attempt.halves), cache, span, observer);
-      if (outcome.failure.empty()) {
-        for (const auto& event : recording.events) event(observer);
-        const double before = removed(state), after = removed(outcome.state);
-        outcome.state.jump = next_jump(span.jump, error, tolerance, before > 0.0 ? after / before : most_growth);
-        outcome.state.jump_error = std::max(after > 0.0 ? before / after * state.jump_error.value_or(0.0) : 0.0, error);
-        outcome.middle = std::move(attempt.middle);
-        tell(observer, span, state.cycle, estimated(error));
-        return outcome;
-      }
-      why = outcome.failure;
+  while (span.jump > fewest) {
+    Trial trial;
+    play_trial(problem, start, cache, span, observer, trial);
+    Outcome& outcome = trial.outcome;
+    start.counts = outcome.state.counts;
+    start.counts.remeshes = state.counts.remeshes;
+    if (outcome.interrupted) return {std::move(start), {}, true};
+    if (outcome.failure.empty() && !trial.too_long) {
+      const double jump = without_levelling(span), before = removed(state), after = removed(outcome.state);
+      trial.rows.play_back(observer, [&](IncrementRecord& row) {
+        correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
+      });
+      trial.later.play_back(observer);
+      const double end = state.step_cycles + span.jump;
+      outcome.state.jump = next_jump(jump, trial.error, allowed(problem, *span.step, state, end + span.jump), before, after);
+      const double faded = after > 0.0 ? before / after * state.jump_error.value_or(0.0) : 0.0;
+      outcome.state.jump_error = std::max(faded, trial.error);
+      tell(observer, span, state.cycle, estimated(trial.error));
+      return std::move(outcome);
     }
-    if (least) return {std::move(start), why, false};
-    tell(observer, span, start.cycle, "refused: " + why);
+    tell(observer, span, start.cycle, "refused: " + (trial.too_long ? estimated(trial.error) : outcome.failure));
     ++start.counts.refused_blocks;
-    span.jump = too_long ? next_jump(span.jump, error, tolerance, 1.0) : std::max(fewest, most_cut * span.jump);
-    span.last = false;
+    const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
+    const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
+    span.jump = std::max(fewest, factor * span.jump);
+    span.last = span.level = false;
   }
+  return play_one_cycle(problem, start, cache, span, observer);
 }
 
 }  // namespace reye::sim

@@ -1,6 +1,7 @@
 #include "sim/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "material/parameters.hpp"
@@ -159,6 +160,12 @@ void tell_output(const Problem& p, Plan& plan) {
     plan.skipped.push_back("no files for ParaView: frames are rows of the surface tables alone");
   else if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
     plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered there alone");
+  const auto passes = [&](const scene::Step& step) {
+    return step.cycles > 0.0 && (step.jump_tolerance > 0.0 || std::fmod(cycles, step.jump) != 0.0);
+  };
+  if (cycles > 0.0 && std::any_of(p.scene.steps.begin(), p.scene.steps.end(), passes))
+    plan.skipped.push_back(text("frames every %g cycles come at the ends of blocks: a block under a tolerance ends at such a "
+                                "cycle where one is near and passes over others, a fixed one ends where it ends", cycles));
   if (const int n = p.scene.output.history_every_blocks; n > 1)
     plan.skipped.push_back(text("history: rows of every %dth block of a step, of its first and last", n));
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "scene/scene.hpp"
 
 /// When something is written: frames at block ends, rows of the history.
@@ -15,6 +17,9 @@ struct PlayedBlock {
 /// Whether the state at the end of the block is a frame; several rules that want it make one frame.
 /// per_decade: where n log10(cycle) passes a whole number; the first block from cycle 0 always does.
 bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block);
+
+/// The last cycle in (from, to] at which `every_cycles` or `per_decade` want a frame.
+std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double from, double to);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.
 bool history_due(const scene::Output& output, long number, bool last);

@@ -11,7 +11,9 @@
 #include "sim/discretisation.hpp"
 #include "sim/jump.hpp"
 #include "sim/kinematics.hpp"
+#include "sim/limits.hpp"
 #include "sim/measure.hpp"
+#include "sim/recording.hpp"
 #include "sim/rules.hpp"
 #include "sim/stick_edge.hpp"
 #include "sim/timer.hpp"
@@ -39,55 +41,36 @@ bool step_over(const scene::Step& step, const State& state) {
 
 bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
-/// What the next block is tried with. Under a tolerance two blocks share what is left when one is not enough.
-BlockSpan next_span(const scene::Step& step, const State& state) {
+/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share what is
+/// left of a step when one is not enough.
+double fitted(const scene::FrameRules& frames, double cycle, double jump, double left) {
+  if (jump >= left) return left;
+  if (left < 2.0 * jump) jump = 0.5 * left;
+  const auto at = last_frame_cycle(frames, cycle, cycle + 1.1 * jump);
+  return at && *at - cycle > 0.75 * jump ? *at - cycle : jump;
+}
+
+/// What the next block is tried with.
+BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const State& state) {
   BlockSpan span;
   span.step = &step;
   span.cycles = step.cycles > 0.0;
   span.last = true;
   if (!span.cycles) return span;
   const double left = remaining(step, state);
-  double jump = step.jump;
-  if (controlled(step)) {
-    jump = std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most);
-    if (jump < left && left < 2.0 * jump) jump = 0.5 * left;
-  }
-  span.jump = std::min(jump, left);
+  span.jump = std::min(step.jump, left);
+  if (controlled(step))
+    span.jump = fitted(scene.output.frames, state.cycle, std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   span.last = left - span.jump <= 1e-9 * step.cycles;
+  span.level = frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
   return span;
 }
 
-/// Where between 0 and 1 a measure passes a bound: linear, or the parabola through its value half way.
-double crossing(double bound, double before, std::optional<double> middle, double after) {
-  if (!middle) return (bound - before) / (after - before);
-  const auto value = [&](double t) {
-    return before * (1.0 - t) * (1.0 - 2.0 * t) + *middle * 4.0 * t * (1.0 - t) + after * t * (2.0 * t - 1.0);
-  };
-  double low = 0.0, high = 1.0;
-  for (int k = 0; k < 60; ++k) (value(0.5 * (low + high)) < bound ? low : high) = 0.5 * (low + high);
-  return 0.5 * (low + high);
-}
-
-double bound_of(const scene::Limit& limit) { return limit.depth_mm ? *limit.depth_mm : *limit.area_mm2; }
-
-/// Notes limits that were crossed in the last block, between the values of their measures; true: one of them ends the run.
-bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before,
-                  const std::map<std::string, double>& middle) {
-  bool stop = false;
-  const auto measures = limit_measures(problem, system, state);
-  for (const auto& limit : problem.scene.limits) {
-    const double now = measures.at(limit.name), before = state.limit_measure[limit.name];
-    const double bound = bound_of(limit);
-    state.limit_measure[limit.name] = now;
-    if (now < bound || state.life_cycles.contains(limit.name)) continue;
-    const auto half_way = middle.find(limit.name);
-    const double cycles = state.cycle - cycle_before;
-    const double at = crossing(bound, before, half_way == middle.end() ? std::nullopt : std::optional(half_way->second), now);
-    state.life_cycles[limit.name] = cycle_before + cycles * at;
-    if (state.jump_error) state.life_error[limit.name] = *state.jump_error * bound * cycles / (now - before);
-    stop = stop || limit.stop;
-  }
-  return stop;
+double largest_plastic_strain(const State& state) {
+  double largest = 0.0;
+  for (const auto& interior : state.solution.interiors)
+    for (const auto& point : interior.history) largest = std::max(largest, point.accumulated);
+  return largest;
 }
 
 void probe(const Problem& problem, const Frame& frame, Summary& summary) {
@@ -111,6 +94,8 @@ std::string in_words(const MeshError& error) {
   std::snprintf(text, sizeof text, ", of the peak pressure %.3g %%", 100.0 * *error.peak_pressure);
   return words + text;
 }
+
+constexpr int most_turns = 3;  ///< times that a block is played again to end at a limit
 
 /// One run in progress: the loop over steps and blocks.
 class Runner {
@@ -158,14 +143,38 @@ class Runner {
     }
   }
 
+  Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {
+    return controlled(*span.step) ? play_controlled(p_, from, cache_, span, observer)
+                                  : play_block(p_, from, cache_, span, observer);
+  }
+
+  /// A block; where it passes a limit that ends the run it is played again, as far as the limit.
+  Outcome play_to_limit(BlockSpan span) {
+    if (!span.cycles || !any_stop_ahead(p_, state_)) return play(span, state_, observer_);
+    Recording recording;
+    Outcome outcome = play(span, state_, recording.observer(observer_));
+    for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
+      const auto share = share_to_stop(p_, state_, outcome.state, system_of(p_, outcome.state, cache_), outcome.middle);
+      const double played = outcome.state.cycle - state_.cycle;
+      if (!share || played <= 1.0) break;
+      State start = state_;
+      start.counts = outcome.state.counts;
+      start.counts.remeshes = state_.counts.remeshes;
+      span.jump = std::max(1.0, *share * played);
+      span.last = span.level = true;
+      recording = {};
+      outcome = play(span, start, recording.observer(observer_));
+    }
+    recording.play_back(observer_);
+    return outcome;
+  }
+
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
-    const double cycle_before = state_.cycle;
-    const long remeshes_before = state_.counts.remeshes;
-    const BlockSpan span = next_span(step, state_);
+    const double cycle_before = state_.cycle, plastic_before = largest_plastic_strain(state_);
+    const long remeshes_before = state_.counts.remeshes, solved_before = state_.counts.cycles_solved;
     const auto slip_before = slip_paths(state_);
-    Outcome outcome = controlled(step) ? play_controlled(p_, state_, cache_, span, observer_)
-                                       : play_block(p_, state_, cache_, span, observer_);
+    Outcome outcome = play_to_limit(next_span(p_.scene, step, state_));
     state_ = std::move(outcome.state);
     if (!outcome.failure.empty()) return fail(outcome.failure);
     if (outcome.interrupted) {
@@ -178,15 +187,41 @@ class Runner {
     ++state_.step_blocks;
     ++state_.counts.blocks;
     watch_strain();
-    if (step.wear && span.cycles && state_.counts.remeshes == remeshes_before)
+    const bool remeshed = state_.counts.remeshes > remeshes_before;
+    const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
+    if (step.cycles > 0.0 && !remeshed) watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved);
+    if (step.wear && step.cycles > 0.0 && !remeshed)
       warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
     warn_of_block(p_, state_, observer_);
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
-    const bool remeshed = state_.counts.remeshes > remeshes_before;
+    if (last && controlled(step)) watch_tolerance(step);
     if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed})) show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
+  }
+
+  /// A tolerance that was missed is named with its figure.
+  void watch_tolerance(const scene::Step& step) {
+    const double error = state_.jump_error.value_or(0.0);
+    if (error <= step.jump_tolerance) return;
+    char words[240];
+    std::snprintf(words, sizeof words, "at cycle %g the estimated error of the cycle jump is %.2g %%, above the tolerance of "
+                  "%.2g %%; a smaller jump.first or jump.most, or more increments a cycle, lower it", state_.cycle,
+                  100.0 * error, 100.0 * step.jump_tolerance);
+    warn(state_, observer_, {"tolerance", "step " + step.name, words, error / step.jump_tolerance});
+  }
+
+  /// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any. `cycles`: that a played one
+  /// stands for.
+  void watch_plastic_strain(const scene::Step& step, double before, double cycles) {
+    const double now = largest_plastic_strain(state_), missing = (cycles - 1.0) * (now - before);
+    if (missing <= 0.01 * now) return;
+    char words[320];
+    std::snprintf(words, sizeof words, "cycles that are jumped add no plastic strain: up to cycle %g its largest value grew "
+                  "from %.3g to %.3g in cycles that stand for %.3g each, so that some %.2g is missing from this block alone; "
+                  "jump = 1 plays every cycle", state_.cycle, before, now, cycles, missing);
+    warn(state_, observer_, {"plastic", "step " + step.name, words, missing / now});
   }
 
   /// Small strain that the trial found good enough may cease to be so as bodies wear.

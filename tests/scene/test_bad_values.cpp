@@ -245,6 +245,10 @@ TEST(BadScene, Values) {
       {"history not from the start",
        {{"[[0.0, 0.0], [1.0, 1.0]]", "[[0.1, 0.0], [1.0, 1.0]]"}},
        "scene.toml:46: history.press = [[0.1, 0.0], [1.0, 1.0]]: progress must increase strictly from 0 to 1"},
+      {"cycle that does not end where it began",
+       {{"[0.75, -1.0], [1.0, 0.0]]", "[1.0, 0.5]]"}},
+       R"(scene.toml:63: step[2].play = ["stroke"]: history "stroke" ends a cycle at 0.5 and began it at 0; give it the way back: )"
+       "a last corner [1, 0]"},
       {"solver",
        {{"[material.steel]", "solver = { max_newton = 0, max_cutbacks = 99999999999 }\n"
          "[material.steel]"}},

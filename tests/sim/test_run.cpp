@@ -96,13 +96,13 @@ TEST(Run, LifeIsInterpolated) {
   EXPECT_EQ(r.summary.cycles, 40.0);
 }
 
-// A limit with stop = true must end the run at the end of the block that reaches it.
+// A limit with stop = true must end the run where it is reached, after one cycle at the earliest.
 TEST(Run, LimitStops) {
   const auto problem = test::problem_of(std::string(test::block_scene) +
                                         test::with(limits, {{"depth_mm = 1e-7", "depth_mm = 1e-9\nstop = true"}}));
   const auto r = run(problem);
   EXPECT_EQ(r.summary.status, sim::RunStatus::done);
-  EXPECT_EQ(r.summary.cycles, 10.0);
+  EXPECT_EQ(r.summary.cycles, 1.0);
 }
 
 // A run that fails must be a summary with its reason and the last accepted state, never an exception.

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "problem_of.hpp"
+#include "sim/run.hpp"
+
+using namespace reye;
+
+namespace {
+
+const char* const limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0e-4\nstop = true\n";
+
+struct Run {
+  sim::State state;
+  sim::Summary summary;
+  std::vector<sim::IncrementRecord> rows;
+};
+
+Run run(const std::string& jump, const std::string& more = "") {
+  const auto problem = test::problem_of(
+      test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
+  Run r{sim::initial_state(problem), {}, {}};
+  sim::Observer observer;
+  observer.increment = [&](const sim::IncrementRecord& row) { r.rows.push_back(row); };
+  r.summary = sim::run(problem, r.state, observer);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
+  return r;
+}
+
+double deepest(const sim::IncrementRecord& row) { return row.depth_max_secondary_mm; }
+
+}  // namespace
+
+// A run that a limit stops must end where the limit is, by a tolerance and in fixed blocks, and its life be that cycle.
+TEST(Limits, StopEndsTheRunAtTheLimit) {
+  for (const std::string jump : {"{ tolerance = 0.01, first = 500 }", "5000"}) {
+    const auto r = run(jump, limit);
+    const double life = r.summary.life_cycles.at("life").value();
+    EXPECT_NEAR(r.summary.cycles, life, 5e-3 * life) << jump;
+    EXPECT_NEAR(r.summary.limit_share.at("life"), 1.0, 5e-3) << jump;
+    EXPECT_LT(r.summary.cycles, 39000.0);
+    EXPECT_TRUE(std::is_sorted(r.rows.begin() + 1, r.rows.end(), [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
+    EXPECT_LT(r.summary.contacts[0].ledger_relative_error.value(), 1e-12);
+  }
+}
+
+// Where two limits would end the run, it must end at the first.
+TEST(Limits, TheFirstOfTwoEndsTheRun) {
+  const auto r = run("{ tolerance = 0.01, first = 500 }",
+                     std::string(limit) + "[limit.sooner]\ncontact = \"pad\"\ndepth_mm = 0.5e-4\nstop = true\n");
+  EXPECT_NEAR(r.summary.cycles, r.summary.life_cycles.at("sooner").value(), 5e-3 * r.summary.cycles);
+  EXPECT_FALSE(r.summary.life_cycles.at("life"));
+}
+
+// Under a tolerance the last row of the history must say what the summary says, and no row fall behind the one before.
+TEST(Limits, HistoryEndsAsTheSummary) {
+  const auto r = run("{ tolerance = 0.03, first = 500 }");
+  EXPECT_NEAR(deepest(r.rows.back()), r.summary.contacts[0].secondary.max_depth_mm, 1e-12);
+  EXPECT_NEAR(r.rows.back().energy_mJ, r.summary.contacts[0].dissipated_energy, 1e-9 * r.rows.back().energy_mJ);
+  EXPECT_NEAR(r.rows.back().cycle, r.summary.cycles, 1e-6);
+  EXPECT_TRUE(std::is_sorted(r.rows.begin(), r.rows.end(), [](const auto& a, const auto& b) { return deepest(a) < deepest(b); }));
+}
+
+// A tolerance that is missed must be named among the warnings with its figure.
+TEST(Limits, MissedToleranceIsAWarning) {
+  const auto r = run("{ tolerance = 0.0001, first = 1, most = 1e5 }\n[solver]\nmax_newton = 30", "");
+  const auto error = r.summary.error_cycle_jump.value();
+  const auto found = std::find_if(r.summary.warnings.begin(), r.summary.warnings.end(), [](const auto& w) { return w.kind == "tolerance"; });
+  EXPECT_EQ(found != r.summary.warnings.end(), error > 1e-4) << error;
+}
