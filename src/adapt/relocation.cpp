@@ -134,4 +134,18 @@ std::shared_ptr<const InteriorMotion> RelocationCache::of(const std::shared_ptr<
   return entry.motion;
 }
 
+void relocate(mesh::Mesh& mesh, const std::shared_ptr<const mesh::Mesh>& born, RelocationCache* cache) {
+  RelocationCache own;
+  const auto motion = (cache ? *cache : own).of(born);
+  std::vector<char> outer(mesh.X.size(), 0);
+  for (const auto& loop : mesh.outline)
+    for (int node : loop) outer[node] = 1;
+  Points displacement(mesh.X.size(), base::Vec2::Zero());
+  for (std::size_t j = 0; j < outer.size(); ++j)
+    if (outer[j]) displacement[j] = mesh.X[j] - born->X[j];
+  displacement = motion->extend(std::move(displacement));
+  for (std::size_t j = 0; j < outer.size(); ++j)
+    if (!outer[j]) mesh.X[j] = born->X[j] + displacement[j];
+}
+
 }  // namespace reye::adapt

@@ -43,4 +43,8 @@ class RelocationCache {
   std::map<const mesh::Mesh*, Entry> entries_;
 };
 
+/// Moves the inner nodes after the outline, both seen from the mesh of birth. Without `cache` the result is the same to
+/// the last bit.
+void relocate(mesh::Mesh& mesh, const std::shared_ptr<const mesh::Mesh>& born, RelocationCache* cache);
+
 }  // namespace reye::adapt

@@ -31,33 +31,13 @@ std::string bad_loss(const std::vector<WornBoundary>& worn) {
   return {};
 }
 
-/// Inner nodes follow the outline, both seen from the mesh of birth.
-void relocate(mesh::Mesh& mesh, const std::shared_ptr<const mesh::Mesh>& born, const Outline& outline,
-              RelocationCache* cache) {
-  RelocationCache own;
-  const auto motion = (cache ? *cache : own).of(born);
-  Points displacement(mesh.X.size(), Vec2::Zero());
-  for (int j = 0; j < mesh.node_count(); ++j)
-    if (outline.holds(j)) displacement[j] = mesh.X[j] - born->X[j];
-  displacement = motion->extend(std::move(displacement));
-  for (int j = 0; j < mesh.node_count(); ++j)
-    if (!outline.holds(j)) mesh.X[j] = born->X[j] + displacement[j];
-}
-
-double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets) {
-  Points moved(before.size());
-  for (std::size_t j = 0; j < before.size(); ++j) moved[j] = after[j] - before[j];
-  return strip_volume(analysis, control_points(facets, before), facets, control_points(facets, std::move(moved)));
-}
-
 /// The mesh after the outline has moved: refused when that crosses itself; `poor` where an element is.
-void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const Outline& outline,
-           const QualityBound& bound, RelocationCache* cache) {
+void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const QualityBound& bound, RelocationCache* cache) {
   if (const auto crossing = find_crossing(next->mesh)) {
     result.failure = crossing_report(next->mesh, *next->born, *crossing);
     return;
   }
-  relocate(next->mesh, next->born, outline, cache);
+  relocate(next->mesh, next->born, cache);
   const auto poorest = mesh::poorest_cell(next->mesh);
   result.min_quality = poorest.scaled_jacobian;
   if (poorest.cell >= 0 && !(poorest.scaled_jacobian >= bound.min_scaled_jacobian))
@@ -86,7 +66,7 @@ ShapeStepResult evolve(const body::ShapePtr& shape, base::Analysis analysis, con
   next->mesh.X = std::move(moved.X);
   slide_sides(next->mesh, *shape->born, nodes);
   result.removed = strip_between(analysis, shape->mesh.X, next->mesh.X, touched_facets(outline, nodes));
-  judge(result, std::move(next), outline, bound, cache);
+  judge(result, std::move(next), bound, cache);
   return result;
 }
 

@@ -72,6 +72,12 @@ double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>
   return sum;
 }
 
+double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets) {
+  Points moved(before.size());
+  for (std::size_t j = 0; j < before.size(); ++j) moved[j] = after[j] - before[j];
+  return strip_volume(analysis, control_points(facets, before), facets, control_points(facets, std::move(moved)));
+}
+
 double exact_factor(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
                     double volume) {
   const auto excess = [&](double theta) { return strip_volume(analysis, X, facets, step, theta) - volume; };

@@ -36,6 +36,9 @@ double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const s
 double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
                     double factor = 1.0);
 
+/// The volume of the strip between the outlines of two meshes that differ in their coordinates alone.
+double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets);
+
 /// The factor theta near 1 for which the strip has exactly `volume` > 0, by the secant method down to
 /// round-off; NaN when there is none.
 double exact_factor(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,

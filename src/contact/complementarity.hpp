@@ -34,6 +34,7 @@ struct NodeConstants {
   double imposed_slip = 0.0;
   bool held = false;            ///< shear is given: re-equilibration after the shape moved
   double held_shear = 0.0;
+  double held_pressure = 0.0, compliance = 0.0;  ///< re-equilibration on springs [MPa, mm/MPa]
   bool anchor = false;
 };
 
@@ -46,6 +47,7 @@ struct NodeConditions {
 
 /// Conditions of an active node:                                                   [README (3) to (6)]
 ///   normal:      weighted gap + D (w_s + dw_s) + sum_l M_jl (w_l + dw_l) = 0, this increment's wear included
+///   on springs:  weighted gap + D compliance (lambda_n - held pressure) = 0 with `held` and a compliance;
 ///   stick:       weighted slip = 0;      slip: lambda_t - mu lambda_n sign = 0
 ///   held shear:  lambda_t = the given shear (plus its share of the balance), cut to the friction bound;
 ///                the anchor node sticks instead, so that a body that only friction holds has a place.
@@ -59,6 +61,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   if (status == ContactStatus::slip && !c.held)
     r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.lambda_t, r.slip, s.D + s.off}, c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
+  if (c.compliance > 0.0) r.normal += c.compliance * (s.D + s.off) * (r.lambda_n - c.held_pressure);
   if (c.held && !c.anchor) {
     const T given = c.held_shear + s.share;
     const bool cut = std::abs(base::value(given)) > c.friction * base::value(r.lambda_n);

@@ -46,8 +46,13 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
     const bool was = status_last_[j] != ContactStatus::inactive;
     // Nodes that touch at zero gap start active: the first matrix would be singular without them.
     const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
+    const bool pressed = options_.compliance > 0.0 && options_.held_pressure[j] > 0.0;
+    if (options_.compliance > 0.0 && !pressed) {
+      status_[j] = ContactStatus::inactive;
+      continue;
+    }
     // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
-    if (!start && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= 0.0) {
+    if (!start && !pressed && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= 0.0) {
       status_[j] = ContactStatus::inactive;
       continue;
     }

@@ -195,6 +195,10 @@ NodeConstants Interface::constants(int node) const {
   c.held = options_.held;
   c.anchor = node == options_.anchor;
   if (c.held) c.held_shear = options_.held_shear[node];
+  if (c.held && options_.compliance > 0.0) {
+    c.held_pressure = options_.held_pressure[node];
+    c.compliance = options_.compliance;
+  }
   return c;
 }
 

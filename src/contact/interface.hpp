@@ -20,6 +20,9 @@ struct IncrementOptions {
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
   std::vector<double> held_pressure;
+  /// With `held` alone [mm/MPa]: 0, or a nodal gap opens by this times what the pressure falls short of `held_pressure`,
+  /// in the nodes that had one, and in no others.
+  double compliance = 0.0;
   int anchor = -1;            ///< where nothing but friction holds a body along the contact: the node that sticks;
                               ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
   /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);

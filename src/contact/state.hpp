@@ -29,7 +29,8 @@ struct MortarRow {
   }
 };
 
-/// All of a contact that evolves. Volumes are stored, depth is derived: volume / full nodal length on X.
+/// All of a contact that evolves. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the shape
+/// evolves, `removed` is measured on it: depth below the unworn outline times that length; what is exact is the ledger.
 struct ContactState {
   std::vector<Vec2> lambda;               ///< per secondary node [MPa]; lambda . n > 0 in compression
   std::vector<Vec2> normal;               ///< unit normal per secondary node on x, zero before the first increment

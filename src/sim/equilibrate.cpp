@@ -37,6 +37,32 @@ solver::System unyielding(solver::System system) {
   return system;
 }
 
+/// How soft springs must be for pressures that stay as they are given, whatever the gaps: a layer of a thousand lengths of
+/// the contact.
+double soft(const contact::Setup& setup, const contact::ContactState& contact) {
+  double compliance = 0.0;
+  for (std::size_t j = 0; j < contact.status.size(); ++j)
+    if (contact.status[j] != contact::ContactStatus::inactive) compliance += 1e3 / setup.stiffness[j];
+  return compliance;
+}
+
+solver::SolveResult held_equilibrium(const Problem& problem, const State& state, const solver::System& system, Cache& cache,
+                                     const BlockSpan& span, const std::vector<HeldTraction>& held, bool on_springs) {
+  auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
+  count_from_renewal(controls, problem, system, state);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    auto& o = controls.contacts[c];
+    o.held = true;
+    o.friction = state.solution.contacts[c].friction;
+    o.wear = false;
+    hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
+    if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
+    if (on_springs) o.compliance = soft(system.contacts[c], state.solution.contacts[c]);
+  }
+  Timer timer(cache, "solver");
+  return cache.newton.solve(system, state.solution, controls);
+}
+
 }  // namespace
 
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
@@ -54,23 +80,21 @@ std::vector<HeldTraction> held_tractions(const solver::System& system, const Sta
   return tractions;
 }
 
+std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                                   const std::vector<HeldTraction>& held) {
+  const auto system = unyielding(timed_system(problem, state, cache));
+  auto result = held_equilibrium(problem, state, system, cache, span, held, true);
+  state.counts.newton_iterations += result.report.solves;
+  if (result.report.converged) state.solution = std::move(result.state);
+  return result.report.converged ? std::string() : result.report.reason;
+}
+
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held) {
   const auto system = unyielding(timed_system(problem, state, cache));
-  auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
-  count_from_renewal(controls, problem, system, state);
   std::vector<std::vector<contact::ContactStatus>> status;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    auto& o = controls.contacts[c];
-    o.held = true;
-    o.friction = state.solution.contacts[c].friction;
-    o.wear = false;
-    hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
-    if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
-    status.push_back(state.solution.contacts[c].status);
-  }
-  Timer timer(cache, "solver");
-  auto result = cache.newton.solve(system, state.solution, controls);
+  for (const auto& contact : state.solution.contacts) status.push_back(contact.status);
+  auto result = held_equilibrium(problem, state, system, cache, span, held, false);
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged) return "re-equilibration after the shape moved: " + result.report.reason;
   state.solution = std::move(result.state);

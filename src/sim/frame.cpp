@@ -60,6 +60,21 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
   }
 }
 
+/// A renewed reference is no start: its displacements count from where the body was at first, on the nodes' first places.
+void count_from_start(const State& state, Frame& frame) {
+  for (std::size_t b = 0; b < state.displaced.size(); ++b) {
+    const auto& before = state.displaced[b];
+    auto& body = frame.bodies[b];
+    if (before.empty() || body.u.empty()) continue;
+    auto mesh = std::make_shared<mesh::Mesh>(*body.mesh);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      mesh->X[i] -= before[i];
+      body.u[i] += before[i];
+    }
+    body.mesh = std::move(mesh);
+  }
+}
+
 }  // namespace
 
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
@@ -76,6 +91,7 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
   }
   const auto& output = problem.scene.output;
   if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
+  count_from_start(state, frame);
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
     for (auto& surface : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
       frame.surfaces.push_back(std::move(surface));

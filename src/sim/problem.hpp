@@ -77,6 +77,8 @@ struct State {
   /// Per support of the scene: its x, y and rotation when the reference of its body was last renewed, from where its
   /// columns count since. Empty: no body's ever was.
   std::vector<std::array<double, 3>> renewed_at;
+  /// Per body: how far its nodes were displaced when its reference was last renewed; empty: it never was.
+  std::vector<base::Points> displaced;
   bool approached = false;                       ///< bodies apart have been moved until they touch
   std::map<std::string, double> life_cycles;     ///< limits reached so far
   std::map<std::string, double> life_error;      ///< of those, by the error known of the cycle jump [cycles]

@@ -85,6 +85,8 @@ struct RemeshRecord {
   double scaled_jacobian_before = 0.0, scaled_jacobian_after = 0.0;  ///< of the poorest element
   double projection_mm = 0.0;     ///< farthest a new contact node lay outside the old mesh
   double area_residue = 0.0;      ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
+  double gap_moved_mm = 0.0;      ///< farthest a worn node was moved so that pressures hold on the new mesh
+  double gap_left_mm = 0.0;       ///< largest gap under a pressure that no worn node could close
   double pressure_jump = 0.0;     ///< largest difference in pressure over the largest pressure, of this body's contacts
   double force_jump = 0.0;        ///< difference of the contact force over the force
   double energy_jump = 0.0;       ///< difference of the strain energy over the energy

@@ -109,6 +109,20 @@ std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const
   return {};
 }
 
+/// How far the nodes of a fresh mesh have come since the start: what the body had been displaced by before, and in a
+/// renewal its present displacement, too. Returns why it cannot be carried.
+std::string carry_displaced(const State& state, int b, const Displaced& before, const base::Points& u, bool renew,
+                            const mesh::Mesh& fresh, State& next) {
+  base::Points all = state.displaced.empty() ? base::Points() : state.displaced[b];
+  if (all.empty() && !renew) return {};
+  all.resize(u.size(), Vec2::Zero());
+  for (std::size_t i = 0; renew && i < u.size(); ++i) all[i] += u[i];
+  next.displaced.resize(state.shapes.size());
+  next.displaced[b].clear();
+  double projection = 0.0;
+  return carry_displacement(before.on->mesh, all, fresh.X, next.displaced[b], projection);
+}
+
 /// D and M on the fresh meshes: what the next equilibrium starts from.
 void renew_references(const solver::System& system, solver::SolverState& solution) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
@@ -191,6 +205,9 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
         adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]), options);
     if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
     displaced[b] = displaced_body(problem, state, old, b, reasons[b].renew, next.shapes[b]);
+    const std::string lost = carry_displaced(state, b, displaced[b], recovered(problem, state, old, b), reasons[b].renew,
+                                             made.shape->mesh, next);
+    if (!lost.empty()) return "remeshing body " + problem.inputs[b].name + ": " + lost;
     records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
     shapes[b] = made.shape;
     ++next.counts.remeshes;

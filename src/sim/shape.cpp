@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "adapt/shape_step.hpp"
+#include "sim/depth.hpp"
 #include "sim/drive.hpp"
+#include "sim/gap.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
 
@@ -132,7 +134,9 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (!asked[b].text.empty()) change.reasons[b] = asked[b];
-  return settle(problem, std::move(state), std::move(change), cache, span, observer);
+  Outcome outcome = settle(problem, std::move(state), std::move(change), cache, span, observer);
+  if (outcome.failure.empty() && span.remesh) measure_depths(problem, outcome.state);
+  return outcome;
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
@@ -151,12 +155,17 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   if (next.shapes == state.shapes) return {std::move(state), {}, false};
   next.shown = false;
   for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
-  const std::string failure = re_equilibrate(problem, next, cache, span, change.held);
+  CarriedGap gap;
+  const std::string failure = records.empty() ? re_equilibrate(problem, next, cache, span, change.held)
+                                              : equilibrate_with_gap(problem, next, cache, span, change.held, gap);
   if (!failure.empty()) return {std::move(state), failure, false};
+  if (!gap.failure.empty() && observer.log) observer.log("the gap is not carried over the remesh: " + gap.failure);
   if (!records.empty()) {
     fill_jumps(problem, next, system_of(problem, next, cache), before, change.held, records);
     for (auto& r : records) {
       r.step = span.step->name;
+      r.gap_moved_mm = gap.moved_mm;
+      r.gap_left_mm = gap.left_mm;
       r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     tell(observer, records);

@@ -18,6 +18,10 @@ std::vector<HeldTraction> held_tractions(const solver::System& system, const Sta
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held);
 
+/// Equilibrium with all tractions held: springs stand in the gaps, too soft to change a pressure. A failure in words.
+std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                                   const std::vector<HeldTraction>& held);
+
 /// A body after the wear of a block has been taken off.
 struct Moved {
   body::ShapePtr shape;

@@ -59,6 +59,24 @@ TEST(RenewedReference, UpsettingForce) {
   EXPECT_EQ(run.state.solution.interiors[0].F0.size(), run.state.solution.interiors[0].history.size());
 }
 
+// Probes and frames must count from the start whatever was renewed on the way: a point of the barrel moves as in a run on one
+// mesh within 1 %, and what a frame shows as unstressed is the billet as it was drawn.
+TEST(RenewedReference, ProbesCountFromTheStart) {
+  const std::pair<std::string, std::string> probes{"[output]", "[output]\nprobes = { barrel = { body = \"billet\", at_mm = [10.0, 3.0] } }"};
+  const auto run = played(scene_text("upsetting_remesh", {probes}));
+  const auto plain = played(scene_text("upsetting_remesh", {probes, {"[remesh]", "[remesh]\nautomatic = false"}}));
+  EXPECT_GE(run.summary.counts.remeshes, 2);
+  const auto u = run.summary.probes.at("barrel"), expected = plain.summary.probes.at("barrel");
+  EXPECT_GT(expected.norm(), 2.0);
+  EXPECT_LT((u - expected).norm(), 0.01 * expected.norm());
+  double low = 1e300, high = 0.0;
+  for (const auto& x : run.frame.bodies.at(0).mesh->X) {
+    low = std::min(low, x.y());
+    high = std::max(high, x.y());
+  }
+  EXPECT_NEAR(high - low, 15.0, 0.02);
+}
+
 // A support that moves the renewed body itself must go on from where it was: the billet pushed against a fixed die needs
 // the force of the die pushed against the billet.
 TEST(RenewedReference, MovedSupportsGoOn) {

@@ -1,0 +1,48 @@
+#include "sim/depth.hpp"
+
+#include <algorithm>
+
+#include "adapt/unworn.hpp"
+#include "sim/carry.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// Depths at the nodes of a boundary; of middle nodes the coefficients of their Bernstein functions.
+std::vector<double> depths_on(const body::Shape& now, const body::Shape& first, const std::string& boundary,
+                              const mortar::Surface& surface) {
+  const adapt::UnwornLine unworn(first.mesh, first.mesh.boundaries.at(boundary));
+  std::vector<double> depth;
+  for (int node : mesh::nodes_of(now.mesh.boundaries.at(boundary))) depth.push_back(unworn.depth(now.mesh.X[node]));
+  for (const auto& [a, b, c] : surface.facets)
+    if (c >= 0) depth[c] = 2.0 * depth[c] - 0.5 * (depth[a] + depth[b]);
+  return depth;
+}
+
+void measure(const Problem& problem, const State& state, const contact::BoundaryRef& ref, const double* pending, double* removed) {
+  const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
+  const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
+  for (std::size_t k = 0; k < depth.size(); ++k)
+    if (removed[k] > 0.0) removed[k] = std::max(depth[k], 0.0) * surface.area[k] + pending[k];
+}
+
+}  // namespace
+
+void measure_depths(const Problem& problem, State& state) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& placed = problem.contacts[c];
+    auto& contact = state.solution.contacts[c];
+    const auto& law = placed.options.wear;
+    if (law.wears() && law.secondary > 0.0)
+      measure(problem, state, placed.secondary, contact.pending_secondary.data(), contact.removed_secondary.data());
+    std::size_t first = 0;
+    for (const auto& ref : placed.primary) {
+      if (law.wears() && law.primary > 0.0)
+        measure(problem, state, ref, contact.pending_primary.data() + first, contact.removed_primary.data() + first);
+      first += mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
+    }
+  }
+}
+
+}  // namespace reye::sim

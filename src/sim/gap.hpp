@@ -1,0 +1,19 @@
+#pragma once
+#include "sim/shape.hpp"
+
+namespace reye::sim {
+
+/// What has been given back of a gap [mm].
+struct CarriedGap {
+  double moved_mm = 0.0;  ///< farthest that a node was moved
+  double left_mm = 0.0;   ///< largest gap under a pressure that no worn node could close
+  std::string failure;    ///< why nothing was moved; empty when it was
+};
+
+/// Equilibrium after a remesh that carries the gap of worn contacts: worn nodes of `next` move until the pressures in `held`
+/// are in equilibrium on the fresh meshes, and every body keeps its content. What a conforming contact presses is decided by
+/// gaps far below what a redrawn outline or another mesh keeps of them. A failure of the equilibrium in words.   (README, 5)
+std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
+                                 const std::vector<HeldTraction>& held, CarriedGap& gap);
+
+}  // namespace reye::sim

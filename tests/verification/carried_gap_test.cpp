@@ -1,0 +1,39 @@
+#include "apps/scenes.hpp"
+#include "verification/watched_remeshes.hpp"
+
+using namespace reye;
+using namespace reye::verification;
+
+namespace {
+
+/// A small pin worn flat, both bodies meshed anew in every block.
+std::string worn_pin(const Replacements& words = {}) {
+  std::ofstream(testing::TempDir() + "wearing.geo") << test::wearing_geo;
+  return replaced(test::worn_pin, words);
+}
+
+void expect_carried(const Watched& w) {
+  EXPECT_GE(w.remeshes.size(), 12U);
+  EXPECT_LT(w.pressure_jump(), 0.02);
+  EXPECT_LT(w.depth_step, 0.005);
+  EXPECT_LT(w.run.contact().ledger_relative_error.value(), 1e-9);
+}
+
+}  // namespace
+
+// A pin worn flat, conforming to its plate within the elastic approach, must keep its pressure over every remesh of both
+// bodies, its depth and its book of volumes.
+TEST(CarriedGap, WornPin) { expect_carried(watched(worn_pin({{"cycles = 6", "cycles = 10"}}))); }
+
+// The same in second order, on triangles, and where only the primary wears and takes it all.
+TEST(CarriedGap, SecondOrder) {
+  expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, order = 2"}, {"size_mm = 0.015", "size_mm = 0.03"}})));
+}
+
+TEST(CarriedGap, Triangles) { expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, element = \"tri\""}}))); }
+
+TEST(CarriedGap, PrimaryAlone) {
+  expect_carried(watched(worn_pin({{"secondary = \"round\"", "secondary = \"face\""},
+                                   {"primary   = [\"face\"]", "primary   = [\"round\"]"},
+                                   {"secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 1.0e-5", "primary_mm3_per_J = 1.0e-4"}})));
+}
