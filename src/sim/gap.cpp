@@ -16,7 +16,8 @@ using Values = std::vector<double>;
 
 /// One side of a contact: what its nodes have lost, where tractions act, and how far the nodes go outwards.
 struct SideShift {
-  Values depth;             ///< 0: the node cannot move
+  Values depth;             ///< no node goes farther out than this
+  Values room;              ///< nor farther in: what it, or a node beside it, has lost
   std::vector<char> loaded;
   Values by, free;
 };
@@ -41,21 +42,26 @@ SideShift side_of(const mortar::Surface& surface, const Values& removed, double 
   SideShift side;
   const std::size_t n = surface.X.size();
   side.depth.assign(n, 0.0);
+  side.room.assign(n, 0.0);
   side.loaded.assign(n, 0);
   side.by.assign(n, 0.0);
   side.free.assign(n, 0.0);
   if (coefficient > 0.0)
     for (std::size_t k = 0; k < n; ++k) side.depth[k] = removed[k] / surface.area[k];
+  for (const auto& facet : surface.facets)
+    for (int k : facet)
+      for (int beside : facet)
+        if (k >= 0 && beside >= 0) side.room[k] = std::max(side.room[k], side.depth[beside]);
   return side;
 }
 
-double limited(double by, double depth) { return std::clamp(by, -depth, depth); }
+double limited(double by, const SideShift& side, std::size_t k) { return std::clamp(by, -side.room[k], side.depth[k]); }
 
 /// Control points without multiplier go as the mean of the nodes beside them.
 void fill_between(const contact::Setup& setup, SideShift& side) {
   for (const auto& [a, b, c] : setup.secondary.facets) {
     if (c < 0 || !setup.between(c)) continue;
-    side.by[c] = limited(0.5 * (side.by[a] + side.by[b]), side.depth[c]);
+    side.by[c] = limited(0.5 * (side.by[a] + side.by[b]), side, static_cast<std::size_t>(c));
     side.loaded[c] = side.loaded[a] && side.loaded[b];
   }
 }
@@ -66,7 +72,7 @@ void close_by_secondary(Closing& c) {
   for (int turn = 0; turn < turns; ++turn) {
     for (std::size_t j = 0; j < c.rows.size(); ++j)
       if (c.secondary.loaded[j] && !c.setup.between(static_cast<int>(j)))
-        c.secondary.by[j] = limited(c.secondary.by[j] + c.left(j) / c.rows[j].carried(), c.secondary.depth[j]);
+        c.secondary.by[j] = limited(c.secondary.by[j] + c.left(j) / c.rows[j].carried(), c.secondary, j);
     fill_between(c.setup, c.secondary);
   }
 }
@@ -80,7 +86,7 @@ void close_by_primary(Closing& c) {
   base::Matrix B = base::Matrix::Zero(static_cast<Eigen::Index>(nodes.size()), nl);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const auto& [l, M] : c.rows[nodes[i]].M)
-      if (c.primary.depth[l] > 0.0) B(static_cast<Eigen::Index>(i), l) = M / std::sqrt(c.rows[nodes[i]].carried());
+      if (c.primary.room[l] > 0.0) B(static_cast<Eigen::Index>(i), l) = M / std::sqrt(c.rows[nodes[i]].carried());
   constexpr double damping = 1e-3;
   Vector diagonal = damping * B.colwise().squaredNorm().transpose();
   for (double& d : diagonal)
@@ -95,7 +101,7 @@ void close_by_primary(Closing& c) {
       r[static_cast<Eigen::Index>(i)] = c.left(nodes[i]) / std::sqrt(c.rows[nodes[i]].carried());
     const Vector b = factor.solve(B.transpose() * r);
     for (Eigen::Index l = 0; l < nl; ++l)
-      c.primary.by[l] = limited(c.primary.by[l] + b[l], c.primary.depth[l]);
+      c.primary.by[l] = limited(c.primary.by[l] + b[l], c.primary, static_cast<std::size_t>(l));
   }
 }
 
@@ -148,9 +154,10 @@ void fade_out(const mortar::Surface& surface, SideShift& side) {
           const int at = i + way * k;
           if (at < 0 || at >= static_cast<int>(line.size()) || side.loaded[line[at]]) break;
           const double share = 1.0 - k / (reach + 1.0);
-          if (side.depth[line[at]] == 0.0) continue;
-          side.by[line[at]] = limited(share * side.by[line[i]], side.depth[line[at]]);
-          side.free[line[at]] = share * side.free[line[i]];
+          const auto node = static_cast<std::size_t>(line[at]);
+          if (side.depth[node] == 0.0) continue;
+          side.by[node] = limited(share * side.by[line[i]], side, node);
+          side.free[node] = share * side.free[line[i]];
         }
       }
 }
@@ -159,14 +166,20 @@ void fade_out(const mortar::Surface& surface, SideShift& side) {
 void keep_open(Closing& c) {
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
     const double D = c.rows[j].carried();
-    if (c.secondary.loaded[j] || c.setup.cut[j] || D <= 0.0 || c.secondary.depth[j] == 0.0) continue;
+    if (c.secondary.loaded[j] || c.setup.cut[j] || D <= 0.0) continue;
     const double room = c.left(j) / D;
-    if (room < 0.0) c.secondary.by[j] = limited(c.secondary.by[j] + room, c.secondary.depth[j]);
+    if (room < 0.0) c.secondary.by[j] = limited(c.secondary.by[j] + room, c.secondary, j);
   }
 }
 
 bool any(const Values& v) {
   return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
+}
+
+/// What the moves give back a node has no longer lost.
+void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
+  for (std::size_t k = 0; k < removed.size(); ++k)
+    if (side.by[k] != 0.0) removed[k] = std::max(0.0, removed[k] - side.by[k] * surface.area[k]);
 }
 
 /// The moves of all boundaries, by body.
@@ -227,7 +240,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     if (!wears(problem.contacts[c])) continue;
     const auto& setup = system.contacts[c];
-    const auto& contact = next.solution.contacts[c];
+    auto& contact = next.solution.contacts[c];
     const auto at = solver::positions(system, setup, pressed.solution.q);
     contact::IncrementOptions options;
     options.held = true;
@@ -239,6 +252,8 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
                     side_of(setup.primary, contact.removed_primary, law.primary)};
     close(closing, face, held[c], carried);
     collect(problem.contacts[c], next, closing, shifts);
+    take_off(closing.secondary, setup.secondary, contact.removed_secondary);
+    take_off(closing.primary, setup.primary, contact.removed_primary);
   }
   Timer timer(cache, "adapt");
   auto shapes = next.shapes;
