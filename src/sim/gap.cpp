@@ -16,8 +16,7 @@ using Values = std::vector<double>;
 
 /// One side of a contact: what its nodes have lost, where tractions act, and how far the nodes go outwards.
 struct SideShift {
-  Values depth;             ///< no node goes farther out than this
-  Values room;              ///< nor farther in: what it, or a node beside it, has lost
+  Values room;              ///< no node goes farther: what it, or a node beside it, has lost
   std::vector<char> loaded;
   Values by, free;
 };
@@ -41,21 +40,20 @@ struct Closing {
 SideShift side_of(const mortar::Surface& surface, const Values& removed, double coefficient) {
   SideShift side;
   const std::size_t n = surface.X.size();
-  side.depth.assign(n, 0.0);
   side.room.assign(n, 0.0);
   side.loaded.assign(n, 0);
   side.by.assign(n, 0.0);
   side.free.assign(n, 0.0);
-  if (coefficient > 0.0)
-    for (std::size_t k = 0; k < n; ++k) side.depth[k] = removed[k] / surface.area[k];
+  if (coefficient == 0.0) return side;
+  const auto depth = [&](int k) { return removed[static_cast<std::size_t>(k)] / surface.area[static_cast<std::size_t>(k)]; };
   for (const auto& facet : surface.facets)
     for (int k : facet)
       for (int beside : facet)
-        if (k >= 0 && beside >= 0) side.room[k] = std::max(side.room[k], side.depth[beside]);
+        if (k >= 0 && beside >= 0) side.room[k] = std::max(side.room[k], depth(beside));
   return side;
 }
 
-double limited(double by, const SideShift& side, std::size_t k) { return std::clamp(by, -side.room[k], side.depth[k]); }
+double limited(double by, const SideShift& side, std::size_t k) { return std::clamp(by, -side.room[k], side.room[k]); }
 
 /// Control points without multiplier go as the mean of the nodes beside them.
 void fill_between(const contact::Setup& setup, SideShift& side) {
@@ -119,7 +117,7 @@ void free_motion(Closing& c, const contact::Interface& face, const HeldTraction&
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
     if (!c.secondary.loaded[j]) continue;
     const double along = one_way ? std::max(0.0, face.normal()[j].dot(load.normalized())) : 1.0;
-    if (c.secondary.depth[j] > 0.0) c.secondary.free[j] = along;
+    if (c.secondary.room[j] > 0.0) c.secondary.free[j] = along;
     for (const auto& [l, M] : c.rows[j].M) {
       met[l] += std::abs(M);
       sum[l] += std::abs(M) * along;
@@ -127,7 +125,7 @@ void free_motion(Closing& c, const contact::Interface& face, const HeldTraction&
   }
   for (std::size_t l = 0; l < met.size(); ++l) {
     c.primary.loaded[l] = met[l] > 0.0;
-    if (met[l] > 0.0 && c.primary.depth[l] > 0.0) c.primary.free[l] = sum[l] / met[l];
+    if (met[l] > 0.0 && c.primary.room[l] > 0.0) c.primary.free[l] = sum[l] / met[l];
   }
 }
 
@@ -143,9 +141,9 @@ std::vector<std::vector<int>> lines(const mortar::Surface& surface) {
   return all;
 }
 
-/// Beyond its ends a motion fades out over three facets, in worn nodes.
+/// Beyond its ends a motion goes on for a facet, so that what is open beside it stays as open, and fades out over two more.
 void fade_out(const mortar::Surface& surface, SideShift& side) {
-  const int reach = 3 * surface.order;
+  const int whole = surface.order, reach = 3 * surface.order;
   for (const auto& line : lines(surface))
     for (int way : {1, -1})
       for (int i = 0; i < static_cast<int>(line.size()); ++i) {
@@ -153,9 +151,9 @@ void fade_out(const mortar::Surface& surface, SideShift& side) {
         for (int k = 1; k <= reach; ++k) {
           const int at = i + way * k;
           if (at < 0 || at >= static_cast<int>(line.size()) || side.loaded[line[at]]) break;
-          const double share = 1.0 - k / (reach + 1.0);
+          const double share = k <= whole ? 1.0 : 1.0 - (k - whole) / (reach - whole + 1.0);
           const auto node = static_cast<std::size_t>(line[at]);
-          if (side.depth[node] == 0.0) continue;
+          if (side.room[node] == 0.0) continue;
           side.by[node] = limited(share * side.by[line[i]], side, node);
           side.free[node] = share * side.free[line[i]];
         }
@@ -200,8 +198,8 @@ void collect(const PlacedContact& placed, const State& state, const Closing& c, 
 void close(Closing& c, const contact::Interface& face, const HeldTraction& held, CarriedGap& carried) {
   for (std::size_t j = 0; j < c.rows.size(); ++j)
     c.secondary.loaded[j] = held.normal[j] > 0.0 && !c.setup.cut[j] && face.touching(static_cast<int>(j));
-  if (any(c.secondary.depth)) close_by_secondary(c);
-  if (any(c.primary.depth)) close_by_primary(c);
+  if (any(c.secondary.room)) close_by_secondary(c);
+  if (any(c.primary.room)) close_by_primary(c);
   free_motion(c, face, held);
   fade_out(c.setup.secondary, c.secondary);
   fade_out(c.setup.primary, c.primary);
