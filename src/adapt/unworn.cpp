@@ -30,8 +30,9 @@ UnwornLine::UnwornLine(const mesh::Mesh& mesh, const mesh::Boundary& boundary) {
     for (std::size_t k = 1; k < chain.size(); ++k) {
       points.push_back(mesh.X[chain[k]]);
       const bool last = k + 1 == chain.size();
-      if (!last && turning(mesh.X[chain[k]] - mesh.X[chain[k - 1]], mesh.X[chain[k + 1]] - mesh.X[chain[k]]) <= drawn_kink) continue;
-      edges_.push_back(piece(std::exchange(points, {mesh.X[chain[k]]})));
+      const auto& x = mesh.X[chain[k]];
+      if (!last && turning(x - mesh.X[chain[k - 1]], mesh.X[chain[k + 1]] - x) <= drawn_kink) continue;
+      edges_.push_back(piece(std::exchange(points, {x})));
     }
   }
 }

@@ -20,7 +20,8 @@ std::vector<double> depths_on(const body::Shape& now, const body::Shape& first, 
   return depth;
 }
 
-void measure(const Problem& problem, const State& state, const contact::BoundaryRef& ref, const double* pending, double* removed) {
+void measure(const Problem& problem, const State& state, const contact::BoundaryRef& ref, const double* pending,
+             double* removed) {
   const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
   const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
   for (std::size_t k = 0; k < depth.size(); ++k)

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <limits>
 
-#include "adapt/transfer.hpp"
 #include "base/errors.hpp"
 #include "sim/block.hpp"
 #include "sim/discretisation.hpp"
@@ -15,6 +13,7 @@
 #include "sim/kinematics.hpp"
 #include "sim/limits.hpp"
 #include "sim/measure.hpp"
+#include "sim/probe.hpp"
 #include "sim/recording.hpp"
 #include "sim/rules.hpp"
 #include "sim/stick_edge.hpp"
@@ -73,33 +72,6 @@ double largest_plastic_strain(const State& state) {
   for (const auto& interior : state.solution.interiors)
     for (const auto& point : interior.history) largest = std::max(largest, point.accumulated);
   return largest;
-}
-
-std::size_t nearest(const base::Points& X, const Vec2& to) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < X.size(); ++i)
-    if ((X[i] - to).squaredNorm() < (X[best] - to).squaredNorm()) best = i;
-  return best;
-}
-
-/// Displacement since the start: of the node nearest to the probe; once its body has a renewed reference, of the point
-/// where that node was at first.
-Vec2 probed(const Problem& problem, const State& state, const BodyFrame& body, int b, const Vec2& at) {
-  if (state.displaced.empty() || state.displaced[b].empty()) return body.u[nearest(body.mesh->X, at)];
-  const auto& first = problem.shapes[b]->mesh.X;
-  adapt::Field field{"displacement", 2, {}};
-  for (const Vec2& u : body.u) field.values.insert(field.values.end(), {u.x(), u.y()});
-  mesh::Mesh point;
-  point.X = {first[nearest(first, at)]};
-  const auto found = adapt::transfer(*body.mesh, {std::move(field)}, point, std::numeric_limits<double>::infinity());
-  const auto& u = found.fields.front().values;
-  return {u[0], u[1]};
-}
-
-void probe(const Problem& problem, const State& state, const Frame& frame, Summary& summary) {
-  for (const auto& p : problem.scene.output.probes)
-    for (int b = 0; b < problem.body_count(); ++b)
-      if (frame.bodies[b].name == p.body) summary.probes[p.name] = probed(problem, state, frame.bodies[b], b, p.at_mm);
 }
 
 std::string in_words(const MeshError& error) {
@@ -303,7 +275,7 @@ class Runner {
       for (std::size_t c = 0; c < system.contacts.size(); ++c)
         s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
       warn_of_run(p_, state_, s, observer_);
-      if (!p_.scene.output.probes.empty()) probe(p_, state_, make_frame(p_, state_, cache_, ""), s);
+      if (!p_.scene.output.probes.empty()) s.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));
     }
     s.warnings = p_.warnings;
     for (const auto& warning : state_.warnings) warn(s.warnings, warning);
