@@ -26,13 +26,10 @@ class Run:
     def frames(self, side):
         """[(cycle, rows)], rows along the boundary."""
         name = next(iter(self.summary["contacts"]))
-        frames, before = [], None
+        frames = {}
         for row in map(numbers, read_csv(self.folder / f"surface_{name}_{side}.csv")):
-            if before is None or row["arc_length_mm"] < before:
-                frames.append((row["cycle"], []))
-            frames[-1][1].append(row)
-            before = row["arc_length_mm"]
-        return frames
+            frames.setdefault(row["frame"], (row["cycle"], []))[1].append(row)
+        return list(frames.values())
 
     def last(self, side):
         return self.frames(side)[-1][1]
@@ -56,7 +53,7 @@ def read_csv(path):
 
 
 def numbers(row):
-    return {key: value if key in ("status", "step") else float(value) for key, value in row.items()}
+    return {key: value if key in ("status", "step", "body") else float(value) for key, value in row.items()}
 
 
 def run(scene, name, replacements=()):

@@ -44,7 +44,7 @@ struct Middle {
   int node = -1, a = -1, b = -1;
 };
 
-/// Numbers of inner vertices and of outline nodes, each counted from zero.
+/// Numbers of inner vertices and of held nodes (the outline and the vertices of points), each counted from zero.
 struct Split {
   std::vector<int> number;
   std::vector<bool> held;
@@ -67,6 +67,7 @@ Split split(const mesh::Mesh& mesh) {
   Split s{std::vector<int>(mesh.X.size(), -1), std::vector<bool>(mesh.X.size(), false), {}};
   for (const auto& loop : mesh.outline)
     for (int node : loop) s.held[node] = true;
+  for (int node : mesh.points) s.held[node] = true;
   s.middles = inner_middles(mesh, s.held);
   std::vector<bool> follows(mesh.X.size(), false);
   for (const Middle& middle : s.middles) follows[middle.node] = true;

@@ -19,7 +19,8 @@ class InteriorMotion {
   explicit InteriorMotion(const mesh::Mesh& born);
   ~InteriorMotion();
 
-  /// Displacement of every node for displacements given on the outline (values at inner nodes are not read).
+  /// Displacement of every node for displacements given on the outline and at the vertices of points (values at other
+  /// inner nodes are not read).
   /// Linear in them and without memory: where inner nodes end up depends on the outline alone.
   Points extend(Points displacement) const;
 

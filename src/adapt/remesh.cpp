@@ -13,6 +13,7 @@
 #include "adapt/relocation.hpp"
 #include "adapt/trace.hpp"
 #include "base/errors.hpp"
+#include "mesh/arc.hpp"
 #include "mesh/quality.hpp"
 
 namespace reye::adapt {
@@ -89,8 +90,12 @@ std::optional<mesh::Mesh> refilled(const cad::Drawing& drawing, const mesh::Mesh
 /// A fresh mesh of the drawing with the content of the worn one.
 std::shared_ptr<const body::Shape> mesh_of(const cad::Drawing& drawing, const mesh::Mesh& worn, base::Analysis analysis,
                                            double most_nodes, bool keep_nodes, RemeshResult& result) {
+  const auto shape_of = [&](mesh::Mesh mesh) {
+    mesh::follow_arc_origins(mesh, worn);
+    return body::make_shape(std::move(mesh), std::make_shared<const cad::Drawing>(drawing));
+  };
   if (keep_nodes)
-    if (auto kept = refilled(drawing, worn, most_nodes)) return body::make_shape(std::move(*kept), std::make_shared<const cad::Drawing>(drawing));
+    if (auto kept = refilled(drawing, worn, most_nodes)) return shape_of(std::move(*kept));
   mesh::Mesh fresh = cad::remesh(drawing, most_nodes);
   const auto pairs = pairs_of(drawing, worn, fresh, result.failure);
   if (!result.failure.empty()) return {};
@@ -99,7 +104,7 @@ std::shared_ptr<const body::Shape> mesh_of(const cad::Drawing& drawing, const me
   result.largest_correction_mm = correction.largest_mm;
   if (correction.largest_mm > 0.0) apply(fresh, correction.shift);
   if (result.failure = unsound(fresh); !result.failure.empty()) return {};
-  return body::make_shape(std::move(fresh), std::make_shared<const cad::Drawing>(drawing));
+  return shape_of(std::move(fresh));
 }
 
 }  // namespace

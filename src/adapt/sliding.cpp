@@ -28,6 +28,7 @@ Marks marks_of(const mesh::Mesh& born, const std::vector<WornNode>& worn) {
       }
       marks.slack = std::max(marks.slack, 1e-14 * born.X[loop[k]].cwiseAbs().maxCoeff());
     }
+  for (int node : born.points) marks.stop[node] = 1;
   for (const auto& node : worn) marks.worn[node.node] = 1;
   return marks;
 }

@@ -45,12 +45,18 @@ std::vector<double> equal(double begin, double end, double size, bool even) {
   return points;
 }
 
-/// Where an edge must have nodes: its ends, the ends of fine stretches and the centres of zones.
-std::vector<double> breaks(const Edge& edge, int k, const std::vector<ZoneOutline>& zones) {
+/// Where an edge must have nodes: its ends, the ends of fine stretches, marked points and the centres of zones.
+std::vector<double> breaks(const Edge& edge, int k, const std::vector<ZoneOutline>& zones, const SizeField& size,
+                           const std::vector<Mark>& points) {
   std::vector<double> marks{0.0, edge.length()};
   for (const ZoneOutline& zone : zones) {
     for (const Stretch& stretch : zone.stretches)
       if (stretch.edge == k) marks.insert(marks.end(), {stretch.begin, stretch.end});
+  }
+  for (const Mark& point : points) {
+    const double apart = 0.25 * size(at(edge, point.s));
+    const auto near = [&](double mark) { return std::abs(mark - point.s) < apart; };
+    if (point.edge == k && std::none_of(marks.begin(), marks.end(), near)) marks.push_back(point.s);
   }
   for (const ZoneOutline& zone : zones) {
     // A centre within two elements of a mark would only leave slivers.
@@ -77,7 +83,8 @@ double fine_size(double s, int k, const std::vector<ZoneOutline>& zones) {
 
 }  // namespace
 
-DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even) {
+DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even,
+                   const std::vector<Mark>& points) {
   DividedLoop divided;
   const auto add = [&](const Vec2& node, int edge, bool corner) {
     divided.nodes.push_back(node);
@@ -86,7 +93,7 @@ DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, cons
   };
   for (int k = 0; k < static_cast<int>(loop.size()); ++k) {
     const Edge& edge = loop[k];
-    std::vector<double> marks = breaks(edge, k, zones);
+    std::vector<double> marks = breaks(edge, k, zones, size, points);
     // A loop of one edge needs a second corner: gmsh's runs must not close on themselves.
     if (loop.size() == 1 && marks.size() == 2) marks.insert(marks.begin() + 1, 0.5 * edge.length());
     for (std::size_t i = 0; i + 1 < marks.size(); ++i) {

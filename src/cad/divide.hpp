@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "cad/part.hpp"
+#include "cad/points.hpp"
 #include "cad/size_field.hpp"
 #include "cad/zone.hpp"
 
@@ -18,6 +19,8 @@ struct DividedLoop {
 
 /// Divides the edges of a loop by the size field. Stretches of fine zones, on each side of the zone's centre,
 /// are divided equally by the zone's size. `even`: an even number between any two corners, as all-quad meshing needs.
-DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even);
+/// Points marked on the loop become nodes, or go to a corner within a quarter of an element.
+DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even,
+                   const std::vector<Mark>& points = {});
 
 }  // namespace reye::cad

@@ -106,6 +106,17 @@ Edge trimmed(const Edge& edge, double s0, double s1) {
   return part;
 }
 
+Edge begun_at(const Edge& ring, double s) {
+  if (s <= 0.0 || s >= ring.length()) return ring;
+  Edge edge = trimmed(ring, s, ring.length());
+  const Edge rest = trimmed(ring, 0.0, s);
+  edge.knots.insert(edge.knots.end(), rest.knots.begin() + 1, rest.knots.end());
+  edge.tangents.insert(edge.tangents.end(), rest.tangents.begin() + 1, rest.tangents.end());
+  edge.knots.back() = edge.knots.front();
+  for (std::size_t i = 1; i < rest.arc.size(); ++i) edge.arc.push_back(ring.length() - s + rest.arc[i]);
+  return edge;
+}
+
 Foot foot_on(const Edge& edge, const Vec2& p) {
   Foot best{0.0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i + 1 < edge.knots.size(); ++i) {

@@ -50,6 +50,9 @@ Edge reversed(Edge edge);
 /// of their piece of a cut are left out; the whole edge comes back unchanged.
 Edge trimmed(const Edge& edge, double s0, double s1);
 
+/// A closed edge that begins at arc length s.
+Edge begun_at(const Edge& ring, double s);
+
 /// The point of an edge nearest to p: arc length and distance.
 struct Foot {
   double s = 0.0;

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "cad/bend.hpp"
 #include "cad/divide.hpp"
+#include "cad/points.hpp"
 #include "cad/region.hpp"
 #include "cad/text.hpp"
 #include "mesh/outline.hpp"
@@ -116,11 +117,15 @@ Region outlined(const BodyPlan& plan, const SizeField& size, std::vector<Divided
   const bool even = plan.options->mesh.element == mesh::CellKind::quad4 && !plan.options->rigid;
   Region region;
   region.kind = plan.options->mesh.element;
+  const auto marks = marks_of(*plan.part, plan.options->points_mm, size);
   for (int k = 0; k < static_cast<int>(plan.part->loops.size()); ++k) {
     std::vector<ZoneOutline> zones;
     for (const ZoneOutline& zone : plan.zones)
       if (zone.loop == k) zones.push_back(zone);
-    divided.push_back(divide(plan.part->loops[k], zones, size, even));
+    std::vector<Mark> points;
+    for (const Mark& mark : marks)
+      if (mark.loop == k) points.push_back(mark);
+    divided.push_back(divide(plan.part->loops[k], zones, size, even, points));
     RegionLoop loop{{}, divided.back().corner};
     for (const Vec2& p : divided.back().nodes) {
       loop.nodes.push_back(static_cast<int>(region.X.size()));
@@ -196,6 +201,7 @@ mesh::Mesh filled(Region region, const BodyPlan& plan, const SizeField& size) {
   mesh.X = std::move(region.X);
   mesh.kind = region.kind;
   mesh.cells = std::move(region.cells);
+  draw_to_points(mesh, *plan.part, plan.options->points_mm, size);
   return mesh;
 }
 
@@ -236,8 +242,10 @@ mesh::Mesh best_of_attempts(const BodyPlan& plan, Make make) {
 }  // namespace
 
 mesh::Mesh generate(const BodyPlan& plan) {
-  if (plan.part->mesh) return take_over(plan);
-  return best_of_attempts(plan, [&](double far) { return make_mesh(plan, far); });
+  mesh::Mesh mesh =
+      plan.part->mesh ? take_over(plan) : best_of_attempts(plan, [&](double far) { return make_mesh(plan, far); });
+  mesh.points = vertices_at(mesh, plan.options->points_mm);
+  return mesh;
 }
 
 mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& given) {
@@ -249,7 +257,9 @@ mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& given) {
   for (auto& [name, chains] : mesh.boundaries)
     for (mesh::Chain& chain : chains)
       for (int& node : chain) node = number[node];
-  return mesh::order(given.kind) == 2 ? second_order(mesh, given) : mesh;
+  if (mesh::order(given.kind) == 2) mesh = second_order(mesh, given);
+  mesh.points = vertices_at(mesh, plan.options->points_mm);
+  return mesh;
 }
 
 void clear_axis(mesh::Mesh& mesh) {

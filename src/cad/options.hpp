@@ -42,6 +42,7 @@ struct BodyOptions {
   std::optional<std::string> label;
   bool rigid = false;  ///< a rigid body has no cells, only its outline
   MeshOptions mesh;
+  std::vector<Vec2> points_mm{};  ///< where point loads and supports act: a vertex of every mesh of the body
 };
 
 /// A name for edges of one body. Every given selector narrows the choice.

@@ -94,6 +94,21 @@ void put_profiles(Plans& plans, const GeometryOptions& options, std::vector<Issu
   }
 }
 
+/// A loop of one closed edge begins opposite to the fine zone on it: where a file happens to begin it, its seam, nothing
+/// of the mesh in contact shall depend on.
+void turn_rings(Plans& plans, const GeometryOptions& options) {
+  for (BodyPlan& plan : plans.bodies) {
+    if (!plan.part || plan.part->mesh) continue;
+    for (const FineZone& zone : options.fine_zones) {
+      if (!applies(zone, plan.options->name)) continue;
+      const auto outline = zone_outline(*plan.part, zone, !zone.bodies.empty());
+      if (!outline || plan.part->loops[outline->loop].size() > 1) continue;
+      Edge& ring = plans.parts[plan.part - plans.parts.data()].loops[outline->loop].front();
+      ring = begun_at(ring, std::fmod(outline->centre_arc + 0.5 * ring.length(), ring.length()));
+    }
+  }
+}
+
 }  // namespace
 
 bool applies(const FineZone& zone, const std::string& body) {
@@ -125,6 +140,7 @@ Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
   }
   add_boundaries(plans.bodies, options, issues);
   put_profiles(plans, options, issues);
+  turn_rings(plans, options);
   for (BodyPlan& plan : plans.bodies) {
     if (!plan.part) continue;
     for (const FineZone& zone : options.fine_zones)

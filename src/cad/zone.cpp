@@ -64,26 +64,42 @@ double exit_arc(const Edge& edge, double from, int step, const FineZone& zone) {
   return end;
 }
 
-/// Extends the zone from its centre in one direction; stretches in the order walked, whether it ends smoothly.
+/// Extends the zone from its centre in one direction, at most once round; stretches in the order walked, whether it ends
+/// smoothly.
 std::pair<std::vector<Stretch>, bool> walk(const Loop& loop, const Place& start, int step, const FineZone& zone) {
   const int edges = static_cast<int>(loop.size());
   std::vector<Stretch> stretches;
   double from = start.foot.s;
-  for (int n = 0; n < edges; ++n) {
+  for (int n = 0; n <= edges; ++n) {
     const int k = (start.edge + step * n % edges + edges) % edges;
     const Edge& edge = loop[k];
     if (n > 0) from = step > 0 ? 0.0 : edge.length();
-    const double end = step > 0 ? edge.length() : 0.0;
+    const double end = n == edges ? start.foot.s : step > 0 ? edge.length() : 0.0;
     double reached = exit_arc(edge, from, step, zone);
+    if ((reached - end) * step > 0.0) reached = end;
     if (n > 0 && std::abs(reached - from) < remainder_elements * zone.size_mm) return {stretches, true};
     if (std::abs(end - reached) < remainder_elements * zone.size_mm) reached = end;
     if (std::abs(reached - from) > 1e-9 * edge.length())
       stretches.push_back({k, std::min(from, reached), std::max(from, reached)});
     if (reached != end) return {stretches, true};
     const Edge& next = loop[(k + step + edges) % edges];
-    if ((step > 0 ? kink(edge, next) : kink(next, edge)) > corner) return {stretches, false};
+    if (n < edges && (step > 0 ? kink(edge, next) : kink(next, edge)) > corner) return {stretches, false};
   }
   return {stretches, false};
+}
+
+/// Joins the two stretches that meet in the centre where it lies close to an end of their edge: no sliver is left between
+/// the two.
+void join_at_centre(const Loop& loop, std::vector<Stretch>& back, std::vector<Stretch>& forth, double size) {
+  if (back.empty() || forth.empty()) return;
+  Stretch &before = back.front(), &after = forth.front();
+  const auto sliver = [&](const Stretch& s) {
+    const bool at_end = s.begin <= 0.0 || s.end >= loop[s.edge].length();
+    return at_end && s.end - s.begin < 2.0 * size;
+  };
+  if (before.edge != after.edge || before.end != after.begin || !(sliver(before) || sliver(after))) return;
+  after.begin = before.begin;
+  back.erase(back.begin());
 }
 
 }  // namespace
@@ -100,17 +116,17 @@ std::optional<ZoneOutline> zone_outline(const Part& part, const FineZone& zone, 
   const Loop& loop = part.loops[place.loop];
   auto [back, smooth_begin] = walk(loop, place, -1, zone);
   auto [forth, smooth_end] = walk(loop, place, +1, zone);
+  double whole = 0.0, reach = 0.0;
+  for (const Edge& edge : loop) whole += edge.length();
+  for (const Stretch& stretch : back) reach += stretch.end - stretch.begin;
+  const bool round = reach > whole * (1.0 - 1e-9);
+  if (round) forth.clear();
+  join_at_centre(loop, back, forth, zone.size_mm);
   ZoneOutline outline{
       place.loop,   {back.rbegin(), back.rend()}, smooth_begin, smooth_end, place.edge, place.foot.s, zone.size_mm,
       zone.depth_mm};
-  double whole = 0.0;
-  for (const Edge& edge : loop) whole += edge.length();
-  const double reach = outline.length();
   for (const Stretch& stretch : forth) outline.stretches.push_back(stretch);
-  if (outline.length() > whole * (1.0 - 1e-9)) {  // all round: the two walks met
-    outline.smooth_begin = outline.smooth_end = false;
-    if (reach > whole * (1.0 - 1e-9)) outline.stretches.resize(back.size());
-  }
+  if (round || outline.length() > whole * (1.0 - 1e-9)) outline.smooth_begin = outline.smooth_end = false;
   if (outline.stretches.empty()) return std::nullopt;
   return outline;
 }

@@ -4,27 +4,21 @@
 
 #include "base/errors.hpp"
 #include "fem/assemble_loads.hpp"
-#include "mesh/measure.hpp"
+#include "mesh/arc.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::fem {
 
-using base::Vec2;
 using mesh::Chain;
 using mesh::Mesh;
 
 namespace {
 
-bool measured_from_end(const Mesh& mesh, const Chain& chain) {
-  const Vec2 &first = mesh.X[chain.front()], &last = mesh.X[chain.back()];
-  return last.x() < first.x() || (last.x() == first.x() && last.y() < first.y());
-}
-
-/// The interval by the length from the first node of the chain.
-std::array<double, 2> along_chain(const Mesh& mesh, const Chain& chain, const BoundaryLoad& load) {
-  const double total = mesh::length(mesh.X, chain, mesh::order(mesh.kind));
+/// The interval by the length from the first node of a chain that runs with the body on its left.
+std::array<double, 2> along_chain(const mesh::ArcChain& chain, const BoundaryLoad& load) {
+  const double total = chain.arc.back();
   const std::array<double, 2> interval = load.interval_mm.value_or(std::array<double, 2>{-1.0, total + 1.0});
-  if (measured_from_end(mesh, chain)) return {total - interval[1], total - interval[0]};
+  if (!chain.along) return {total - interval[1], total - interval[0]};
   return interval;
 }
 
@@ -54,9 +48,12 @@ void add_quadratic(const Mesh& mesh, const Chain& chain, const std::array<double
 
 std::vector<LoadedEdge> loaded_edges(const Mesh& mesh, const BoundaryLoad& load) {
   std::vector<LoadedEdge> edges;
-  for (const Chain& chain : boundary_of(mesh, load.edge, "load." + load.name + ".edge")) {
-    const auto add = mesh::order(mesh.kind) == 1 ? add_straight : add_quadratic;
-    add(mesh, chain, along_chain(mesh, chain, load), edges);
+  boundary_of(mesh, load.edge, "load." + load.name + ".edge");
+  const auto add = mesh::order(mesh.kind) == 1 ? add_straight : add_quadratic;
+  for (mesh::ArcChain& chain : mesh::arc_chains(mesh, load.edge)) {
+    const auto interval = along_chain(chain, load);
+    if (!chain.along) std::reverse(chain.nodes.begin(), chain.nodes.end());
+    add(mesh, chain.nodes, interval, edges);
   }
   if (edges.empty()) throw base::InputError({{"load." + load.name + ".interval_mm", "", "meets no part of the edge"}});
   return edges;

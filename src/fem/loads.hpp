@@ -13,7 +13,7 @@ struct BoundaryLoad {
   std::string edge;                                  ///< boundary name
   double pressure_MPa = 0.0;                         ///< > 0 pushes on the body
   base::Vec2 traction_MPa{0.0, 0.0};                 ///< in x, y; adds to the pressure
-  std::optional<std::array<double, 2>> interval_mm;  ///< arc length from the end with smaller x (then smaller y)
+  std::optional<std::array<double, 2>> interval_mm;  ///< arc length, from the origin of mesh::arc_chains
   std::string history;                               ///< empty: full from the start
 };
 

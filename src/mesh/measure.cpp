@@ -5,20 +5,11 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "mesh/outline.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::mesh {
 
 namespace {
-
-bool before(const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); }
-
-/// The end of a chain from which its arc length counts.
-Vec2 origin(const Points& X, const Chain& chain) {
-  const Vec2 first = X[chain.front()], last = X[chain.back()];
-  return before(last, first) ? last : first;
-}
 
 /// The quadratic edge that starts at place i of a chain.
 QuadraticEdge edge_at(const Points& X, const Chain& chain, std::size_t i) {
@@ -98,31 +89,9 @@ Vec2 outward_normal(const Vec2& a, const Vec2& b) { return base::right_of(b - a)
 
 std::vector<double> arc_lengths(const Points& X, const Chain& chain, int order) {
   const std::vector<double> pieces = steps(X, chain, order);
-  std::vector<double> arc(chain.size(), 0.0);
-  if (is_closed(chain) || !before(X[chain.back()], X[chain.front()])) {
-    for (std::size_t i = 1; i < chain.size(); ++i) arc[i] = arc[i - 1] + pieces[i - 1];
-  } else {
-    for (std::size_t i = chain.size() - 1; i-- > 0;) arc[i] = arc[i + 1] + pieces[i];
-  }
+  std::vector<double> arc{0.0};
+  for (double piece : pieces) arc.push_back(arc.back() + piece);
   return arc;
-}
-
-std::vector<double> arc_lengths(const Points& X, const Boundary& boundary, int order) {
-  std::vector<std::size_t> sequence(boundary.size());
-  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
-  std::stable_sort(sequence.begin(), sequence.end(), [&](std::size_t a, std::size_t b) {
-    return before(origin(X, boundary[a]), origin(X, boundary[b]));
-  });
-  std::unordered_map<int, double> at;
-  double start = 0.0;
-  for (std::size_t k : sequence) {
-    const std::vector<double> arc = arc_lengths(X, boundary[k], order);
-    for (std::size_t i = 0; i < arc.size(); ++i) at.insert({boundary[k][i], start + arc[i]});
-    start += length(X, boundary[k], order);
-  }
-  std::vector<double> result;
-  for (int node : nodes_of(boundary)) result.push_back(at.at(node));
-  return result;
 }
 
 std::vector<double> nodal_lengths(const Points& X, const Boundary& boundary, int order) {

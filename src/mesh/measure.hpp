@@ -27,14 +27,9 @@ double length(const Points& X, const Boundary& boundary, int order = 1);
 /// Outward unit normal of the straight edge from a to b, body on the left.
 Vec2 outward_normal(const Vec2& a, const Vec2& b);
 
-/// Position of each node along a chain [mm], aligned with the chain. Zero is the end with the smaller x
-/// (ties: smaller y), whatever the direction of the chain. A closed chain is measured from its first node onward;
-/// its last entry is the whole length.
+/// Position of each node along a chain from its first one on [mm], aligned with the chain; of a closed one the last
+/// entry is its whole length.
 std::vector<double> arc_lengths(const Points& X, const Chain& chain, int order = 1);
-
-/// Arc length of the distinct nodes of a boundary, aligned with nodes_of(boundary): chains follow one another
-/// in the order of the smaller x of their ends, each starting with the arc length at which the last one ended.
-std::vector<double> arc_lengths(const Points& X, const Boundary& boundary, int order = 1);
 
 /// Length belonging to each distinct node [mm], aligned with nodes_of(boundary): int N_j ds over the edges that meet in
 /// it, half of each straight one; by five Gauss points where they are quadratic.

@@ -49,6 +49,10 @@ struct Mesh {
   std::vector<Cell> cells;
   std::map<std::string, Boundary> boundaries;  ///< named in the scene or by physical curves
   std::vector<Chain> outline;                  ///< the whole closed outline: outer loop first, then holes
+  /// Per named boundary the node from which each of its chains counts arc length, in the order of arc length; it is
+  /// chosen once and follows the boundary through every later mesh. Without an entry `arc_chains` chooses.
+  std::map<std::string, std::vector<int>> arc_origin;
+  std::vector<int> points;                     ///< vertices that hold a point load or support: they stay where they are
 
   int node_count() const { return static_cast<int>(X.size()); }
   int cell_count() const { return static_cast<int>(cells.size()); }

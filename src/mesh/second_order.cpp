@@ -72,6 +72,10 @@ Mesh to_first_order(const Mesh& mesh) {
   for_each_chain(result, [&](Chain& chain) {
     for (int& node : chain) node = number[node];
   });
+  for (auto& [name, origins] : result.arc_origin)
+    for (int& node : origins) node = number[node];
+  std::erase_if(result.points, [&](int node) { return number[node] < 0; });
+  for (int& node : result.points) node = number[node];
   return result;
 }
 

@@ -26,13 +26,14 @@ double deepest_of(const ContactData& contact);
 std::string title_of(const RunData& run, const ContactData& contact, const std::string& what);
 
 /// Where things are on a surface: arc length about the centroid of the last pressure (of the last depth
-/// when nothing presses), so that both sides and all cycles lie over each other.
+/// when nothing presses), so that both sides and all cycles lie over each other. A ring is cut opposite to its centre,
+/// wherever its table begins.
 double centre_of(const SurfaceTable& surface);
 
 /// The part of the surface where anything ever happens, with a margin; the whole surface when nothing does.
 Range active_range(const SurfaceTable& surface, double centre);
 
-/// A column of one frame against the position.
+/// A column of one frame against the position; between two chains the line is broken.
 Line column_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& column, double factor, double centre);
 
 /// At most `most` (>= 2) of the numbers from 0 to count - 1, evenly spread, first and last among them.

@@ -55,13 +55,11 @@ bool is_text(const std::string& column) {
   return column == "step" || column == "status" || column == "body" || column == "reason";
 }
 
-/// A new frame begins where the cycle changes or the arc length starts again.
 std::vector<FrameRows> frames_of(const Table& table) {
-  const auto& cycle = table.column("cycle");
-  const auto& arc = table.column("arc_length_mm");
+  const auto &frame = table.column("frame"), &cycle = table.column("cycle");
   std::vector<FrameRows> frames;
-  for (std::size_t i = 0; i < std::min(cycle.size(), arc.size()); ++i) {
-    if (i == 0 || cycle[i] != cycle[i - 1] || arc[i] <= arc[i - 1]) frames.push_back({cycle[i], i, i});
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    if (i == 0 || frame[i] != frame[i - 1]) frames.push_back({cycle.at(i), i, i});
     frames.back().end = i + 1;
   }
   return frames;

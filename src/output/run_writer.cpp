@@ -48,7 +48,7 @@ void RunWriter::resume(const Counters& counters) {
   // They tell of the run that is being continued.
   for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
   fs::create_directories(path("frames"));
-  write_collections();
+  if (paraview_) write_collections();
   started_ = true;
   flush_log();
 }
@@ -67,18 +67,18 @@ void RunWriter::remesh(const sim::RemeshRecord& record) {
 
 void RunWriter::frame(const sim::Frame& frame) {
   assert(started_);
+  const std::size_t index = counters_.frame_cycles.size();
+  counters_.frame_cycles.push_back(frame.cycle);
   for (const auto& surface : frame.surfaces) {
     const std::string file = surface_file(surface.contact, surface.side);
     long& rows = counters_.surface_rows[file];
     if (rows == 0) atomic_write(path(file), surface_header());
-    append_text(path(file), surface_rows(frame.cycle, surface));
+    append_text(path(file), surface_rows(index, frame, surface));
     rows += static_cast<long>(surface.arc_length_mm.size());
   }
   if (!paraview_) return;
-  const std::size_t index = counters_.frame_cycles.size();
   atomic_write(path(frame_file("bodies", "vtu", index)), bodies_vtu(frame));
   atomic_write(path(frame_file("surface", "vtp", index)), surfaces_vtp(frame));
-  counters_.frame_cycles.push_back(frame.cycle);
   write_collections();
 }
 

@@ -67,7 +67,7 @@ namespace reye::mesh {
 
 template <class Archive>
 void serialize(Archive& archive, Mesh& mesh) {
-  archive(mesh.X, mesh.kind, mesh.cells, mesh.boundaries, mesh.outline);
+  archive(mesh.X, mesh.kind, mesh.cells, mesh.boundaries, mesh.outline, mesh.arc_origin, mesh.points);
 }
 
 }  // namespace reye::mesh
@@ -91,7 +91,7 @@ void serialize(Archive& archive, MeshOptions& options) {
 
 template <class Archive>
 void serialize(Archive& archive, BodyOptions& options) {
-  archive(options.name, options.at, options.label, options.rigid, options.mesh);
+  archive(options.name, options.at, options.label, options.rigid, options.mesh, options.points_mm);
 }
 
 template <class Archive>

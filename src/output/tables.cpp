@@ -49,15 +49,15 @@ std::string remesh_row(const sim::RemeshRecord& r) {
 }
 
 std::string surface_header() {
-  return "cycle,arc_length_mm,x_mm,y_mm,pressure_MPa,shear_MPa,slip_mm,wear_depth_mm,status\n";
+  return "frame,cycle,body,arc_length_mm,x_mm,y_mm,pressure_MPa,shear_MPa,slip_mm,wear_depth_mm,status\n";
 }
 
-std::string surface_rows(double cycle, const sim::SurfaceRecord& surface) {
+std::string surface_rows(std::size_t index, const sim::Frame& frame, const sim::SurfaceRecord& surface) {
   static constexpr const char* words[] = {"inactive", "stick", "slip"};
-  const std::string start = number(cycle) + ',';
+  const std::string start = std::to_string(index) + ',' + number(frame.cycle) + ',';
   std::string text;
   for (std::size_t i = 0; i < surface.arc_length_mm.size(); ++i) {
-    text += start;
+    text += start + csv_field(frame.bodies.at(surface.body.at(i)).name) + ',';
     for (const auto* column : {&surface.arc_length_mm, &surface.x_mm, &surface.y_mm, &surface.pressure_MPa,
                                &surface.shear_MPa, &surface.slip_mm, &surface.wear_depth_mm})
       text += number(column->at(i)) + ',';

@@ -24,8 +24,8 @@ std::string remesh_header(base::Analysis analysis);
 std::string remesh_row(const sim::RemeshRecord& record);
 
 std::string surface_header();
-/// One row per node of the surface, all at this cycle.
-std::string surface_rows(double cycle, const sim::SurfaceRecord& surface);
+/// The rows of a surface of a frame; `index`: the number of the frame, from 0.
+std::string surface_rows(std::size_t index, const sim::Frame& frame, const sim::SurfaceRecord& surface);
 
 /// surface_<contact>_<side>.csv
 std::string surface_file(const std::string& contact, sim::Side side);

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -136,14 +135,6 @@ struct BodyGrid {
   }
 };
 
-/// Edges of the outline: rows of a surface that are no neighbours there belong to different pieces.
-std::set<std::pair<int, int>> outline_edges(const mesh::Mesh& mesh) {
-  std::set<std::pair<int, int>> edges;
-  for (const auto& chain : mesh.outline)
-    for (std::size_t i = 1; i < chain.size(); ++i) edges.insert(std::minmax(chain[i - 1], chain[i]));
-  return edges;
-}
-
 struct SurfaceLines {
   vtkNew<vtkPolyData> lines;
   vtkNew<vtkPoints> points = make_points();
@@ -156,10 +147,11 @@ struct SurfaceLines {
   vtkNew<vtkIntArray> surface = make_array<vtkIntArray>("surface");
   vtkNew<vtkIntArray> side = make_array<vtkIntArray>("side");
 
-  void add_points(const sim::SurfaceRecord& record, const sim::BodyFrame& body) {
+  void add_points(const sim::SurfaceRecord& record, const std::vector<sim::BodyFrame>& bodies) {
     for (std::size_t i = 0; i < record.x_mm.size(); ++i) {
-      const base::Vec2 u = body.u.empty() ? base::Vec2(0.0, 0.0) : body.u.at(record.node.at(i));
-      points->InsertNextPoint(record.x_mm[i] + u.x(), record.y_mm.at(i) + u.y(), 0.0);
+      const auto& u = bodies.at(record.body.at(i)).u;
+      const base::Vec2 moved = u.empty() ? base::Vec2(0.0, 0.0) : u.at(record.node.at(i));
+      points->InsertNextPoint(record.x_mm[i] + moved.x(), record.y_mm.at(i) + moved.y(), 0.0);
       pressure->InsertNextValue(record.pressure_MPa.at(i));
       shear->InsertNextValue(record.shear_MPa.at(i));
       slip->InsertNextValue(record.slip_mm.at(i));
@@ -175,14 +167,14 @@ struct SurfaceLines {
     side->InsertNextValue(record.side == sim::Side::secondary ? 0 : 1);
   }
 
-  void add(const sim::SurfaceRecord& record, const sim::BodyFrame& body, int index) {
+  /// One line per chain: the next one begins where the arc length is repeated.
+  void add(const sim::SurfaceRecord& record, const std::vector<sim::BodyFrame>& bodies, int index) {
     const vtkIdType first = points->GetNumberOfPoints();
-    add_points(record, body);
-    const auto edges = outline_edges(*body.mesh);
-    const auto& node = record.node;
+    add_points(record, bodies);
+    const auto& arc = record.arc_length_mm;
     std::size_t start = 0;
-    for (std::size_t i = 1; i <= node.size(); ++i) {
-      if (i < node.size() && edges.count(std::minmax(node[i - 1], node[i]))) continue;
+    for (std::size_t i = 1; i <= arc.size(); ++i) {
+      if (i < arc.size() && arc[i] > arc[i - 1]) continue;
       add_line(record, {first + static_cast<vtkIdType>(start), first + static_cast<vtkIdType>(i)}, index);
       start = i;
     }
@@ -236,10 +228,7 @@ std::string mesh_vtu(const sim::Frame& frame) {
 
 std::string surfaces_vtp(const sim::Frame& frame) {
   SurfaceLines all;
-  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) {
-    const auto& record = frame.surfaces[i];
-    all.add(record, frame.bodies.at(record.body), static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < frame.surfaces.size(); ++i) all.add(frame.surfaces[i], frame.bodies, static_cast<int>(i));
   all.lines->SetPoints(all.points);
   all.lines->SetLines(all.cells);
   for (vtkDoubleArray* array : {all.pressure.Get(), all.shear.Get(), all.slip.Get(), all.depth.Get()})

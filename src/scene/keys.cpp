@@ -117,7 +117,7 @@ constexpr Key table[] = {
     {"contact.*.fine_zone.angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
 
     {"support.*.edge", Type::text, "", "", any, "boundary that is held or moved; or"},
-    {"support.*.point_mm", Type::pair, "mm", "", any, "the node nearest to this point"},
+    {"support.*.point_mm", Type::pair, "mm", "", any, "a point of the body: a node of each of its meshes"},
     {"support.*.body", Type::text, "", "", any, "body of the point; without it the body whose node is nearest"},
     {"support.*.angle_deg", Type::number, "degree", "0.0", any, "x and y of the support turned by this angle"},
     {"support.*.rigid", Type::flag, "", "", any,
@@ -141,7 +141,7 @@ constexpr Key table[] = {
     {"load.*.traction_MPa", Type::pair, "MPa", "", any, "traction in x and y, added to the pressure"},
     {"load.*.interval_mm", Type::pair, "mm", "", at_least(0.0),
      "only on this arc length, from the end with smaller x (then smaller y)"},
-    {"load.*.point_mm", Type::pair, "mm", "", any, "the node nearest to this point; or"},
+    {"load.*.point_mm", Type::pair, "mm", "", any, "a point of the body: a node of each of its meshes; or"},
     {"load.*.force_N_per_mm", Type::pair, "N/mm", "", any, "force at the point, plane problems"},
     {"load.*.force_N", Type::pair, "N", "", any, "force on the whole ring, axisymmetric problems"},
     {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},

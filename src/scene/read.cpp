@@ -65,6 +65,17 @@ std::string name_of(const std::string& path) {
   return file.filename() == "scene.toml" ? file.parent_path().filename().string() : file.stem().string();
 }
 
+/// Points of loads and supports become vertices of the body they name; where they name none, of all that hold them.
+void note_points(Scene& scene) {
+  const auto note = [&](const std::string& body, const base::Vec2& point) {
+    for (auto& options : scene.geometry.bodies)
+      if (body.empty() || body == options.name) options.points_mm.push_back(point);
+  };
+  for (const auto& support : scene.supports)
+    if (support.point_mm) note(support.body, *support.point_mm);
+  for (const auto& load : scene.point_loads) note(load.body, load.point_mm);
+}
+
 void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.title = root.given("title") ? root.text("title") : scene.name;
   scene.analysis = analysis_of(root);
@@ -83,6 +94,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.contacts = contacts_of(root, issues);
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);
+  note_points(scene);
   scene.histories = histories_of(root);
   scene.steps = steps_of(root, issues);
   scene.limits = limits_of(root, issues);

@@ -72,6 +72,7 @@ Place nearest(const SurfaceRecord& s, const Vec2& X) {
   Place best;
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < s.x_mm.size(); ++i) {
+    if (!(s.arc_length_mm[i + 1] > s.arc_length_mm[i])) continue;  // the next chain
     const Vec2 a(s.x_mm[i], s.y_mm[i]), d = Vec2(s.x_mm[i + 1], s.y_mm[i + 1]) - a;
     const double t = std::clamp((X - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
     if (const double away = (X - a - t * d).squaredNorm(); away < distance) {
@@ -140,7 +141,7 @@ bool too_few(const std::vector<SurfaceRecord>& surfaces, const State& state) {
   constexpr int fewest = 4;
   for (const auto& s : surfaces) {
     const auto loaded = std::count_if(s.pressure_MPa.begin(), s.pressure_MPa.end(), [](double p) { return p > 0.0; });
-    const int wanted = fewest * mesh::order(state.shapes[s.body]->mesh.kind);
+    const int wanted = fewest * mesh::order(state.shapes[s.body.front()]->mesh.kind);
     if (s.side == Side::secondary && loaded > 0 && loaded < wanted) return true;
   }
   return false;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "mesh/measure.hpp"
-
 namespace reye::sim {
 
 using contact::ContactStatus;
@@ -58,13 +56,46 @@ std::optional<double> half_width(const std::vector<double>& x, const std::vector
   return 0.5 * (high - low);
 }
 
+bool is_ring(const SurfaceRecord& s) {
+  return s.node.size() > 2 && s.node.front() == s.node.back() && s.body.front() == s.body.back();
+}
+
+/// Rows of a table in order, with their arc length. A ring is opened in the middle of the longest stretch of rows that
+/// `keep` refuses, so that what is looked for is in one piece wherever the table begins.
+struct Opened {
+  std::vector<std::size_t> row;
+  std::vector<double> arc;
+};
+
+template <class Keep>
+Opened opened(const SurfaceRecord& s, Keep keep) {
+  const bool ring = is_ring(s);
+  const std::size_t n = s.arc_length_mm.size() - (ring ? 1 : 0);
+  std::size_t first = 0, longest = 0;
+  for (std::size_t i = 0; ring && i < n; ++i) {
+    std::size_t run = 0;
+    while (run < n && !keep((i + run) % n)) ++run;
+    if (run <= longest) continue;
+    longest = run;
+    first = (i + run / 2) % n;
+  }
+  Opened o;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (first + k) % n;
+    o.row.push_back(i);
+    o.arc.push_back(s.arc_length_mm[i] + (i < first ? s.arc_length_mm.back() : 0.0));
+  }
+  return o;
+}
+
 template <class Keep, class Value>
 std::optional<double> half_width_of(const SurfaceRecord& s, Keep keep, Value value) {
   std::vector<double> x, f;
-  for (std::size_t i = 0; i < s.node.size(); ++i)
-    if (keep(i)) {
-      x.push_back(s.arc_length_mm[i]);
-      f.push_back(value(i));
+  const Opened o = opened(s, keep);
+  for (std::size_t k = 0; k < o.row.size(); ++k)
+    if (keep(o.row[k])) {
+      x.push_back(o.arc[k]);
+      f.push_back(value(o.row[k]));
     }
   return half_width(x, f);
 }
@@ -96,20 +127,49 @@ std::optional<double> stick_half_width(const SurfaceRecord& s, double friction) 
 }
 
 double scar_width(const SurfaceRecord& s) {
-  const auto& d = s.wear_depth_mm;
-  if (d.empty()) return 0.0;
-  const double bound = 0.005 * *std::max_element(d.begin(), d.end());
+  if (s.wear_depth_mm.empty()) return 0.0;
+  const double bound = 0.005 * *std::max_element(s.wear_depth_mm.begin(), s.wear_depth_mm.end());
   if (bound <= 0.0) return 0.0;
-  std::size_t first = 0, last = d.size() - 1;
-  while (d[first] <= bound) ++first;
-  while (d[last] <= bound) --last;
+  const Opened o = opened(s, [&](std::size_t i) { return s.wear_depth_mm[i] > bound; });
+  const auto d = [&](std::size_t k) { return s.wear_depth_mm[o.row[k]]; };
+  std::size_t first = 0, last = o.row.size() - 1;
+  while (d(first) <= bound) ++first;
+  while (d(last) <= bound) --last;
   const auto crossing = [&](std::size_t in, std::size_t out) {
-    return s.arc_length_mm[in] + (s.arc_length_mm[out] - s.arc_length_mm[in]) * (d[in] - bound) / (d[in] - d[out]);
+    return o.arc[in] + (o.arc[out] - o.arc[in]) * (d(in) - bound) / (d(in) - d(out));
   };
-  const double begin = first == 0 ? s.arc_length_mm[0] : crossing(first, first - 1);
-  const double end = last + 1 == d.size() ? s.arc_length_mm[last] : crossing(last, last + 1);
+  if (is_ring(s) && first == 0 && last + 1 == o.row.size()) return s.arc_length_mm.back();  // worn all round
+  const double begin = first == 0 ? o.arc[0] : crossing(first, first - 1);
+  const double end = last + 1 == o.row.size() ? o.arc[last] : crossing(last, last + 1);
   return end - begin;
 }
+
+namespace {
+
+/// What a contact carries: all of it, and the part of the pressures.
+struct Carried {
+  Vec2 all = Vec2::Zero(), pressure = Vec2::Zero();
+};
+
+Carried carried(const contact::ContactState& state) {
+  Carried sum;
+  for (std::size_t j = 0; j < state.lambda.size(); ++j) {
+    const Vec2 f = state.reference[j].carried() * state.lambda[j];
+    sum.all += f;
+    sum.pressure += f.dot(state.normal[j]) * state.normal[j];
+  }
+  return sum;
+}
+
+/// The direction in which a contact presses: that of its pressures' resultant. A ring has no radial resultant: where the
+/// axial one is less than half of the radial integral the contact presses radially, else along the axis.
+Vec2 pressing_direction(const Vec2& pressure, base::Analysis analysis) {
+  if (analysis != base::Analysis::axisymmetric) return pressure.normalized();
+  const bool radial = std::abs(pressure.y()) < 0.5 * std::abs(pressure.x());
+  return radial ? Vec2(std::copysign(1.0, pressure.x()), 0.0) : Vec2(0.0, std::copysign(1.0, pressure.y()));
+}
+
+}  // namespace
 
 ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,
                          const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed) {
@@ -121,21 +181,12 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   if (peak > 0.0) c.peak_pressure_MPa = peak;
   c.contact_half_width_mm = contact_half_width(s);
   if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction);
-  Vec2 force = Vec2::Zero(), direction = Vec2::Zero();
-  for (int j = 0; j < setup.secondary_count(); ++j) {
-    const int facet = setup.secondary.before[j] >= 0 ? setup.secondary.before[j] : setup.secondary.after[j];
-    const auto [a, b, mid] = setup.secondary.facets[facet];
-    const Vec2 normal = mesh::outward_normal(setup.secondary.X[a], setup.secondary.X[b]);
-    const Vec2 f = state.reference[j].carried() * state.lambda[j];
-    force += f;
-    direction += f.dot(normal) * normal;
-  }
-  if (direction.norm() > 0.0) {
-    const Vec2 n = direction.normalized();
+  if (const Carried force = carried(state); force.pressure.norm() > 0.0) {
+    const Vec2 n = pressing_direction(force.pressure, setup.analysis);
     Vec2 along(-n.y(), n.x());
     if (along.x() < 0.0 || (along.x() == 0.0 && along.y() < 0.0)) along = -along;
-    c.normal_force = force.dot(n);
-    c.tangential_force = -force.dot(along);
+    c.normal_force = force.all.dot(n);
+    c.tangential_force = -force.all.dot(along);
   }
   c.dissipated_energy = setup.options.wear.wears() ? state.worn_work : state.frictional_work;
   const auto book = ledger(state);

@@ -7,11 +7,12 @@
 /// Numbers and tables read off a state.
 namespace reye::sim {
 
-/// Both sides of a contact as tables along the boundary, from its end with smaller x.
+/// Both sides of a contact as tables along their boundaries (mesh::arc_chains).
 /// Pressure is force per length on X; a node covered by less than half reports lambda D / A. Slip and depth are the
 /// values at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h that
 /// is off by h^2 p'' / 40, and what these means interpolate by h^2 p'' / 10.
-/// Shear is the traction on the secondary body along increasing arc length; the primary repeats M^T lambda / A.
+/// Shear is the traction on the side's own body along increasing arc length. The primary side repeats M^T lambda / A, without
+/// the tension that M's change of sign makes of it near the ends of contact.
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
 
@@ -26,7 +27,8 @@ std::optional<double> contact_half_width(const SurfaceRecord& surface);
 /// The same with (mu p - |q|)^2 at the outermost stick nodes; exact for Cattaneo-Mindlin.
 std::optional<double> stick_half_width(const SurfaceRecord& surface, double friction);
 
-/// Arc length where depth exceeds 0.5 % of its largest value, ends by linear interpolation.
+/// Arc length where depth exceeds 0.5 % of its largest value, ends by linear interpolation. On a ring, as the half
+/// widths, wherever its table begins.
 double scar_width(const SurfaceRecord& surface);
 
 /// What Bernstein coefficients per node and control point are at the nodes: (a + 2c + b) / 4 in the middle of a curve.

@@ -9,6 +9,7 @@
 #include "sim/accuracy.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/plan.hpp"
+#include "sim/points.hpp"
 #include "sim/problem.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_setup.hpp"
@@ -246,6 +247,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   place_loads(p, resolve);
   place_contacts(p, resolve);
   refuse(resolve.issues);
+  warn_of_points(p);
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
   check_rigid_motions(p, issues);

@@ -30,13 +30,13 @@ struct IncrementRecord {
 
 enum class Side { secondary, primary };
 
-/// The nodes of one side of a contact, along the boundary from its end with smaller x.
+/// One side of a contact as rows along its chains (mesh::arc_chains), one chain after the other: where the next one
+/// begins, the arc length of the last row is repeated. A ring ends with the row it began with.
 /// status: 0 inactive, 1 stick, 2 slip; the primary side repeats what the secondary presses on it.
 struct SurfaceRecord {
   std::string contact;
   Side side = Side::secondary;
-  int body = 0;
-  std::vector<int> node;  ///< mesh node of each row
+  std::vector<int> body, node;  ///< of each row: the body, and the node of its mesh
   std::vector<double> arc_length_mm, x_mm, y_mm, pressure_MPa, shear_MPa, slip_mm, wear_depth_mm;
   std::vector<int> status;
 };

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <unordered_map>
 
-#include "mesh/measure.hpp"
+#include "mesh/arc.hpp"
 #include "sim/measure.hpp"
 
 namespace reye::sim {
@@ -17,28 +16,38 @@ struct NodalValues {
   std::vector<int> status;
 };
 
-/// Averaged outward normals on X.
-std::vector<Vec2> normals(const mortar::Surface& s) {
-  std::vector<Vec2> n(s.X.size(), Vec2::Zero());
-  for (int f = 0; f < s.facet_count(); ++f) {
-    const auto [a, b, mid] = s.facets[f];
-    n[a] += mesh::outward_normal(s.X[a], s.X[s.beside(f, 0)]);
-    n[b] += mesh::outward_normal(s.X[s.beside(f, 1)], s.X[b]);
-    if (mid >= 0) n[mid] = mesh::outward_normal(s.X[a], s.X[b]);
+/// A chain of one side with the surface node of each of its nodes.
+struct Row {
+  int body = 0;
+  const mesh::Mesh* mesh = nullptr;
+  mesh::ArcChain chain;
+  std::vector<int> surface_node;
+};
+
+/// The chains of the boundaries of one side as its table lists them.
+std::vector<Row> rows_of(const std::vector<contact::BoundaryRef>& side, const std::vector<body::ShapePtr>& shapes) {
+  std::vector<Row> rows;
+  int first = 0;
+  for (const auto& ref : side) {
+    const mesh::Mesh& mesh = shapes[ref.body]->mesh;
+    const auto nodes = mesh::nodes_of(mesh.boundaries.at(ref.boundary));
+    std::unordered_map<int, int> number;
+    for (int node : nodes) number.emplace(node, first + static_cast<int>(number.size()));
+    for (auto& chain : mesh::arc_chains(mesh, ref.boundary)) {
+      std::vector<int> surface_node;
+      for (int node : chain.nodes) surface_node.push_back(number.at(node));
+      rows.push_back({ref.body, &mesh, std::move(chain), std::move(surface_node)});
+    }
+    first += static_cast<int>(nodes.size());
   }
-  for (auto& v : n) v.normalize();
-  return n;
+  return rows;
 }
 
-/// +1 when arc length grows with the chain's direction (its first end has the smaller x).
-std::vector<double> direction(const mesh::Boundary& boundary, const base::Points& X) {
-  std::vector<double> sign;
-  std::map<int, double> of;
-  for (const auto& chain : boundary) {
-    const auto s = mesh::arc_lengths(X, chain);
-    for (int node : chain) of[node] = s.back() >= s.front() ? 1.0 : -1.0;
-  }
-  for (int node : mesh::nodes_of(boundary)) sign.push_back(of[node]);
+/// Per surface node +1 where arc length grows with the body on the left, else -1.
+std::vector<double> direction(const std::vector<Row>& rows, int count) {
+  std::vector<double> sign(static_cast<std::size_t>(count), 1.0);
+  for (const Row& row : rows)
+    for (int node : row.surface_node) sign[node] = row.chain.along ? 1.0 : -1.0;
   return sign;
 }
 
@@ -73,52 +82,63 @@ NodalValues secondary_values(const contact::Setup& setup, const contact::Contact
   return v;
 }
 
+/// Near an end of contact the forces M^T lambda change sign from node to node, as M does, though nothing pulls there: nodes
+/// that would show tension show nothing, the others less by what that adds.
+void without_tension(NodalValues& v, const std::vector<double>& area) {
+  double force = 0.0, pressing = 0.0;
+  for (std::size_t l = 0; l < area.size(); ++l) {
+    force += v.pressure[l] * area[l];
+    pressing += std::max(v.pressure[l], 0.0) * area[l];
+  }
+  const double kept = pressing > 0.0 ? std::max(force / pressing, 0.0) : 0.0;
+  for (std::size_t l = 0; l < area.size(); ++l) {
+    const double factor = v.pressure[l] > 0.0 ? kept : 0.0;
+    v.pressure[l] *= factor;
+    v.shear[l] *= factor;
+  }
+}
+
+/// Tractions are those that the secondary side carries, in its own normals and tangents: what presses there presses here.
 NodalValues primary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
   const auto count = static_cast<std::size_t>(setup.primary_count());
   NodalValues v;
   v.pressure.assign(count, 0.0);
   v.shear = v.slip = v.pressure;
   v.status.assign(count, 0);
-  std::vector<Vec2> force(count, Vec2::Zero());
   std::vector<double> cover(count, 0.0);
-  for (int j = 0; j < setup.secondary_count(); ++j)
+  for (int j = 0; j < setup.secondary_count(); ++j) {
+    const Vec2 lambda = state.lambda[j], n = state.normal[j], tangent(-n.y(), n.x());
     for (const auto& [l, M] : state.reference[j].M) {
-      force[l] += M * state.lambda[j];  // the traction on the primary body is +lambda
+      v.pressure[l] += M * lambda.dot(n) / setup.primary.area[l];
+      v.shear[l] -= M * lambda.dot(tangent) / setup.primary.area[l] * along[l];  // its own tangent runs the other way
       if (state.status[j] == ContactStatus::inactive || M <= 0.0) continue;
       v.slip[l] += M * state.slip[j];
       cover[l] += M;
       v.status[l] = std::max(v.status[l], static_cast<int>(state.status[j]));
     }
-  const auto n = normals(setup.primary);
-  for (std::size_t l = 0; l < count; ++l) {
-    const double A = setup.primary.area[l];
-    const Vec2 tangent(-n[l].y(), n[l].x());
-    v.pressure[l] = -force[l].dot(n[l]) / A;
-    v.shear[l] = force[l].dot(tangent) / A * along[l];
-    if (cover[l] > 0.0) v.slip[l] /= cover[l];
   }
+  without_tension(v, setup.primary.area);
+  for (std::size_t l = 0; l < count; ++l)
+    if (cover[l] > 0.0) v.slip[l] /= cover[l];
   return v;
 }
 
-/// Rows of one boundary in the order of arc length; `first` is its first node among the side's nodes.
-void append(SurfaceRecord& record, const mesh::Mesh& mesh, const mesh::Boundary& boundary, std::size_t first,
-            const NodalValues& v, const std::vector<double>& depth) {
-  const auto nodes = mesh::nodes_of(boundary);
-  const auto arc = mesh::arc_lengths(mesh.X, boundary, mesh::order(mesh.kind));
-  std::vector<std::size_t> order(nodes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return arc[a] < arc[b]; });
+/// Adds a chain to the table, its arc length after that of the chains before.
+void append(SurfaceRecord& record, const Row& row, const NodalValues& v, const std::vector<double>& depth) {
   const double start = record.arc_length_mm.empty() ? 0.0 : record.arc_length_mm.back();
-  for (std::size_t i : order) {
-    record.node.push_back(nodes[i]);
-    record.arc_length_mm.push_back(start + arc[i]);
-    record.x_mm.push_back(mesh.X[nodes[i]].x());
-    record.y_mm.push_back(mesh.X[nodes[i]].y());
-    record.pressure_MPa.push_back(v.pressure[first + i]);
-    record.shear_MPa.push_back(v.shear[first + i]);
-    record.slip_mm.push_back(v.slip[first + i]);
-    record.wear_depth_mm.push_back(depth[first + i]);
-    record.status.push_back(v.status[first + i]);
+  for (std::size_t i = 0; i < row.surface_node.size(); ++i) {
+    const int node = row.chain.nodes[i];
+    const auto j = static_cast<std::size_t>(row.surface_node[i]);
+    record.body.push_back(row.body);
+    record.node.push_back(node);
+    record.arc_length_mm.push_back(start + row.chain.arc[i]);
+    record.x_mm.push_back(row.mesh->X[node].x());
+    record.y_mm.push_back(row.mesh->X[node].y());
+    record.pressure_MPa.push_back(v.pressure[j]);
+    record.shear_MPa.push_back(v.shear[j]);
+    record.slip_mm.push_back(v.slip[j]);
+    record.wear_depth_mm.push_back(depth[j]);
+    record.status.push_back(v.status[j]);
   }
 }
 
@@ -133,30 +153,14 @@ double peak_pressure(const contact::Setup& setup, const contact::ContactState& s
 
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed) {
-  const auto boundary = [&](const contact::BoundaryRef& ref) -> const mesh::Boundary& {
-    return shapes[ref.body]->mesh.boundaries.at(ref.boundary);
-  };
   std::array<SurfaceRecord, 2> records;
   for (auto& record : records) record.contact = setup.options.name;
-  records[0].body = placed.secondary.body;
-  const auto& mesh = shapes[placed.secondary.body]->mesh;
-  append(records[0], mesh, boundary(placed.secondary), 0,
-         secondary_values(setup, state, direction(boundary(placed.secondary), mesh.X)),
-         depths(setup.secondary, state.removed_secondary));
+  const auto secondary = rows_of({placed.secondary}, shapes), primary = rows_of(placed.primary, shapes);
+  const auto upper = secondary_values(setup, state, direction(secondary, setup.secondary_count()));
+  for (const Row& row : secondary) append(records[0], row, upper, depths(setup.secondary, state.removed_secondary));
   records[1].side = Side::primary;
-  std::vector<double> along;
-  for (const auto& ref : placed.primary) {
-    const auto part = direction(boundary(ref), shapes[ref.body]->mesh.X);
-    along.insert(along.end(), part.begin(), part.end());
-  }
-  const auto values = primary_values(setup, state, along);
-  const auto depth = depths(setup.primary, state.removed_primary);
-  std::size_t first = 0;
-  for (const auto& ref : placed.primary) {
-    records[1].body = ref.body;
-    append(records[1], shapes[ref.body]->mesh, boundary(ref), first, values, depth);
-    first += mesh::nodes_of(boundary(ref)).size();
-  }
+  const auto lower = primary_values(setup, state, direction(primary, setup.primary_count()));
+  for (const Row& row : primary) append(records[1], row, lower, depths(setup.primary, state.removed_primary));
   return records;
 }
 

@@ -33,20 +33,6 @@ TEST(measure, area_far_from_the_origin) {
   EXPECT_NEAR(enclosed_area(X, {0, 1, 2, 3, 0}), 1e-4, 1e-10);
 }
 
-// Arc length must count from the end with the smaller x, then the smaller y, whatever the chain's direction.
-TEST(measure, arc_length_starts_at_the_smaller_end) {
-  const Points X{{3, 0}, {1, 0}, {0, 0}, {0, 5}};
-  EXPECT_EQ(arc_lengths(X, Chain{0, 1, 2}), (std::vector<double>{3, 1, 0}));
-  EXPECT_EQ(arc_lengths(X, Chain{2, 1, 0}), (std::vector<double>{0, 1, 3}));
-  EXPECT_EQ(arc_lengths(X, Chain{3, 2}), (std::vector<double>{5, 0}));
-}
-
-// Chains of one boundary must follow one another in arc length, the leftmost first.
-TEST(measure, arc_length_runs_on_over_chains) {
-  const Points X{{5, 0}, {4, 0}, {2, 0}, {0, 0}};
-  EXPECT_EQ(arc_lengths(X, Boundary{{0, 1}, {2, 3}}), (std::vector<double>{3, 2, 2, 0}));
-}
-
 // Nodal lengths must add up to the length of the boundary; a closed chain must have no end nodes.
 TEST(measure, nodal_lengths_add_up) {
   const Points X{{0, 0}, {1, 0}, {3, 0}, {3, 4}};

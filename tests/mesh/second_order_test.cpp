@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "mesh/arc.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quadratic_edge.hpp"
 #include "mesh/quality.hpp"
@@ -97,8 +98,9 @@ TEST(second_order, circles_at_fourth_order) {
 TEST(second_order, arc_lengths_and_nodal_lengths) {
   const Mesh m = sector(8, CellKind::quad8);
   const Boundary& outer = m.boundaries.at("right");
-  const auto arc = arc_lengths(m.X, outer, 2);
-  const auto nodes = nodes_of(outer);
+  const auto chains = arc_chains(m, "right");
+  ASSERT_EQ(chains.size(), 1U);
+  const auto& [nodes, arc, along] = chains.front();
   ASSERT_EQ(nodes.size(), 17U);
   const double short_by = pi - length(m.X, outer, 2);
   for (std::size_t i = 0; i < nodes.size(); ++i) {

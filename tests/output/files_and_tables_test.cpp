@@ -81,14 +81,18 @@ TEST(History, StepMayBeCalledByANumber) {
 // Surface tables have exactly the columns of the contract, the status in words, and read back to the same doubles.
 TEST(Surface, HasTheColumnsOfTheContractAndReadsBack) {
   EXPECT_EQ(surface_header(),
-            "cycle,arc_length_mm,x_mm,y_mm,pressure_MPa,shear_MPa,slip_mm,wear_depth_mm,status\n");
+            "frame,cycle,body,arc_length_mm,x_mm,y_mm,pressure_MPa,shear_MPa,slip_mm,wear_depth_mm,status\n");
   const auto frame = sample::frame(9000.0);
   const auto& record = frame.surfaces[0];
-  const Table table = parse_csv(surface_header() + surface_rows(9000.0, record));
+  const Table table = parse_csv(surface_header() + surface_rows(3, frame, record));
   ASSERT_EQ(table.rows(), record.x_mm.size());
   EXPECT_EQ(table.column("pressure_MPa"), record.pressure_MPa);
   EXPECT_EQ(table.column("wear_depth_mm"), record.wear_depth_mm);
   const char* words[] = {"inactive", "stick", "slip"};
+  EXPECT_EQ(table.column("frame"), std::vector<double>(table.rows(), 3.0));
+  EXPECT_EQ(table.column("cycle"), std::vector<double>(table.rows(), 9000.0));
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    EXPECT_EQ(table.word(table.column("body")[i]), frame.bodies[0].name);
   for (std::size_t i = 0; i < table.rows(); ++i)
     EXPECT_EQ(table.word(table.column("status")[i]), words[record.status[i]]);
 }
@@ -151,7 +155,7 @@ TEST(ParseCsv, KnowsWholeRows) {
 // The worn amount of a table is depth times full nodal length, so it returns the removed volume.
 TEST(WornAmount, IsDepthTimesNodalLength) {
   SurfaceTable surface{reye::sim::Side::secondary,
-                       parse_csv(surface_header() + "0,0,1,0,0,0,0,0,slip\n0,1,2,0,0,0,0,2,slip\n0,3,4,0,0,0,0,0,slip\n"),
+                       parse_csv(surface_header() + "0,0,b,0,1,0,0,0,0,0,slip\n0,0,b,1,2,0,0,0,0,2,slip\n0,0,b,3,4,0,0,0,0,0,slip\n"),
                        {{0.0, 0, 3}}};
   EXPECT_DOUBLE_EQ(worn_amount(surface, surface.frames[0], reye::base::Analysis::plane_strain), 3.0);
   EXPECT_DOUBLE_EQ(worn_amount(surface, surface.frames[0], reye::base::Analysis::axisymmetric), 12.0 * M_PI);

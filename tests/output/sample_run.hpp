@@ -86,12 +86,13 @@ inline sim::BodyFrame body_frame(const std::string& name, reye::mesh::Mesh mesh,
 
 /// Nodes [first, first + count) of a body as a surface with a wear scar that grows with the cycle.
 inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame& frame, int first, int count, double cycle) {
-  sim::SurfaceRecord s{.contact = "pad", .side = side, .body = body, .node = {}, .arc_length_mm = {}, .x_mm = {}, .y_mm = {},
+  sim::SurfaceRecord s{.contact = "pad", .side = side, .body = {}, .node = {}, .arc_length_mm = {}, .x_mm = {}, .y_mm = {},
                        .pressure_MPa = {}, .shear_MPa = {}, .slip_mm = {}, .wear_depth_mm = {}, .status = {}};
   const double grown = cycle / 18000.0, a = 0.12 + 0.35 * std::sqrt(grown), p0 = 400.0 * 0.12 / a;
   for (int i = 0; i < count; ++i) {
     const Vec2 X = frame.mesh->X[static_cast<std::size_t>(first + i)];
     const double r = X.x() / a, hertz = std::abs(r) < 1.0 ? std::sqrt(1.0 - r * r) : 0.0;
+    s.body.push_back(body);
     s.node.push_back(first + i);
     s.arc_length_mm.push_back(X.x() + 1.0);
     s.x_mm.push_back(X.x());

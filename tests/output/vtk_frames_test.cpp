@@ -123,15 +123,26 @@ TEST(SurfacesVtp, ReadsBack) {
   EXPECT_EQ(lines->GetPointData()->GetArray("pressure_MPa")->GetComponent(4, 0), frame.surfaces[0].pressure_MPa[4]);
 }
 
-// A surface of two pieces is drawn as two lines: none is drawn across the gap.
-TEST(SurfacesVtp, PiecesAreNotJoined) {
+// A side on two bodies is drawn as two lines, each moved with its own body.
+TEST(SurfacesVtp, PiecesOnTwoBodies) {
   auto frame = sample::frame(0.0);
-  auto& s = frame.surfaces[0];
-  s.node.erase(s.node.begin() + 4);
-  for (auto* column : {&s.arc_length_mm, &s.x_mm, &s.y_mm, &s.pressure_MPa, &s.shear_MPa, &s.slip_mm, &s.wear_depth_mm})
-    column->erase(column->begin() + 4);
-  s.status.erase(s.status.begin() + 4);
-  EXPECT_EQ(read_back<vtkXMLPolyDataReader>(surfaces_vtp(frame))->GetNumberOfLines(), 3);
+  auto& side = frame.surfaces[1];
+  const auto bar = sample::surface(reye::sim::Side::primary, 2, frame.bodies[2], 0, 2, 0.0);
+  const double end = side.arc_length_mm.back();
+  const auto count = static_cast<vtkIdType>(frame.surfaces[0].node.size() + side.node.size());
+  const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  add(side.body, bar.body);
+  add(side.node, bar.node);
+  add(side.status, bar.status);
+  for (double arc : bar.arc_length_mm) side.arc_length_mm.push_back(end + arc);
+  for (auto column : {&reye::sim::SurfaceRecord::x_mm, &reye::sim::SurfaceRecord::y_mm, &reye::sim::SurfaceRecord::pressure_MPa,
+                      &reye::sim::SurfaceRecord::shear_MPa, &reye::sim::SurfaceRecord::slip_mm, &reye::sim::SurfaceRecord::wear_depth_mm})
+    add(side.*column, bar.*column);
+  const auto lines = read_back<vtkXMLPolyDataReader>(surfaces_vtp(frame));
+  EXPECT_EQ(lines->GetNumberOfLines(), 3);
+  const reye::base::Vec2 moved = frame.bodies[2].mesh->X[1] + frame.bodies[2].u[1];
+  EXPECT_NEAR(lines->GetPoint(count + 1)[0], moved.x(), 1e-15);
+  EXPECT_NEAR(lines->GetPoint(count + 1)[1], moved.y(), 1e-15);
 }
 
 // Times of a series grow strictly even while load steps, which are no cycles, go by.

@@ -91,6 +91,31 @@ TEST(Widths, Scar) {
   EXPECT_EQ(sim::scar_width({}), 0.0);
 }
 
+// On a ring widths and scar must be those of the contact, wherever the table begins.
+TEST(Widths, RingCutAnywhere) {
+  const int n = 200;
+  const double h = 0.02, a = 0.41;
+  for (const int seam : {0, 17, 100, 103, 199}) {
+    sim::SurfaceRecord s;
+    for (int k = 0; k <= n; ++k) {
+      const int i = (seam + k) % n;
+      const double x = (i - 100) * h, p = hertz(x, a);
+      s.body.push_back(0);
+      s.node.push_back(i);
+      s.arc_length_mm.push_back(k * h);
+      s.pressure_MPa.push_back(p);
+      s.shear_MPa.push_back(mindlin(x, 0.3, a, 0.2));
+      s.status.push_back(p <= 0.0 ? 0 : std::abs(x) < 0.2 ? 1 : 2);
+      s.wear_depth_mm.push_back(std::max(0.0, 1.0 - x * x));
+    }
+    EXPECT_NEAR(sim::contact_half_width(s).value(), a, 1e-12) << seam;
+    EXPECT_NEAR(sim::stick_half_width(s, 0.3).value(), 0.2, 1e-8) << seam;
+    EXPECT_NEAR(sim::scar_width(s), 2.0 * (0.98 + h * (0.0396 - 0.005) / 0.0396), 1e-12) << seam;
+    s.wear_depth_mm.assign(s.node.size(), 0.5);
+    EXPECT_NEAR(sim::scar_width(s), n * h, 1e-12);
+  }
+}
+
 // Depth must be removed volume over the full length of the node; the ledger must add what waits and what is gone.
 TEST(Widths, DepthAndLedger) {
   mortar::Surface surface;

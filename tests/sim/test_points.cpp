@@ -1,0 +1,40 @@
+#include <gtest/gtest.h>
+
+#include "mesh/arc.hpp"
+#include "problem_of.hpp"
+#include "sim/run.hpp"
+
+using namespace reye;
+
+namespace {
+
+/// The slider worn under a point load, remeshed after every block.
+std::string worn_under_a_point(const std::string& at) {
+  return test::with(test::block_scene, {{"y        = { force_N_per_mm = -20.0, history = \"press\" }\nrotation = \"fixed\"", "y = \"free\"\nrigid = false"},
+                                        {"[history]", "[load.weight]\nbody = \"slider\"\npoint_mm = " + at +
+                                                          "\nforce_N_per_mm = [0, -20]\nhistory = \"press\"\n[remesh]\nevery_blocks = 1\n[history]"}});
+}
+
+}  // namespace
+
+// The place where a point load acts must not move when the body is remeshed: the moments about it stay in balance.
+TEST(Points, ALoadStaysWhereItIsThroughRemeshes) {
+  const auto problem = test::problem_of(worn_under_a_point("[1.87, 1.0]"));
+  EXPECT_TRUE(problem.warnings.empty());
+  auto state = sim::initial_state(problem);
+  const auto summary = sim::run(problem, state, {});
+  ASSERT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
+  EXPECT_GT(summary.counts.remeshes, 3);
+  for (const auto& shape : {problem.shapes[0], state.shapes[0]}) {
+    ASSERT_EQ(shape->mesh.points.size(), 1U);
+    EXPECT_LT((shape->mesh.X[shape->mesh.points[0]] - base::Vec2(1.87, 1.0)).norm(), 1e-12);
+  }
+}
+
+// A point beside its body must be named: it acts on the nearest node, which is another place.
+TEST(Points, APointBesideTheBodyIsNamed) {
+  const auto problem = test::problem_of(worn_under_a_point("[1.87, 1.6]"));
+  ASSERT_EQ(problem.warnings.size(), 1U);
+  EXPECT_EQ(problem.warnings[0].kind, "point");
+  EXPECT_EQ(problem.warnings[0].about, "load weight");
+}
