@@ -25,15 +25,17 @@ struct NodeScalars {
 /// What stays fixed while the equations of one increment are solved.
 struct NodeConstants {
   double friction = 0.0;
-  double sign = 0.0;            ///< direction of slip, frozen for the iteration
+  double sign = 0.0;            ///< direction of slip, frozen for the iteration; 0: out of the plane
   double depth = 0.0;           ///< the secondary's depth at the start of the increment [mm]
   double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
   wear::Law law;
   wear::Start start;            ///< the node as the law finds it
   bool imposed = false;         ///< slip is a number: D * imposed_slip
   double imposed_slip = 0.0;
+  bool out_of_plane = false;    ///< slip is out of the plane: there friction is mu lambda_n, and none is left in the plane
   bool held = false;            ///< shear is given: re-equilibration after the shape moved
-  double held_shear = 0.0;
+  bool unmoved = false;         ///< neither side can yield along the surface nor slides: a sticking node's shear is given
+  double held_shear = 0.0;      ///< the shear that is given
   double held_pressure = 0.0, compliance = 0.0;  ///< re-equilibration on springs [MPa, mm/MPa]
   bool anchor = false;
 };
@@ -43,6 +45,7 @@ struct NodeConditions {
   T normal{}, tangential{};  ///< both zero for an active node in equilibrium
   T work{};                  ///< the law's work of this increment
   T lambda_n{}, lambda_t{}, slip{};
+  T drag{};                  ///< traction of friction along the slip: lambda_t, out of the plane mu lambda_n
 };
 
 /// Conditions of an active node:                                                   [README (3) to (6)]
@@ -51,6 +54,7 @@ struct NodeConditions {
 ///   stick:       weighted slip = 0;      slip: lambda_t - mu lambda_n sign = 0
 ///   held shear:  lambda_t = the given shear (plus its share of the balance), cut to the friction bound;
 ///                the anchor node sticks instead, so that a body that only friction holds has a place.
+/// A node that a support holds along the surface obeys the same conditions: its shear loads the support.
 template <class T>
 NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, ContactStatus status) {
   NodeConditions<T> r;
@@ -58,11 +62,12 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_n = mortar::dot(s.lambda, s.normal);
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : mortar::dot(tangent, s.motion);
+  r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
   if (status == ContactStatus::slip && !c.held)
-    r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.lambda_t, r.slip, s.D + s.off}, c.start);
+    r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.drag, r.slip, s.D + s.off}, c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
   if (c.compliance > 0.0) r.normal += c.compliance * (s.D + s.off) * (r.lambda_n - c.held_pressure);
-  if (c.held && !c.anchor) {
+  if ((c.held && !c.anchor) || (c.unmoved && status == ContactStatus::stick)) {
     const T given = c.held_shear + s.share;
     const bool cut = std::abs(base::value(given)) > c.friction * base::value(r.lambda_n);
     r.tangential = r.lambda_t - (cut ? std::copysign(c.friction, base::value(given)) * r.lambda_n : given);

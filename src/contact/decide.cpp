@@ -4,6 +4,42 @@
 
 namespace reye::contact {
 
+namespace {
+
+constexpr double least_slip = 1e-9;  ///< of a facet's length: less is round-off of positions
+
+/// Whether forces along d move a node.
+bool yields_along(const body::NodeFreedom& freedom, const Vec2& d) {
+  constexpr double share = 0.5;
+  return freedom.free == 2 || (freedom.free == 1 && std::abs(freedom.direction.dot(d)) > share);
+}
+
+}  // namespace
+
+/// Of a node that its support holds along the surface, opposite to one that is held so, too: the slip that supports
+/// impose. Empty where one of the two can yield: there the node is judged like others.
+std::optional<double> Interface::support_slip(int node) const {
+  if (mobility_.secondary.empty() || !mobility_.secondary[node] || rows_[node].M.empty()) return std::nullopt;
+  const Vec2& free = setup_->freedom[node].direction;
+  const Vec2 held(-free.y(), free.x());
+  const Vec2& x = placement_.xs[node];
+  const auto& xm = placement_.xm;
+  const auto aside = [&](int l) { return std::abs(held.dot(xm[l] - x)); };
+  int opposite = rows_[node].M.front().first;
+  for (const auto& [l, M] : rows_[node].M)
+    if (aside(l) < aside(opposite)) opposite = l;
+  if (yields_along(mobility_.primary[opposite], held)) return std::nullopt;
+  const Vec2 moved = x - placement_.xs_before[node] - (xm[opposite] - placement_.xm_before[opposite]);
+  const Vec2 tangent(-normal_[node].y(), normal_[node].x());
+  return moved.dot(held) * held.dot(tangent);  // what closes the gap is no slip
+}
+
+/// The shear that the node carried when the increment began.
+double Interface::shear_before(int node) const {
+  const Vec2& n = before_->normal[node];
+  return n.x() * before_->lambda[node].y() - n.y() * before_->lambda[node].x();
+}
+
 /// Gap at a node opened by the wear that its neighbours cause in this increment: on the primary side, and at control
 /// points between them.
 double Interface::others_wear(int node) const {
@@ -57,9 +93,14 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
       continue;
     }
     const Vec2 tangent(-normal_[j].y(), normal_[j].x());
+    unmoved_[j] = 0;
     if (o.imposed || friction_ == 0.0) {
       status_[j] = ContactStatus::slip;
-      sign_[j] = o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
+      sign_[j] = o.out_of_plane ? 0.0 : o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
+    } else if (const auto slip = support_slip(node); slip && !options_.held) {
+      unmoved_[j] = std::abs(*slip) <= least_slip * setup_->length[j];
+      status_[j] = unmoved_[j] ? ContactStatus::stick : ContactStatus::slip;
+      sign_[j] = *slip < 0.0 ? -1.0 : 1.0;
     } else if ((iteration == 0 && !predicted) || options_.held) {
       status_[j] = ContactStatus::stick;
     } else {

@@ -36,6 +36,8 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   placement_.search = setup.search;
   status_ = before.status;
   sign_.assign(setup.secondary.X.size(), 0.0);
+  unmoved_.assign(setup.secondary.X.size(), 0);
+  mobility_ = {};
   condition_.assign(setup.secondary.X.size(), {});
   begin_wear();
 }
@@ -191,10 +193,15 @@ NodeConstants Interface::constants(int node) const {
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
                        thickness(options_.thickness_secondary, node);
   c.imposed = o.imposed;
-  c.imposed_slip = options_.imposed_slip;
+  c.imposed_slip = options_.imposed_slip + options_.imposed_turn * placement_.xs_before[node].x();
+  c.out_of_plane = o.out_of_plane;
   c.held = options_.held;
   c.anchor = node == options_.anchor;
-  if (c.held) c.held_shear = options_.held_shear[node];
+  c.unmoved = unmoved_[node] != 0;
+  if (c.held)
+    c.held_shear = options_.held_shear[node];
+  else if (c.unmoved)
+    c.held_shear = shear_before(node);
   if (c.held && options_.compliance > 0.0) {
     c.held_pressure = options_.held_pressure[node];
     c.compliance = options_.compliance;
@@ -250,7 +257,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
     const auto& c = condition_[j];
     if (!active(static_cast<int>(j)) || status_[j] != ContactStatus::slip) continue;
     next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(static_cast<int>(j)));
-    const double friction_work = options_.jump * std::abs(c.lambda_t * c.slip);
+    const double friction_work = options_.jump * std::abs(c.drag * c.slip);
     next.frictional_work += friction_work;
     const auto& area = setup_->secondary.area;
     const auto spread = [&](auto add) {

@@ -17,6 +17,7 @@ struct IncrementOptions {
   double duration_s = 0.0;    ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
+  double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
   std::vector<double> held_pressure;
@@ -28,6 +29,12 @@ struct IncrementOptions {
   /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);
   /// empty: one everywhere. It scales depth in the gap, never volume.
   std::vector<double> thickness_secondary, thickness_primary;
+};
+
+/// What supports leave of the motions of a contact's nodes.
+struct Mobility {
+  std::vector<char> secondary;             ///< per node: held along one direction, which nothing but its support moves
+  std::vector<body::NodeFreedom> primary;  ///< per node: the directions in which forces move it
 };
 
 /// The thickness factor of a node.
@@ -51,6 +58,9 @@ class Interface {
  public:
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
+
+  /// Tells which nodes no force moves along the surface in this increment; an empty one: none.
+  void hold(Mobility mobility) { mobility_ = std::move(mobility); }
 
   /// Begins with the conditions that are expected to hold, slipping as these multipliers drag.
   void expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda);
@@ -98,7 +108,10 @@ class Interface {
   const NodeConditions<double>& condition(int node) const { return condition_[node]; }
   const Setup& setup() const { return *setup_; }
   int dofs() const { return placement_.dofs(); }
-  bool held() const { return options_.held; }
+  /// Whether the tangential condition of a node is one of tractions, not of slip.
+  bool shear_is_given(int node) const {
+    return options_.held || status_[node] == ContactStatus::slip || unmoved_[node];
+  }
   bool touching(int node) const { return rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
 
   static constexpr double minimum_cover = 1e-3;
@@ -114,6 +127,8 @@ class Interface {
   bool uses_drift(int node) const;
   double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
+  std::optional<double> support_slip(int node) const;
+  double shear_before(int node) const;
   void sum_rows();
   bool leave_out_slivers();
   void sum_start_of_increment();
@@ -141,6 +156,7 @@ class Interface {
   const Setup* setup_ = nullptr;
   const ContactState* before_ = nullptr;
   IncrementOptions options_;
+  Mobility mobility_;
   double friction_ = 0.0;
   mortar::Placement placement_;
   mortar::Integrator integrator_;
@@ -157,6 +173,7 @@ class Interface {
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
   std::vector<Vec2> offset_, drift_, normal_;
   std::vector<ContactStatus> status_, status_last_;
+  std::vector<char> unmoved_;  ///< held along the surface on both sides, and nothing slides
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
   std::vector<double> column_sum_;                                       ///< of `add_up`, zero between its calls

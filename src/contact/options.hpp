@@ -19,8 +19,10 @@ struct ContactOptions {
   double friction = 0.0;                ///< Coulomb coefficient mu >= 0; of a table its largest value
   std::vector<std::array<double, 2>> friction_over_cycles{};  ///< [cycle, mu], cycles increasing; empty: mu is constant
   wear::Law wear;
-  double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step; 0: slip comes from the motion
-  bool imposed = false;                 ///< true when imposed_sliding_mm is given
+  double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step
+  bool imposed = false;                 ///< slip is a number, along the contact or out of the plane
+  bool out_of_plane = false;            ///< slip is imposed out of the plane: friction acts there and leaves no shear in it
+  double imposed_turn_rad = 0.0;        ///< of it, by an angle about the axis per play of a step: slip = angle x r
   bool implicit_wear = true;            ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;
   double search_mm = 0.0;               ///< facing facets farther apart than this are not paired; 0: chosen from the bodies

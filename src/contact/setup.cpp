@@ -69,6 +69,7 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
     double h = 0.0;
     for (int facet : {s.before[j], s.after[j]})
       if (facet >= 0) h += 0.5 / s.order * (s.X[s.facets[facet][1]] - s.X[s.facets[facet][0]]).norm();
+    setup.length.push_back(h);
     setup.stiffness.push_back(modulus_MPa / h);
   }
   return setup;

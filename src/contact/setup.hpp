@@ -24,6 +24,7 @@ struct Setup {
   std::vector<SurfaceNode> secondary_nodes, primary_nodes;
   std::vector<char> cut;                  ///< secondary nodes that carry no multiplier
   std::vector<body::NodeFreedom> freedom; ///< of secondary nodes
+  std::vector<double> length;             ///< per secondary node: of a facet, the mean of those beside it [mm]
   std::vector<double> stiffness;          ///< c_n = c_t per secondary node: E / h [MPa/mm]
   double search = 0.0;
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 
@@ -93,15 +94,31 @@ void check_friction(const Entry& entry, const contact::ContactOptions& contact, 
     issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
 }
 
-contact::ContactOptions contact_of(const Entry& entry, Issues& issues) {
+/// Sliding as a number, in one of three directions.
+void add_sliding(const Entry& entry, bool axisymmetric, contact::ContactOptions& contact, Issues& issues) {
+  const std::array<const char*, 3> keys{"imposed_sliding_mm", "imposed_out_of_plane_mm", "imposed_turn_rad"};
+  const char* first = nullptr;
+  for (const char* key : keys) {
+    if (!entry.given(key)) continue;
+    if (first) issues.push_back({entry.key(key), entry.written(key), "cannot stand beside " + std::string(first)});
+    if (!first) first = key;
+  }
+  contact.imposed = first != nullptr;
+  contact.out_of_plane = entry.given(keys[1]) || entry.given(keys[2]);
+  contact.imposed_sliding_mm = entry.number(entry.given(keys[1]) ? keys[1] : keys[0]);
+  contact.imposed_turn_rad = entry.number(keys[2]);
+  if (entry.given(keys[2]) && !axisymmetric)
+    issues.push_back({entry.key(keys[2]), entry.written(keys[2]), "needs analysis = \"axisymmetric\": it turns about the axis"});
+}
+
+contact::ContactOptions contact_of(const Entry& entry, bool axisymmetric, Issues& issues) {
   contact::ContactOptions contact;
   contact.name = entry.name();
   contact.secondary = entry.text("secondary");
   contact.primary = entry.texts("primary");
   add_friction(entry, contact, issues);
   contact.wear = wear_of(entry.at("wear"), issues);
-  contact.imposed = entry.given("imposed_sliding_mm");
-  contact.imposed_sliding_mm = entry.number("imposed_sliding_mm");
+  add_sliding(entry, axisymmetric, contact, issues);
   contact.implicit_wear = entry.flag("implicit");
   contact.dual = entry.text("dual") == "linear" ? contact::DualOrder::linear : contact::DualOrder::quadratic;
   contact.search_mm = entry.number("search_mm");
@@ -114,8 +131,9 @@ contact::ContactOptions contact_of(const Entry& entry, Issues& issues) {
 
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues) {
   std::vector<contact::ContactOptions> contacts;
+  const bool axisymmetric = root.text("analysis") == "axisymmetric";
   for (const auto& entry : root.all("contact")) {
-    contacts.push_back(contact_of(entry, issues));
+    contacts.push_back(contact_of(entry, axisymmetric, issues));
     check_sides(entry, contacts.back(), issues);
     check_friction(entry, contacts.back(), issues);
   }

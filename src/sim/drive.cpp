@@ -59,7 +59,10 @@ contact::IncrementOptions contact_options(const contact::ContactOptions& options
   o.jump = jump;
   o.wear = step.wear && options.wear.wears();
   o.duration_s = step.period_s * share;
-  if (options.imposed && (o.wear || !options.wear.wears())) o.imposed_slip = options.imposed_sliding_mm * share;
+  if (options.imposed && (o.wear || !options.wear.wears())) {
+    o.imposed_slip = options.imposed_sliding_mm * share;
+    o.imposed_turn = options.imposed_turn_rad * share;
+  }
   return o;
 }
 

@@ -6,14 +6,14 @@ namespace reye::sim {
 
 namespace {
 
-/// The shear as given load; the node of largest pressure is offered as anchor.
+/// The shear as given load; of the nodes that no support holds the one of largest pressure is offered as anchor.
 void hold_shear(const contact::Setup& setup, const contact::ContactState& contact, const HeldTraction& held,
                 contact::IncrementOptions& o) {
   for (std::size_t j = 0; j < held.normal.size(); ++j) {
     o.held_shear.push_back(held.tangential[j] / setup.secondary.area[j]);
     o.held_pressure.push_back(held.normal[j] / setup.secondary.area[j]);
-    const bool active = contact.status[j] != contact::ContactStatus::inactive;
-    if (active && (o.anchor < 0 || o.held_pressure[j] > o.held_pressure[o.anchor])) o.anchor = static_cast<int>(j);
+    const bool offers = contact.status[j] != contact::ContactStatus::inactive && setup.freedom[j].free == 2;
+    if (offers && (o.anchor < 0 || o.held_pressure[j] > o.held_pressure[o.anchor])) o.anchor = static_cast<int>(j);
   }
 }
 

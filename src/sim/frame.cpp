@@ -4,7 +4,9 @@
 #include "fem/stiffness.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
+#include "sim/overlap.hpp"
 #include "sim/timer.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::sim {
 
@@ -98,10 +100,30 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
   return frame;
 }
 
+namespace {
+
+/// Warns of bodies inside one another; single bodies overlap nothing.
+void watch_overlaps(const Problem& problem, State& state, Cache& cache, const Observer& observer, const Frame& frame) {
+  if (problem.body_count() < 2) return;
+  std::vector<std::vector<Vec2>> u;
+  const auto& system = timed_system(problem, state, cache);
+  Timer timer(cache, "frames");
+  const auto controls = controls_at(problem, system, state.factors, {}, 0.0, 0.0, 1.0);
+  for (int b = 0; b < problem.body_count(); ++b)
+    u.push_back(!frame.bodies[b].u.empty() ? frame.bodies[b].u
+                                           : displacements(system.bodies[b], system.part(state.solution.q, b),
+                                                           state.solution.interiors[b], controls.load_factors[b]));
+  for (auto& warning : overlap_warnings(problem, state.shapes, u)) warn(state, observer, std::move(warning));
+}
+
+}  // namespace
+
 void show_frame(const Problem& problem, State& state, Cache& cache, const Observer& observer, const std::string& step) {
   if (!observer.frame || state.shown) return;
-  observer.frame(make_frame(problem, state, cache, step));
+  const Frame frame = make_frame(problem, state, cache, step);
+  observer.frame(frame);
   state.shown = true;
+  watch_overlaps(problem, state, cache, observer, frame);
 }
 
 }  // namespace reye::sim

@@ -88,15 +88,40 @@ Opened opened(const SurfaceRecord& s, Keep keep) {
   return o;
 }
 
+/// A bump that ends on the axis of axisymmetry goes on beyond it as its mirror image. `r`: distances from the axis.
+void mirror_at_axis(const std::vector<double>& r, std::vector<double>& x, std::vector<double>& f) {
+  const std::size_t n = r.size();
+  if (n == 0) return;
+  const double on_axis = 1e-9 * *std::max_element(r.begin(), r.end());
+  if (r.back() <= on_axis) {  // so that it begins there, with arc lengths that increase
+    std::reverse(x.begin(), x.end());
+    std::reverse(f.begin(), f.end());
+    for (double& s : x) s = -s;
+  } else if (r.front() > on_axis) {
+    return;
+  }
+  std::vector<double> both, values;
+  for (std::size_t i = n - 1; i > 0; --i) {
+    both.push_back(2.0 * x[0] - x[i]);
+    values.push_back(f[i]);
+  }
+  both.insert(both.end(), x.begin(), x.end());
+  values.insert(values.end(), f.begin(), f.end());
+  x = std::move(both);
+  f = std::move(values);
+}
+
 template <class Keep, class Value>
-std::optional<double> half_width_of(const SurfaceRecord& s, Keep keep, Value value) {
-  std::vector<double> x, f;
+std::optional<double> half_width_of(const SurfaceRecord& s, base::Analysis analysis, Keep keep, Value value) {
+  std::vector<double> x, f, r;
   const Opened o = opened(s, keep);
   for (std::size_t k = 0; k < o.row.size(); ++k)
     if (keep(o.row[k])) {
       x.push_back(o.arc[k]);
       f.push_back(value(o.row[k]));
+      r.push_back(s.x_mm[o.row[k]]);
     }
+  if (analysis == base::Analysis::axisymmetric) mirror_at_axis(r, x, f);
   return half_width(x, f);
 }
 
@@ -111,15 +136,15 @@ SideSummary side_summary(const SurfaceRecord& surface, double worn_area) {
 
 }  // namespace
 
-std::optional<double> contact_half_width(const SurfaceRecord& s) {
+std::optional<double> contact_half_width(const SurfaceRecord& s, base::Analysis analysis) {
   return half_width_of(
-      s, [&](std::size_t i) { return s.status[i] != 0 && s.pressure_MPa[i] > 0.0; },
+      s, analysis, [&](std::size_t i) { return s.status[i] != 0 && s.pressure_MPa[i] > 0.0; },
       [&](std::size_t i) { return s.pressure_MPa[i] * s.pressure_MPa[i]; });
 }
 
-std::optional<double> stick_half_width(const SurfaceRecord& s, double friction) {
+std::optional<double> stick_half_width(const SurfaceRecord& s, double friction, base::Analysis analysis) {
   return half_width_of(
-      s, [&](std::size_t i) { return s.status[i] == 1; },
+      s, analysis, [&](std::size_t i) { return s.status[i] == 1; },
       [&](std::size_t i) {
         const double margin = friction * s.pressure_MPa[i] - std::abs(s.shear_MPa[i]);
         return margin * margin;
@@ -179,8 +204,8 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   const auto& s = surfaces[0];
   const double peak = *std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end());
   if (peak > 0.0) c.peak_pressure_MPa = peak;
-  c.contact_half_width_mm = contact_half_width(s);
-  if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction);
+  c.contact_half_width_mm = contact_half_width(s, setup.analysis);
+  if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction, setup.analysis);
   if (const Carried force = carried(state); force.pressure.norm() > 0.0) {
     const Vec2 n = pressing_direction(force.pressure, setup.analysis);
     Vec2 along(-n.y(), n.x());

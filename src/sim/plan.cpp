@@ -135,6 +135,8 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
                             wear_of(o.wear).c_str()));
   if (o.friction == 0.0)
     plan.skipped.push_back("contact " + o.name + " is frictionless: no node sticks, its shear is zero");
+  else if (o.out_of_plane)
+    plan.skipped.push_back("contact " + o.name + " slides out of the plane: no node sticks, its shear in the plane is zero");
   else if (o.imposed)
     plan.skipped.push_back("contact " + o.name + " has its sliding imposed: no node sticks");
   if (condenses(p, setup))

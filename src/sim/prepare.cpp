@@ -7,7 +7,9 @@
 #include "cad/geometry.hpp"
 #include "scene/read.hpp"
 #include "sim/accuracy.hpp"
+#include "sim/corners.hpp"
 #include "sim/kinematics.hpp"
+#include "sim/overlap.hpp"
 #include "sim/plan.hpp"
 #include "sim/points.hpp"
 #include "sim/problem.hpp"
@@ -254,8 +256,11 @@ Problem built(scene::Scene scene, Cache& cache) {
   for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
   refuse(issues);
   const double before = cpu_seconds();
-  check_facing(timed_system(p, initial_state(p), cache), issues);
+  const auto& system = timed_system(p, initial_state(p), cache);
+  check_facing(system, issues);
+  for (auto& issue : corner_issues(p, system)) issues.push_back(std::move(issue));
   refuse(issues);
+  for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));
   choose_kinematics(p, cache);
   p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
   warn_of_meshes(p, timed_system(p, initial_state(p), cache));

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
+#include "sim/corners.hpp"
 #include "sim/discretisation.hpp"
 #include "sim/jump.hpp"
 #include "sim/kinematics.hpp"
@@ -182,6 +183,7 @@ class Runner {
     if (step.wear && step.cycles > 0.0 && !remeshed)
       warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
     warn_of_block(p_, state_, observer_);
+    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_)) warn(state_, observer_, std::move(warning));
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
     if (last && controlled(step)) watch_tolerance(step);

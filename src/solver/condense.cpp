@@ -5,8 +5,6 @@
 
 namespace reye::solver {
 
-using contact::ContactStatus;
-
 namespace {
 
 /// Columns that contact acts on are all in the window.
@@ -17,11 +15,21 @@ int inside(int column) {
 
 }  // namespace
 
-void Condenser::start(const System& system, const Vector& rhs) {
+void Condenser::start(const System& system, const Vector& rhs, const std::vector<contact::Interface>& faces,
+                      const std::vector<std::vector<PlacedNode>>& nodes) {
   elimination_.resize(system.contacts.size());
-  At_.setZero(rhs.size(), rhs.size());
-  b_ = rhs;
+  held_ = 0;
+  for (std::size_t c = 0; c < faces.size(); ++c)
+    for (int j = 0; j < faces[c].setup().secondary_count(); ++j) held_ += faces[c].active(j) && nodes[c][j].free == 1;
+  At_.setZero(rhs.size() + held_, rhs.size() + held_);
+  next_held_ = static_cast<int>(rhs.size());
   factored_ = false;
+  again(rhs);
+}
+
+void Condenser::again(const Vector& rhs) {
+  b_.setZero(rhs.size() + held_);
+  b_.head(rhs.size()) = rhs;
 }
 
 /// What turns with q turns the arms of its forces, too: second derivatives of positions in the tangent.
@@ -68,10 +76,11 @@ void Condenser::add_contact(const System& system, int contact, const contact::In
   turn(system, system.contacts[contact], face.forces(lambda), reduction, window, q);
 }
 
-/// dlambda = constant + slope dq from the balance of each active node.
-void Condenser::express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) const {
+/// dlambda = constant + slope dq from the balance of each active node; along a held direction an unknown.
+void Condenser::express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) {
   const int ns = face.setup().secondary_count();
   elim.place.assign(ns, -1);
+  elim.held.assign(ns, -1);
   elim.from.clear();
   int count = 0;
   for (int j = 0; j < ns; ++j)
@@ -91,6 +100,11 @@ void Condenser::express(const contact::Interface& face, const std::vector<Placed
         elim.slope.col(elim.place[j] + c) -= share * At_.col(nodes[j].column[t]);
         elim.from.push_back({nodes[j].column[t], elim.place[j] + c, share});
       }
+    if (nodes[j].free == 2) continue;
+    elim.held[j] = next_held_++;
+    const Vec2& free = p.terms[p.count - 1].direction;
+    elim.slope(elim.held[j], elim.place[j]) = -free.y() * face.setup().stiffness[j];
+    elim.slope(elim.held[j], elim.place[j] + 1) = free.x() * face.setup().stiffness[j];
   }
 }
 
@@ -122,7 +136,7 @@ void Condenser::eliminate(int contact, const contact::Interface& face, const std
   right_hand_side(face, elim);
 }
 
-/// Conditions replace the rows of a node's free columns, scaled to the stiffness of their surroundings.
+/// Conditions replace the rows of a node's free columns, and give held multipliers theirs, scaled to the stiffness of their surroundings.
 void Condenser::conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
                            const contact::Linearised& linearised) {
   const auto ns = elim.place.size();
@@ -131,12 +145,12 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
   for (std::size_t j = 0; j < ns; ++j) {
     if (elim.place[j] < 0) continue;
     const int first = nodes[j].position.count - nodes[j].free;
-    const bool traction = face.status()[j] == ContactStatus::slip || face.held();
-    for (int t = 0; t < nodes[j].free; ++t) {
+    const bool traction = face.shear_is_given(static_cast<int>(j));
+    for (int t = 0; t < 2; ++t) {
       const int row = 2 * static_cast<int>(j) + t;
       of_row[row] = static_cast<int>(elim.conditions.size());
       const double scale = t == 1 && traction ? face.rows()[j].D : face.setup().stiffness[j];
-      elim.conditions.push_back({nodes[j].column[first + t], row, scale});
+      elim.conditions.push_back({t < nodes[j].free ? nodes[j].column[first + t] : elim.held[j], row, scale});
       At_.col(elim.conditions.back().column).setZero();
     }
   }

@@ -20,11 +20,13 @@ struct PlacedNode {
 /// matrix serves other residuals, too: `again`.
 class Condenser {
  public:
-  /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included.
-  void start(const System& system, const Vector& rhs);
+  /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included. A multiplier along a direction that
+  /// a support holds has no balance of its own: it is an unknown, in a column after the others.
+  void start(const System& system, const Vector& rhs, const std::vector<contact::Interface>& faces,
+             const std::vector<std::vector<PlacedNode>>& nodes);
 
   /// The last matrix with another right-hand side; of what follows, `eliminate`, `fix` and `solve` renew that alone.
-  void again(const Vector& rhs) { b_ = rhs; }
+  void again(const Vector& rhs);
 
   /// Tangent of a body whose columns start at `at`.
   void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
@@ -43,7 +45,7 @@ class Condenser {
   /// Moves a column by a given amount.
   void fix(int column, double by);
 
-  /// dq. Throws base::SolveError when the matrix is singular.
+  /// dq, and the held multipliers after it. Throws base::SolveError when the matrix is singular.
   Vector solve();
 
   /// Takes lambda of a contact along the step dq; zero at inactive nodes.
@@ -63,10 +65,11 @@ class Condenser {
     Matrix slope;                       ///< d(lambda)/dq, one component per column
     Vector constant;
     std::vector<int> place;             ///< first column of a node, -1 when inactive
+    std::vector<int> held;              ///< column of the matrix for a node's held multiplier, -1: it has none
     std::vector<Share> from, to, met;   ///< dlambda from balances, into the rows it loads, into the conditions
     std::vector<Condition> conditions;
   };
-  void express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim) const;
+  void express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim);
   void load(const PlacedNode& node, Elimination& elim, int from, double factor);
   void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
                   const contact::Linearised& linearised);
@@ -78,6 +81,7 @@ class Condenser {
   Vector b_;
   algebra::DenseFactor factor_;
   bool factored_ = false;
+  int held_ = 0, next_held_ = 0;  ///< held multipliers; the column for the next one
   Matrix weight_;  ///< of the conditions in the components of dlambda: one condition per column
   std::vector<contact::Linearised> linearised_;
   std::vector<Elimination> elimination_;

@@ -1,6 +1,10 @@
 #include "solver/contacts_in_reach.hpp"
 
+#include <cstdio>
 #include <utility>
+
+#include "solver/mobility.hpp"
+#include "solver/passage.hpp"
 
 namespace reye::solver {
 
@@ -41,6 +45,7 @@ void ContactsInReach::begin(const System& system, const SolverState& before, con
     const auto& setup = system.contacts[c];
     start_[c] = sides_[c] = positions(system, setup, before.q);
     faces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
+    faces_[c].hold(mobility(system, setup, before.q, controls));
     if (guess) faces_[c].expect(guess->status[c], guess->lambda[c]);
   }
   limit_faces();
@@ -70,6 +75,21 @@ bool ContactsInReach::enclosed_by(const Reach& reach) const {
   for (std::size_t c = 0; c < faces_.size(); ++c)
     if (!reach.encloses(static_cast<int>(c), faces_[c])) return false;
   return true;
+}
+
+std::string ContactsInReach::passed_through() const {
+  for (std::size_t c = 0; c < faces_.size(); ++c) {
+    const auto found = passage(faces_[c], start_[c], sides_[c]);
+    if (!found) continue;
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "node %d at (%.4g, %.4g) mm went through the other side of contact %s, to %.3g mm behind it: it moved "
+                  "farther in this increment than search_mm = %.3g sees",
+                  found->node.mesh_node, found->x.x(), found->x.y(), faces_[c].setup().options.name.c_str(),
+                  found->depth, faces_[c].setup().search);
+    return text;
+  }
+  return {};
 }
 
 void ContactsInReach::follow(const System& system, base::TwoPart& q) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "solver/condense.hpp"
@@ -28,6 +29,8 @@ class ContactsInReach {
   void follow(const System& system, base::TwoPart& q);
   /// Whether contact, placed among all nodes, stayed inside the reach.
   bool enclosed() const { return enclosed_by(reach_); }
+  /// Placed among all nodes: which node went through the other side unseen, in words; empty: none.
+  std::string passed_through() const;
 
   bool limited() const { return limited_; }
   Reduction& reduction() { return reduction_; }

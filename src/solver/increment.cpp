@@ -167,9 +167,8 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
         unmet = std::max(unmet, r);
       };
       count(overlap(face.residual_normal(node)));
-      if (nodes[j].free < 2) continue;
       const double r = face.residual_tangential(node);
-      count(face.status()[j] == ContactStatus::slip || face.held() ? std::abs(r) : overlap(r));
+      count(face.shear_is_given(node) ? std::abs(r) : overlap(r));
     }
   }
   for (const auto& [column, value] : controls.prescribed) balance_[reduction().index(column)] = 0.0;
@@ -244,7 +243,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   if (chord) {
     condenser_.again(rhs);
   } else {
-    condenser_.start(system, rhs);
+    condenser_.start(system, rhs, faces, nodes);
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int body = static_cast<int>(b), at = reduction().first(body);
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
@@ -262,7 +261,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   }
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < faces.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
-  return window_.expand(dq);
+  return window_.expand(dq.head(rhs.size()));
 }
 
 double Increment::way(const Vector& dq) const { return largest_of(dq.cwiseProduct(arm_)); }

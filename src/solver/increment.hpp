@@ -49,6 +49,9 @@ class Increment {
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
   bool accept(const System& system, const base::TwoPart& q, SolverState& state);
 
+  /// After `accept`: which node went through the other side of its contact unseen, in words; empty: none.
+  std::string passed_through() const { return contacts_.passed_through(); }
+
   bool nonlinear() const { return nonlinear_.any(); }
   bool touching() const;  ///< whether a node of some contact is active
   ActiveSetWatch::Set active_set() const;

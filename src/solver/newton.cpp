@@ -64,7 +64,11 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     }
     if (met && fresh) {
       report.converged = true;
-      if (increment_.accept(system, q, result.state)) return result;
+      if (increment_.accept(system, q, result.state)) {
+        report.reason = increment_.passed_through();
+        report.converged = report.reason.empty();
+        return result;
+      }
       narrowing = false;
       if (!increment_.follow(system, controls, q)) {
         increment_.choose_reach(system, before, true, options_.limit_reach);

@@ -31,7 +31,8 @@ template <class T>
 T work(const Law& law, const T& lambda_n, const T& lambda_t, const T& weighted_slip) {
   using std::abs;
   if (law.kind == LawKind::none) return T(0.0);
-  return abs((law.kind == LawKind::energy ? lambda_t : lambda_n) * weighted_slip);
+  if (law.kind == LawKind::energy) return abs(lambda_t * weighted_slip);
+  return abs(lambda_n * abs(weighted_slip));  // a node that just closed, at zero pressure, has the slope of either direction
 }
 
 /// A slipping secondary node.

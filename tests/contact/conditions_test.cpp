@@ -80,6 +80,40 @@ TEST(conditions, imposed_sliding) {
   EXPECT_NEAR(r.work, 2.0 * 12.0, 1e-13);
 }
 
+// Sliding out of the plane must leave no shear in the plane, and work with mu times the pressure.
+TEST(conditions, sliding_out_of_the_plane) {
+  auto c = constants();
+  c.imposed = c.out_of_plane = true;
+  c.imposed_slip = 3.0;
+  c.sign = 0.0;
+  auto r = conditions(node(), c, ContactStatus::slip);
+  EXPECT_NEAR(r.tangential, 2.0, 1e-14);
+  EXPECT_NEAR(r.drag, 0.3 * 10.0, 1e-14);
+  EXPECT_NEAR(r.work, 0.3 * 10.0 * 12.0, 1e-13);
+  c.law.kind = LawKind::archard;
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).work, 10.0 * 12.0, 1e-13);
+}
+
+// A node that neither side moves along the surface must keep its shear while it sticks, within the friction bound.
+TEST(conditions, unmoved) {
+  auto c = constants();
+  c.unmoved = true;
+  c.held_shear = 1.5;
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::stick).tangential, 2.0 - 1.5, 1e-14);
+  c.held_shear = -5.0;
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::stick).tangential, 2.0 + 3.0, 1e-14);
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).tangential, 2.0 - 3.0, 1e-14);
+}
+
+// A node that has just closed, at zero pressure, must wear with the pressure that comes, whichever way it slides.
+TEST(conditions, wear_of_a_node_that_just_closed) {
+  using One = base::Dual<1>;
+  for (double slip : {0.7, -0.7}) {
+    const One work = wear::work(wear::Law{.kind = LawKind::archard}, One::variable(0.0, 0), One(0.0), One(slip));
+    EXPECT_DOUBLE_EQ(work.d[0], 0.7);
+  }
+}
+
 // Held shear must be taken as given, cut to the friction bound, shared by the anchor; the anchor itself sticks.
 TEST(conditions, held_shear) {
   auto c = constants();

@@ -133,6 +133,19 @@ TEST(linearisation, imposed_sliding) {
   over_states(options, 1, ContactStatus::slip, [](ContactCase& c) { c.increment.imposed_slip = -0.05; });
 }
 
+// Sliding out of the plane, as a length and as a turn about the axis, by either law.
+TEST(linearisation, sliding_out_of_the_plane) {
+  for (auto law : {LawKind::energy, LawKind::archard}) {
+    auto options = frictional(0.2, {law, alpha, alpha});
+    options.imposed = options.out_of_plane = true;
+    const auto slides = [](ContactCase& c) {
+      c.increment.imposed_slip = 0.05;
+      c.increment.imposed_turn = 0.02;
+    };
+    over_states(options, 1, ContactStatus::slip, slides, base::Analysis::axisymmetric);
+  }
+}
+
 // Nodes without multiplier: their neighbours' rows hold the share that acts on them.
 TEST(linearisation, cut_nodes) {
   const auto cut = [](ContactCase& c) { c.setup.cut[0] = c.setup.cut[3] = 1; };

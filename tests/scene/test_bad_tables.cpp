@@ -36,6 +36,10 @@ TEST(BadScene, Tables) {
        {{"friction  = 0.9", ""},
         {R"(law = "energy", secondary_mm3_per_J = 3.222e-5, primary_mm3_per_J = 2.111e-5)", R"(law = "archard", secondary_per_MPa = 2.9e-8)"}},
        R"(scene.toml:30: contact.pad.wear.law = "archard": without friction needs imposed_sliding_mm)"},
+      {"sliding of two kinds",
+       {{"friction  = 0.9", "friction = 0.9\nimposed_sliding_mm = 1.0\nimposed_turn_rad = 0.1"}},
+       "scene.toml:31: contact.pad.imposed_turn_rad = 0.1: cannot stand beside imposed_sliding_mm\n"
+       "scene.toml:31: contact.pad.imposed_turn_rad = 0.1: needs analysis = \"axisymmetric\": it turns about the axis"},
       {"coefficients of the other law",
        {{"primary_mm3_per_J", "primary_per_MPa"}},
        "scene.toml:30: contact.pad.wear.primary_per_MPa = 2.111e-5: belongs to Archard's law; energy takes mm3_per_J"},

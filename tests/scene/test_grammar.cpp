@@ -40,6 +40,15 @@ TEST(Grammar, Archard) {
   EXPECT_EQ(contact.c_tangential, 3.0);
 }
 
+/// Sliding out of the plane is a length, or in axisymmetry an angle about the axis.
+TEST(Grammar, SlidingOutOfThePlane) {
+  const auto length = changed(law, "imposed_out_of_plane_mm = 20.0\n" + law).contacts.at(0);
+  EXPECT_TRUE(length.imposed && length.out_of_plane);
+  EXPECT_EQ(length.imposed_sliding_mm, 20.0);
+  EXPECT_EQ(length.imposed_turn_rad, 0.0);
+  EXPECT_FALSE(changed(law, "imposed_sliding_mm = 20.0\n" + law).contacts.at(0).out_of_plane);
+}
+
 /// Exponents with their references, threshold and period reach the law as written; without them the law is plain.
 TEST(Grammar, WearRate) {
   const test::Folder folder;

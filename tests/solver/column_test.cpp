@@ -83,11 +83,13 @@ TEST(column, ten_steps_follow_the_sequence) {
   }
 }
 
-// A node held by a roller along the contact must keep its normal multiplier and carry no shear, friction or not.
+// A node held by a roller along the contact must keep its normal multiplier, and carry no shear where nothing slides,
+// friction or not.
 TEST(column, roller_keeps_the_normal_multiplier) {
   for (double friction : {0.0, 0.3}) {
     auto a = column(0.0, 1.0, friction);
     a.touches[0].options.wear = {};
+    a.touches[0].options.imposed = friction == 0.0;
     const auto system = support::system_of(a);
     EXPECT_EQ(system.contacts[0].freedom[0].free, 1);
     EXPECT_EQ(system.contacts[0].cut[0], 0);
@@ -95,6 +97,18 @@ TEST(column, roller_keeps_the_normal_multiplier) {
     ASSERT_TRUE(result.report.converged) << result.report.reason;
     for (int j : {0, 3}) EXPECT_EQ(support::traction(system.contacts[0], result.state.contacts[0], j).y(), 0.0);
     for (int j : {0, 3}) EXPECT_GT(support::traction(system.contacts[0], result.state.contacts[0], j).x(), 1.0);
+  }
+}
+
+// Where sliding is imposed it must drag the roller's node as all others.
+TEST(column, roller_feels_imposed_sliding) {
+  const auto a = column(0.0, 1.0, 0.3);
+  const auto system = support::system_of(a);
+  const auto result = solver::Newton().solve(system, support::fresh(system), support::controls_of(a, system));
+  ASSERT_TRUE(result.report.converged) << result.report.reason;
+  for (int j = 0; j < 4; ++j) {
+    const auto traction = support::traction(system.contacts[0], result.state.contacts[0], j);
+    EXPECT_NEAR(std::abs(traction.y()) / traction.x(), 0.3, 1e-9);
   }
 }
 

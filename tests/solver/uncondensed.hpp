@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/LU>
 
+#include "solver/mobility.hpp"
 #include "solver/newton.hpp"
 
 /// The oracle of the condensed solver: the same semi-smooth Newton on the whole saddle-point system, unknowns
@@ -19,6 +20,7 @@ class Uncondensed {
     for (std::size_t c = 0; c < faces_.size(); ++c) {
       const auto sides = solver::positions(system, system.contacts[c], before.q);
       faces_[c].begin(system.contacts[c], before.contacts[c], sides.secondary, sides.primary, controls.contacts[c]);
+      faces_[c].hold(solver::mobility(system, system.contacts[c], before.q, controls));
       lambda.push_back(before.contacts[c].lambda);
       first_.push_back(size_);
       size_ += 2 * static_cast<int>(lambda[c].size());
@@ -119,12 +121,12 @@ class Uncondensed {
     b_.head(n) -= G.transpose() * f;
     A_.block(first, 0, multipliers, n) = R.leftCols(face.dofs()) * G;
     A_.block(first, first, multipliers, multipliers) = R.rightCols(multipliers);
-    for (int j = 0; j < setup.secondary_count(); ++j) close_rows(face, setup, c, j, first + 2 * j);
+    for (int j = 0; j < setup.secondary_count(); ++j) close_rows(face, c, j, first + 2 * j);
     for (int k = 0; k < face.dofs() / 2; ++k) turn(node(setup, k), f.segment<2>(2 * k));
   }
 
-  /// Residuals of an active node; where only one direction is free its multiplier keeps to that; else lambda = 0.
-  void close_rows(const contact::Interface& face, const contact::Setup& setup, int c, int j, int row) {
+  /// Residuals of an active node; else lambda = 0.
+  void close_rows(const contact::Interface& face, int c, int j, int row) {
     const auto alone = [&](int r, const Vec2& direction) {
       A_.row(r).setZero();
       A_.block<1, 2>(r, row) = direction.transpose();
@@ -137,7 +139,6 @@ class Uncondensed {
     }
     b_[row] = -face.residual_normal(j);
     b_[row + 1] = -face.residual_tangential(j);
-    if (setup.freedom[j].free == 1) alone(row + 1, base::right_of(setup.freedom[j].direction));
   }
 
   /// Second derivative of a rigid body's positions under contact forces.
