@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/depth.hpp"
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
 #include "sim/thickness.hpp"
@@ -191,7 +192,9 @@ Outcome end_block(const Problem& problem, State state, Cache& cache, const Block
   Outcome outcome{std::move(state), {}, false};
   if (problem.scene.shape && (span.step->wear || problem.scene.remesh.every_blocks > 0))
     outcome = evolve_shape(problem, std::move(outcome.state), cache, span, observer);
-  if (outcome.failure.empty()) renew_references(problem, outcome.state, cache, span, observer);
+  if (!outcome.failure.empty()) return outcome;
+  if (problem.scene.shape && span.step->wear) measure_depths(problem, outcome.state);
+  renew_references(problem, outcome.state, cache, span, observer);
   return outcome;
 }
 

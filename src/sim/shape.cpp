@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "adapt/shape_step.hpp"
-#include "sim/depth.hpp"
 #include "sim/drive.hpp"
 #include "sim/gap.hpp"
 #include "sim/timer.hpp"
@@ -134,9 +133,7 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (!asked[b].text.empty()) change.reasons[b] = asked[b];
-  Outcome outcome = settle(problem, std::move(state), std::move(change), cache, span, observer);
-  if (outcome.failure.empty() && span.remesh) measure_depths(problem, outcome.state);
-  return outcome;
+  return settle(problem, std::move(state), std::move(change), cache, span, observer);
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
