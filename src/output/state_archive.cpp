@@ -71,8 +71,13 @@ void serialize(Archive& archive, Warning& w) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, ContactWatch& w) {  // what was seen in a block is forgotten at its end
-  archive(w.force_most, w.slipped_most);
+void serialize(Archive& archive, Pressed& p) {
+  archive(p.force, p.peak_mm, p.across, p.length_mm, p.size_mm, p.bounded, p.cut, p.beside_zone, p.facets_mm);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ContactWatch& w) {
+  archive(w.force_most, w.slipped_most, w.pressed);
 }
 
 template <class Archive>

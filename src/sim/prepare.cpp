@@ -243,6 +243,7 @@ Problem built(scene::Scene scene, Cache& cache) {
     const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
     p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
   }
+  warn_of_values(scene, p.shapes, p.warnings);
   p.support_of.resize(p.inputs.size());
   Resolver resolve(scene, p.shapes);
   place_supports(p, resolve);
