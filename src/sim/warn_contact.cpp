@@ -120,7 +120,7 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
       found.push_back({"fine_zone", "contact " + name,
                        text("At cycle %g most of the load is carried beside the fine zone, on elements %.3g times as long as it asks for. Set "
                             "fine_zone.centre_mm and half_width_mm to where the sides touch.", state.cycle, p.beside_zone), p.beside_zone});
-    if (p.facets_mm > 0.0 && found.empty())
+    if (p.facets_mm > 0.0 && p.across >= fewest_across)
       warn_of_facets(found, name, p.facets_mm, approach_of(problem, c, p), p.size_mm);
     for (auto& warning : found) warn(state, observer, std::move(warning));
   }

@@ -95,12 +95,12 @@ void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
 }
 
 void warn_of_values(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes, std::vector<Warning>& warnings) {
-  constexpr double stiffest_MPa = 2e6;  // diamond has 1.2e6
+  constexpr double stiffest_MPa = 1e9;  // diamond has 1.2e6; a thousand times steel stands for a rigid body in some scenes
   constexpr double far = 0.1;           // of the body's diagonal
   char text[240];
   for (const auto& [name, material] : scene.materials)
     if (const double E = material::young(material); E > stiffest_MPa) {
-      std::snprintf(text, sizeof text, "E_MPa = %.4g is stiffer than any solid (steel: 2.1e5, diamond: 1.2e6); moduli are in MPa.", E);
+      std::snprintf(text, sizeof text, "E_MPa = %.4g is a modulus in Pa (steel has 2.1e5 MPa, diamond 1.2e6); for a body that does not deform write rigid = true.", E);
       warn(warnings, {"units", "material " + name, text});
     }
   for (const auto& probe : scene.output.probes)
