@@ -4,6 +4,40 @@
 
 using namespace reye;
 
+// Where the increments of a cycle led must come back bit by bit: the next play of each starts there.
+TEST(StateArchive, RecallReadsBack) {
+  sim::State state;
+  state.recall.step = 2;
+  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0), {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
+                                      {{contact::ContactStatus::slip, contact::ContactStatus::inactive}, {}}};
+  const auto again = output::state_from_bytes(output::state_to_bytes(state)).recall;
+  EXPECT_EQ(again.step, 2);
+  ASSERT_EQ(again.played.size(), 1u);
+  const auto &guess = again.played.at({0.25, 0.5}), &kept = state.recall.played.at({0.25, 0.5});
+  EXPECT_EQ(guess.dq, kept.dq);
+  EXPECT_EQ(guess.lambda, kept.lambda);
+  EXPECT_EQ(guess.status, kept.status);
+}
+
+// What the Gauss points of a nonlinear body know must come back from a checkpoint bit by bit.
+TEST(StateArchive, InteriorsReadBack) {
+  sim::State state;
+  body::Interior interior;
+  interior.y = {base::Vector::LinSpaced(5, 0.1, 0.9), 1e-17 * base::Vector::LinSpaced(5, 0.3, -0.2)};
+  interior.history = {{{0.1, -0.2, 1.0 / 3.0, 0.1}, 0.25}};
+  interior.F0 = {{1.1, 0.2, -0.3, 0.9, 1.0 / 3.0}};
+  state.solution.interiors = {interior, {}};
+  const auto again = output::state_from_bytes(output::state_to_bytes(state)).solution.interiors;
+  ASSERT_EQ(again.size(), 2u);
+  EXPECT_EQ(again[0].y.high, interior.y.high);
+  EXPECT_EQ(again[0].y.low, interior.y.low);
+  ASSERT_EQ(again[0].history.size(), 1u);
+  EXPECT_EQ(again[0].history[0].strain, interior.history[0].strain);
+  EXPECT_EQ(again[0].history[0].accumulated, 0.25);
+  EXPECT_EQ(again[0].F0, interior.F0);
+  EXPECT_TRUE(again[1].F0.empty());
+}
+
 // What a run has seen of its contacts, and warned of, must come back from a checkpoint, or a resumed run would warn otherwise.
 TEST(StateArchive, KeepsWhatWasSeen) {
   sim::State state;
