@@ -114,14 +114,15 @@ void mirror_at_axis(const std::vector<double>& r, std::vector<double>& x, std::v
 template <class Keep, class Value>
 std::optional<double> half_width_of(const SurfaceRecord& s, base::Analysis analysis, Keep keep, Value value) {
   std::vector<double> x, f, r;
+  const bool axis = analysis == base::Analysis::axisymmetric;
   const Opened o = opened(s, keep);
   for (std::size_t k = 0; k < o.row.size(); ++k)
     if (keep(o.row[k])) {
       x.push_back(o.arc[k]);
       f.push_back(value(o.row[k]));
-      r.push_back(s.x_mm[o.row[k]]);
+      if (axis) r.push_back(s.x_mm[o.row[k]]);
     }
-  if (analysis == base::Analysis::axisymmetric) mirror_at_axis(r, x, f);
+  if (axis) mirror_at_axis(r, x, f);
   return half_width(x, f);
 }
 
