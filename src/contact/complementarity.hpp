@@ -63,6 +63,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : mortar::dot(tangent, s.motion);
   r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
+  if (c.friction == 0.0) r.drag = T(0.0);  // what rounding leaves of the shear works on nothing
   if (status == ContactStatus::slip && !c.held)
     r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.drag, r.slip, s.D + s.off}, c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;

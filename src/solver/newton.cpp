@@ -10,6 +10,9 @@ namespace reye::solver {
 
 namespace {
 
+constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
+constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
+constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
 }  // namespace
@@ -32,8 +35,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   ActiveSetWatch watch;
   ChordRule rule;
   bool late = false, on_chord = false;
-  int renewals = 0, limit = most_on_one_tangent;
-  for (int iteration = 0, since = 0; iteration <= options_.max_iterations; ++iteration, ++since) {
+  int renewals = 0, limit = most_on_one_tangent, last = options_.max_iterations, steps = 0;
+  for (int iteration = 0, since = 0; iteration <= last; ++iteration, ++since) {
     const bool fresh = !increment_.nonlinear() || since == 0;  // what is measured is the truth, not a linear body's
     increment_.place(system, q);
     const bool one_by_one = watch.cycling();
@@ -45,7 +48,12 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       row = increment_.measure(system, controls, q, fresh);
     }
     row.changes = changes;
-    watch.add(increment_.active_set());
+    const auto set = increment_.active_set();
+    watch.add(set);
+    // An edge of contact that moves by a node in each iteration is on its way: it may pass all nodes.
+    steps = changes > 0 && changes <= few_changes ? steps + 1 : 0;
+    if (!increment_.nonlinear() && steps >= marching)
+      last = std::max(last, std::min(iteration + settling, options_.max_iterations + static_cast<int>(set.size())));
     if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
@@ -90,7 +98,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       since = -1;
       continue;
     }
-    if (iteration == options_.max_iterations || watch.stuck()) break;
+    if (iteration == last || watch.stuck()) break;
     const bool narrowed = narrowing && !chord && increment_.narrow(system, controls, q);
     if (narrowed) {
       increment_.place(system, q);

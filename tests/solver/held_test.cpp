@@ -112,7 +112,7 @@ TEST(held, frictionless_pressure_is_normal) {
   const auto& state = s.contact();
   for (std::size_t j = 0; j < state.lambda.size(); ++j)
     EXPECT_NEAR(base::cross(state.normal[j], state.lambda[j]), 0.0, 1e-12);
-  EXPECT_NEAR(state.frictional_work, 0.0, 1e-15);
+  EXPECT_EQ(state.frictional_work, 0.0);
 }
 
 }  // namespace
