@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "adapt/shift_outline.hpp"
 #include "sim/closing.hpp"
@@ -115,21 +114,22 @@ std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cac
   constexpr int passes = 4;        // the first is linear, where corners move it is not enough
   constexpr double small = 0.003;  // jump of pressure that needs no other pass
   State carried = next;
-  double jump = std::numeric_limits<double>::infinity();
+  // What moves nodes must be better than moving none: the equilibrium of the shape as it was redrawn is the measure.
+  if (std::string why = re_equilibrate(problem, next, cache, span, held); !why.empty()) return why;
+  double jump = largest_jump(system_of(problem, next, cache), next, held);
   for (int pass = 0; pass < passes && jump > small; ++pass) {
+    carried.counts = next.counts;
     const CarriedGap now = carry_gap(problem, carried, cache, span, held);
+    if (now.moved_mm == 0.0) break;
     State tried = carried;
-    const std::string why = re_equilibrate(problem, tried, cache, span, held);
-    if (!why.empty() && pass == 0) return why;
-    const double after = why.empty() ? largest_jump(system_of(problem, tried, cache), tried, held) : jump;
+    if (!re_equilibrate(problem, tried, cache, span, held).empty()) break;
+    const double after = largest_jump(system_of(problem, tried, cache), tried, held);
     if (!(after < jump)) break;
     jump = after;
     next = std::move(tried);
     gap.moved_mm += now.moved_mm;
     gap.left_mm = now.left_mm;
     gap.failure = now.failure;
-    if (now.moved_mm == 0.0) break;
-    carried.counts = next.counts;
   }
   return {};
 }
