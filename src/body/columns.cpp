@@ -51,9 +51,10 @@ std::vector<Term> merged(std::initializer_list<std::pair<double, const std::vect
 
 class Numbering {
  public:
-  Numbering(const Mesh& mesh, const BodyInput& input)
+  Numbering(const Mesh& mesh, const BodyInput& input, const std::vector<int>& retained)
       : mesh_(mesh),
         input_(input),
+        retained_(retained),
         edges_(curved_edges(mesh, input.contact_boundaries)),
         points_(with_control_points(mesh.X, edges_)),
         constraints_(mesh.X.size()),
@@ -72,6 +73,7 @@ class Numbering {
     for (const auto& name : input_.contact_boundaries)
       for (int node : mesh::nodes_of(mesh_.boundaries.at(name)))
         if (!std::exchange(listed[node], 1)) c.contact_nodes.push_back(node);
+    c.contact_nodes.insert(c.contact_nodes.end(), retained_.begin(), retained_.end());
     number(c);
     for (int node = 0; node < mesh_.node_count(); ++node) c.terms.push_back(terms_of(node));
     for (int node : c.contact_nodes) c.seen.push_back({points_[node], c.terms[node], freedom_of(node)});
@@ -207,6 +209,7 @@ class Numbering {
 
   const Mesh& mesh_;
   const BodyInput& input_;
+  const std::vector<int>& retained_;
   std::vector<CurvedEdge> edges_;
   base::Points points_;  ///< of nodes, control points in place of mid nodes on contact boundaries
   std::vector<SupportPlace> places_;
@@ -254,9 +257,9 @@ Path Columns::path(const Term& term, double value, bool true_rotation) const {
   return {s * d + (1.0 - c) * across, c * d + s * across, c * across - s * d};
 }
 
-Columns number_columns(const Mesh& mesh, const BodyInput& input) {
+Columns number_columns(const Mesh& mesh, const BodyInput& input, const std::vector<int>& retained) {
   for (const auto& name : input.contact_boundaries) fem::boundary_of(mesh, name, "body." + input.name + ".contact");
-  return Numbering(mesh, input).result();
+  return Numbering(mesh, input, retained).result();
 }
 
 }  // namespace reye::body

@@ -50,6 +50,7 @@ void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values);
 /// independent directions are held, a third one or a nearly parallel one (angle below 1e-3) is left out.
 /// With two held directions d1, d2 the node solves for both: u = [d1^T; d2^T]^-1 (U1, U2).   (2)
 /// A column that no node ends up using is dropped. Throws base::InputError when a contact boundary is unknown.
-Columns number_columns(const mesh::Mesh& mesh, const BodyInput& input);
+/// `retained`: nodes that are kept beside those in contact, after them.
+Columns number_columns(const mesh::Mesh& mesh, const BodyInput& input, const std::vector<int>& retained = {});
 
 }  // namespace reye::body

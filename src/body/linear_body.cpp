@@ -3,6 +3,7 @@
 
 #include "body/columns.hpp"
 #include "body/operator.hpp"
+#include "body/turning.hpp"
 #include "fem/assemble_loads.hpp"
 #include "fem/stiffness.hpp"
 
@@ -12,35 +13,90 @@ using base::SparseMatrix;
 
 namespace {
 
-/// One load of the scene, on the unknowns y and condensed to q (both for history factor 1).
+/// A load on the unknowns y and condensed to q (for history factor 1).
 struct CondensedLoad {
   Vector full;
   Vector condensed;
 };
 
+/// One load of the scene: the part that turns with the body, and the other at theta = 0 and a quarter turn on. Of a body
+/// that keeps its direction all of it is `still`.
+struct BodyLoad {
+  CondensedLoad still;
+  std::optional<CondensedLoad> along, across;
+};
+
+/// The force at every node turned by a quarter to the right: what a dead load is in a frame a quarter turn on.
+Vector quarter_turn(const Vector& f) {
+  Vector turned(f.size());
+  for (Eigen::Index i = 0; i < f.size(); i += 2) {
+    turned[i] = f[i + 1];
+    turned[i + 1] = -f[i];
+  }
+  return turned;
+}
+
+/// The pressure of a load alone, which turns with the body, and what keeps its direction.
+std::pair<Vector, Vector> parts(const mesh::Mesh& mesh, base::Analysis analysis, fem::BoundaryLoad load) {
+  fem::BoundaryLoad dead = load;
+  dead.pressure_MPa = 0.0;
+  load.traction_MPa.setZero();
+  return {fem::load_vector(mesh, analysis, load), fem::load_vector(mesh, analysis, dead)};
+}
+
+template <class DeadLoad>
+std::pair<Vector, Vector> parts(const mesh::Mesh& mesh, base::Analysis analysis, const DeadLoad& load) {
+  Vector dead = fem::load_vector(mesh, analysis, load);
+  return {Vector::Zero(dead.size()), std::move(dead)};
+}
+
 }  // namespace
 
 struct LinearBody::Impl {
   ShapePtr shape;
+  std::optional<Pivot> pivot;
   Columns columns;  ///< without terms
   SparseMatrix B;
   algebra::SchurFactor factor;
+  std::optional<Matrix> with_angle;  ///< S with an empty row and column for theta, where no support names it
   Translation translation;
+  std::optional<Turning> turning;
   std::vector<LoadColumn> names;
-  std::vector<CondensedLoad> loads;
+  std::vector<BodyLoad> loads;
 
   Impl(ShapePtr s, const BodyInput& input, algebra::SchurAnalysisPtr known)
       : shape(std::move(s)),
-        columns(number_columns(shape->mesh, input)),
+        pivot(pivot_of(shape->mesh, input)),
+        columns(number_columns(shape->mesh, input, chord(input))),
         B(expansion()),
-        factor(reduced_stiffness(input), columns.retained, std::move(known)),
-        translation(columns.translations(input.analysis).bottomRows(columns.retained)) {
+        factor(reduced_stiffness(input), columns.retained, std::move(known)) {
+    if (own_angle()) {
+      with_angle = Matrix::Zero(dofs(), dofs());
+      with_angle->topLeftCorner(columns.retained, columns.retained) = factor.schur();
+    }
+    Matrix T = Matrix::Zero(dofs(), 2);
+    T.topRows(columns.retained) = columns.translations(input.analysis).bottomRows(columns.retained);
+    translation = Translation(T);
+    if (pivot) turning = set_turning();
     for_each_load(input, [&](const auto& load) {
-      Vector full = B.transpose() * fem::load_vector(shape->mesh, input.analysis, load);
-      Vector condensed = factor.condense(full);
       names.push_back({load.name, load.history});
-      loads.push_back({std::move(full), std::move(condensed)});
+      if (!turning) {
+        loads.push_back({condensed(fem::load_vector(shape->mesh, input.analysis, load)), {}, {}});
+        return;
+      }
+      const auto [still, dead] = parts(shape->mesh, input.analysis, load);
+      loads.push_back({condensed(still), condensed(dead), condensed(quarter_turn(dead))});
     });
+  }
+
+  bool own_angle() const { return pivot && !pivot->names_angle; }
+  int dofs() const { return columns.retained + own_angle(); }
+  const Matrix& S() const { return with_angle ? *with_angle : factor.schur(); }
+
+  std::vector<int> chord(const BodyInput& input) const {
+    if (!own_angle()) return {};
+    const auto [a, b] = chord_nodes(shape->mesh, input, *pivot);
+    return {a, b};
   }
 
   /// B, and the terms that it was made of let go.
@@ -57,16 +113,67 @@ struct LinearBody::Impl {
     SparseMatrix().swap(K);  // its memory is needed for the product
     return B.transpose() * KB;
   }
+
+  Turning set_turning() const {
+    Turning t;
+    t.centre = pivot->centre;
+    t.hand = pivot->hand;
+    t.angle = own_angle() ? columns.retained : -1;
+    for (const SupportColumn& s : columns.supports) {
+      if (s.support != pivot->support) continue;
+      (s.motion == 2 ? t.angle : t.pivot[s.motion]) = s.column;
+    }
+    if (!own_angle()) return t;
+    const auto end = columns.seen.end();
+    const ContactNode &a = *(end - 2), &b = *(end - 1);
+    const Vec2 along = b.X - a.X, across = Vec2{-along.y(), along.x()}.normalized();
+    for (const auto& [node, sign] : {std::pair(&a, -1.0), std::pair(&b, 1.0)})
+      for (const Term& term : node->terms)
+        t.chord.emplace_back(term.column - columns.interior, sign * across.dot(term.direction));
+    return t;
+  }
+
+  CondensedLoad condensed(const Vector& nodal) const {
+    CondensedLoad load;
+    load.full = B.transpose() * nodal;
+    load.condensed = Vector::Zero(dofs());
+    load.condensed.head(columns.retained) = factor.condense(load.full);
+    return load;
+  }
+
+  TurningLoad turning_load(const Vector& factors, Vector CondensedLoad::* of) const {
+    const Eigen::Index n = of == &CondensedLoad::full ? B.cols() : dofs();
+    TurningLoad sum{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
+    for (size_t i = 0; i < loads.size(); ++i) {
+      sum.still += factors[i] * loads[i].still.*of;
+      if (!loads[i].along) continue;
+      sum.along += factors[i] * (*loads[i].along).*of;
+      sum.across += factors[i] * (*loads[i].across).*of;
+    }
+    return sum;
+  }
+
+  /// Forces on w that are out of balance.
+  Vector forces(const Vector& q, const Vector& factors) const {
+    if (!turning) return S() * q - turning_load(factors, &CondensedLoad::condensed).still;
+    return S() * turning->in_frame(q) - turning_load(factors, &CondensedLoad::condensed).at(q[turning->angle]);
+  }
+
+  Vec2 turned(const Vec2& X, const Vec2& w, double angle) const {
+    return turning->centre + rotation(angle) * (X + w - turning->centre);
+  }
 };
 
 LinearBody::LinearBody(ShapePtr shape, const BodyInput& input, algebra::SchurAnalysisPtr known)
     : impl_(std::make_shared<const Impl>(std::move(shape), input, std::move(known))) {}
 
 const algebra::SchurAnalysisPtr& LinearBody::analysis() const { return impl_->factor.analysis(); }
-int LinearBody::dofs() const { return impl_->columns.retained; }
+int LinearBody::dofs() const { return impl_->dofs(); }
 int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
 const std::vector<int>& LinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
-const Matrix& LinearBody::tangent(const Vector&, const Vector&) const { return impl_->factor.schur(); }
+const Matrix& LinearBody::stiffness() const { return impl_->S(); }
+const Turning* LinearBody::turning() const { return impl_->turning ? &*impl_->turning : nullptr; }
+double LinearBody::angle(const Vector& q) const { return impl_->turning ? q[impl_->turning->angle] : 0.0; }
 const Translation& LinearBody::translation() const { return impl_->translation; }
 const std::vector<SupportColumn>& LinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
@@ -78,9 +185,25 @@ NodePosition LinearBody::position(int contact_node, const Vector& q) const {
   p.x = node.X;
   for (Term term : node.terms) {
     term.column -= impl_->columns.interior;  // from the unknowns y to q: all columns of a contact node are retained
-    p.x += q[term.column] * term.direction;
+    if (!impl_->turning || term.column != impl_->turning->angle) p.x += q[term.column] * term.direction;
     p.terms[p.count++] = term;
   }
+  if (!impl_->turning) return p;
+  const Turning& turning = *impl_->turning;
+  const Eigen::Matrix2d R = rotation(q[turning.angle]);
+  p.angle = turning.angle;
+  if (node.freedom.free == 0) {  // of the pivot
+    const Vec2 arm = node.X - turning.centre;
+    p.x += R * arm - arm;
+    p.turned = 2;
+    if (p.count > 2) p.terms[2].direction = R * p.terms[2].direction;
+    return p;
+  }
+  const Vec2 arm = R * (p.x - turning.centre);
+  p.x = turning.centre + arm;
+  p.swing = {-arm.y(), arm.x()};
+  p.turned = 0;
+  for (int t = 0; t < p.count; ++t) p.terms[t].direction = R * p.terms[t].direction;
   return p;
 }
 
@@ -90,30 +213,69 @@ NodeFreedom LinearBody::freedom(int contact_node) const {
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
-  Vector r = impl_->factor.schur() * q;
-  for (size_t i = 0; i < impl_->loads.size(); ++i) r -= load_factors[i] * impl_->loads[i].condensed;
+  Vector r = impl_->forces(q, load_factors);
+  if (!impl_->turning) return r;
+  impl_->turning->to_axes(q[impl_->turning->angle], r);
+  if (!impl_->turning->chord.empty()) r[impl_->turning->angle] = impl_->turning->chord_of(q);
   return r;
 }
 
-Vector LinearBody::at_supports(const Vector& q, const Vector& load_factors) const {
+Matrix LinearBody::tangent(const Vector& q, const Vector& load_factors) const {
+  if (!impl_->turning) return impl_->S();
+  const Turning& turning = *impl_->turning;
+  const Vector none = Vector::Zero(static_cast<Eigen::Index>(impl_->loads.size()));
+  const Vector& factors = load_factors.size() > 0 ? load_factors : none;
+  Matrix transposed = impl_->S();
+  turning.turn(q, impl_->forces(q, factors), turning_load(factors).rate(q[turning.angle]), transposed);
+  if (!turning.chord.empty()) transposed.col(turning.angle).setZero();
+  for (const auto& [column, factor] : turning.chord) transposed(column, turning.angle) = factor;
+  return transposed.transpose();
+}
+
+Vector LinearBody::load(const Vector& load_factors) const { return turning_load(load_factors).still; }
+
+TurningLoad LinearBody::turning_load(const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
+  return impl_->turning_load(load_factors, &CondensedLoad::condensed);
+}
+
+double LinearBody::strain_energy(const Vector& q) const {
+  const Vector w = impl_->turning ? impl_->turning->in_frame(q) : q;
+  return 0.5 * w.dot(impl_->S() * w);
+}
+
+Vector LinearBody::at_supports(const TwoPart& q, const Vector& load_factors) const {
+  const Turning* turning = this->turning();
+  const TwoPart w = turning ? turning->in_frame(q) : q;
+  const Vector v = translation().without(w);
+  const double angle = this->angle(q.high);
+  const TurningLoad load = turning_load(load_factors);
   Vector r = Vector::Zero(dofs());
   for (const SupportColumn& support : support_columns()) {
     const int k = support.column;
-    r[k] = impl_->factor.schur().col(k).dot(q);
-    for (size_t i = 0; i < impl_->loads.size(); ++i) r[k] -= load_factors[i] * impl_->loads[i].condensed[k];
+    r[k] = impl_->S().col(k).dot(v) - load.still[k];
+    if (turning) r[k] -= std::cos(angle) * load.along[k] + std::sin(angle) * load.across[k];
   }
+  if (turning) turning->to_axes(angle, r);
   return r;
 }
 
-std::vector<Vec2> LinearBody::recover(const Vector& q, const Vector& load_factors) const {
+std::vector<Vec2> LinearBody::recover_in_frame(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
-  Vector f = Vector::Zero(full_dofs());
-  for (size_t i = 0; i < impl_->loads.size(); ++i) f += load_factors[i] * impl_->loads[i].full;
-  const Vector u = impl_->B * impl_->factor.recover(f, q);
+  const Vector f = impl_->turning_load(load_factors, &CondensedLoad::full).at(angle(q));
+  const Vector w = impl_->turning ? impl_->turning->in_frame(q) : q;
+  const Vector u = impl_->B * impl_->factor.recover(f, w.head(impl_->columns.retained));
   std::vector<Vec2> nodal(impl_->shape->mesh.X.size());
   for (size_t node = 0; node < nodal.size(); ++node) nodal[node] = u.segment<2>(2 * node);
   return nodal;
+}
+
+std::vector<Vec2> LinearBody::recover(const Vector& q, const Vector& load_factors) const {
+  auto u = recover_in_frame(q, load_factors);
+  const auto& X = impl_->shape->mesh.X;
+  if (impl_->turning)
+    for (size_t node = 0; node < u.size(); ++node) u[node] = impl_->turned(X[node], u[node], angle(q)) - X[node];
+  return u;
 }
 
 }  // namespace reye::body

@@ -28,12 +28,19 @@ struct Term {
   Vec2 direction{0.0, 0.0};
 };
 
-/// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point.
+/// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point. On a linear
+/// body that turns dx/dangle has a part of its own: forces do no work on it, for the body balances them on X.
 struct NodePosition {
   Vec2 x;
   std::array<Term, 4> terms;
   int count = 0;
+  int angle = -1;         ///< column of the rotation of a linear body that turns
+  Vec2 swing{0.0, 0.0};   ///< dx/dangle beside the terms
+  int turned = 4;         ///< from this term on directions turn with the angle
 };
+
+struct Turning;
+struct TurningLoad;
 
 /// A generalised dof that belongs to a support. Its work-conjugate force is r[column]; the force on the
 /// body in x and y is the sum over a support's columns of r[column] * direction (rotation: zero direction).
@@ -69,6 +76,7 @@ struct BodyInput {
   std::vector<fem::PointLoad> point_loads;
   std::vector<fem::BodyForce> body_forces;
   std::vector<std::string> contact_boundaries;  ///< their nodes are retained
+  Vec2 centre{0.0, 0.0};  ///< what a linear body turns about where no support says it; does not change with the shape
 };
 
 /// Calls take(load) for each load, in the order of `loads()` of the body that is made of them.
@@ -80,7 +88,9 @@ void for_each_load(const BodyInput& input, Take&& take) {
 }
 
 /// Linear elastic body of small strain, condensed to its retained dofs q:
-/// contact nodes first (in the order of `contact_nodes`), then the columns of its supports.
+/// contact nodes first (in the order of `contact_nodes`), then the columns of its supports, then the angle of a body that
+/// turns without a support that names it. A body that can turn (`pivot_of`) does: its strain is small in a frame that
+/// goes along, in which the columns of contact nodes are counted; motions of supports are counted along their own axes.
 class LinearBody {
  public:
   /// `known`: the analysis of the body at an earlier shape; on the same cells it serves again.
@@ -89,16 +99,24 @@ class LinearBody {
   const algebra::SchurAnalysisPtr& analysis() const;           ///< all that another shape can use of this one
 
   int dofs() const;
-  const std::vector<int>& contact_nodes() const;               ///< mesh nodes
+  const std::vector<int>& contact_nodes() const;               ///< mesh nodes; of a body that turns two more may follow
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
   const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
-  const Matrix& tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< S, constant
-  Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i
-  Vector at_supports(const Vector& q, const Vector& load_factors) const;  ///< of the residual the support columns, else 0
+  const Matrix& stiffness() const;                              ///< S, constant, in the body's frame
+  const Turning* turning() const;                               ///< null where the body keeps its direction
+  double angle(const Vector& q) const;                          ///< it has turned by; 0 where it keeps its direction
+  Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i, in the frame
+  Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< its derivative: S, where nothing turns
+  Vector at_supports(const TwoPart& q, const Vector& load_factors) const;  ///< of the residual the support columns, else 0
+  Vector load(const Vector& load_factors) const;                ///< sum factor_i f_hat_i, of a body that does not turn
+  TurningLoad turning_load(const Vector& load_factors) const;   ///< and of one that does
+  double strain_energy(const Vector& q) const;
   const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
+  /// The same in the frame: w, of which the stress is made.
+  std::vector<Vec2> recover_in_frame(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const;                                        ///< before condensation
@@ -108,8 +126,8 @@ class LinearBody {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// Sets the columns of the contact nodes in q so that these take the displacements u (one per contact node) as far
-/// as supports leave them free; the support columns of q are given and stay.
+/// Sets the columns of the contact nodes in q so that these take the displacements u in the frame (one per contact node) as
+/// far as supports leave them free; the support columns of q and its angle are given and stay.
 void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q);
 
 /// A body without elements: q = (u_x, u_y, theta) of its reference point c (the centre of its first support,

@@ -7,6 +7,7 @@
 #include "body/edges.hpp"
 #include "body/operator.hpp"
 #include "body/resultant.hpp"
+#include "body/turning.hpp"
 #include "fem/assemble_loads.hpp"
 
 namespace reye::body {
@@ -14,17 +15,6 @@ namespace reye::body {
 using Rotation = Eigen::Matrix2d;
 
 namespace {
-
-Rotation rotation(double theta) {
-  const double c = std::cos(theta), s = std::sin(theta);
-  return Rotation{{c, -s}, {s, c}};
-}
-
-/// dR/dtheta
-Rotation rotation_rate(double theta) {
-  const double c = std::cos(theta), s = std::sin(theta);
-  return Rotation{{-s, -c}, {c, -s}};
-}
 
 double contract(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) { return a.cwiseProduct(b).sum(); }
 

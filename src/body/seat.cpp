@@ -4,6 +4,7 @@
 
 #include "body/columns.hpp"
 #include "body/operator.hpp"
+#include "body/turning.hpp"
 
 namespace reye::body {
 
@@ -37,9 +38,10 @@ void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
     return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.column == column; });
   };
   const base::Points seen = seen_by_contact(body, u);
+  const Eigen::Matrix2d R = rotation(body.angle(q));
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const NodePosition node = body.position(static_cast<int>(k), q);
-    Vec2 rest = seen[k];
+    Vec2 rest = body.turning() ? Vec2(R * seen[k]) : seen[k];
     std::vector<Term> free;
     for (int t = 0; t < node.count; ++t) {
       const Term& term = node.terms[t];

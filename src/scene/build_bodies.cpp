@@ -27,7 +27,7 @@ std::map<std::string, BodyMaterial> body_materials_of(const Entry& root) {
   std::map<std::string, BodyMaterial> materials;
   for (const auto& entry : root.all("body"))
     materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar"),
-                               .kinematics = kinematics_of(entry)};
+                               .kinematics = kinematics_of(entry), .kinematics_given = entry.given("kinematics")};
   return materials;
 }
 

@@ -56,7 +56,9 @@ constexpr Key table[] = {
      "cure against volumetric locking, B-bar or (finite) F-bar; without it on for quads of order 1 in plane strain and axisymmetry"},
     {"body.*.kinematics", Type::text, "", "small", one_of("small|finite|auto"),
      "strain measure; of the secondary body also that of its contact: per length on X (small) or on x (finite); auto: small "
-     "where a trial estimates its error at 1 % or less, else finite, as `plan` tells; linear_elastic is then hencky"},
+     "where a trial estimates its error at 1 % or less, else finite, as `plan` tells; linear_elastic is then hencky. At small "
+     "strain linear_elastic bodies that can turn do so by any angle; strain above 1 % is a warning, and above 5 % ends a run "
+     "whose scene leaves this key out"},
     {"body.*.order", Type::whole, "", "", one_of("1|2"),
      "polynomial order of the elements: 2 puts a node on every edge, on curves of the outline; a mesh file of second order stays one; "
      "without it 1, but 2 at a contact with friction and wear that only forces drive"},

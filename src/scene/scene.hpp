@@ -26,6 +26,7 @@ struct BodyMaterial {
   std::string material;  ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
   std::optional<base::Kinematics> kinematics = base::Kinematics::small;  ///< empty: the run chooses
+  bool kinematics_given = false;  ///< else small strain that turns out to be wrong ends the run
 };
 
 struct Step {

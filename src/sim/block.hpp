@@ -71,6 +71,8 @@ IncrementRecord wear_of(const solver::System& system, const State& state);
 /// Displacement of all mesh nodes of a body.
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
                                 const Vector& load_factors);
+/// By how much a linear body has turned [rad].
+double turned_by(const body::Operator& op, const Vector& q);
 
 /// Everything a picture needs of a state.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);

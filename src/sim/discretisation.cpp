@@ -123,7 +123,7 @@ std::optional<double> energy_norm(const Problem& problem, const State& state, Ca
     const auto& input = problem.inputs[b];
     if (problem.rigid[b] || is_nonlinear(input)) continue;
     const auto error = fem::recovered_error(state.shapes[b]->mesh, input.material, input.analysis, input.b_bar,
-                                            recovered(problem, state, system, b));
+                                            recovered_in_frame(problem, state, system, b));
     sum.difference += error.difference;
     sum.energy += error.energy;
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "fem/finite.hpp"
+#include "fem/frame.hpp"
 #include "fem/stiffness.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
@@ -16,7 +17,10 @@ namespace {
 void paint_material(const body::BodyInput& input, const body::Interior& interior, bool rigid, BodyFrame& body) {
   if (rigid) return;
   if (!is_nonlinear(input)) {
-    body.stress_MPa = fem::nodal_stress(*body.mesh, input.material, input.analysis, input.b_bar, body.u);
+    const auto w = fem::in_frame(body.mesh->X, body.u, body.angle_rad);
+    body.stress_MPa = fem::nodal_stress(*body.mesh, input.material, input.analysis, input.b_bar, w);
+    if (body.angle_rad != 0.0)
+      for (auto& stress : body.stress_MPa) stress = fem::turned(stress, body.angle_rad);
     return;
   }
   Vector u(2 * static_cast<Eigen::Index>(body.u.size()));
@@ -36,6 +40,11 @@ std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const
   return std::get<body::RigidBody>(op).recover(q, load_factors);
 }
 
+double turned_by(const body::Operator& op, const Vector& q) {
+  const auto* linear = std::get_if<body::LinearBody>(&op);
+  return linear ? linear->angle(q) : 0.0;
+}
+
 namespace {
 
 /// Displacements and stress inside the bodies, and their wear.
@@ -46,6 +55,7 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
     BodyFrame& body = frame.bodies[b];
     const Vector q = system.part(state.solution.q, b);
     body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
+    body.angle_rad = turned_by(system.bodies[b], q);
     paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
     body.wear_depth_mm.assign(body.u.size(), 0.0);
   }

@@ -1,10 +1,14 @@
 #include "sim/kinematics.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
+#include "body/turning.hpp"
+#include "fem/frame.hpp"
 #include "sim/run.hpp"
 #include "sim/shape.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::sim {
 
@@ -12,13 +16,13 @@ namespace {
 
 bool small(const body::BodyInput& input) { return input.kinematics == base::Kinematics::small; }
 
-/// Each step once and without wear, from corner to corner of its histories unless a body is nonlinear and may need the
-/// increments asked for.
+/// Each step once and without wear, from corner to corner of its histories unless a body is nonlinear or turns and may need
+/// the increments asked for.
 Problem trial_of(const Problem& problem) {
   Problem trial = problem;
-  bool nonlinear = false;
+  bool stepwise = false;
   for (int b = 0; b < trial.body_count(); ++b)
-    nonlinear = nonlinear || (!trial.rigid[b] && is_nonlinear(trial.inputs[b]));
+    stepwise = stepwise || (!trial.rigid[b] && (is_nonlinear(trial.inputs[b]) || body::pivot_of(trial.shapes[b]->mesh, trial.inputs[b])));
   auto& scene = trial.scene;
   scene.steps.clear();
   std::set<std::string> played;
@@ -26,7 +30,7 @@ Problem trial_of(const Problem& problem) {
     if (!played.insert(step.name).second) continue;
     step.wear = false;
     step.cycles = 0.0;
-    if (!nonlinear) step.increments = 1;
+    if (!stepwise) step.increments = 1;
     scene.steps.push_back(step);
   }
   scene.limits.clear();
@@ -39,6 +43,16 @@ Problem trial_of(const Problem& problem) {
 
 void keep_largest(KinematicsChoice& choice, const fem::Distortion& now) {
   if (now.error() > choice.largest.error()) choice.largest = now;
+}
+
+/// Of a body from its frame, which has turned with it.
+fem::Distortion distortion_of(const Problem& problem, const State& state, const solver::System& system, int b) {
+  return fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, recovered_in_frame(problem, state, system, b));
+}
+
+bool turns(const solver::System& system, int b) {
+  const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
+  return linear && linear->turning();
 }
 
 void take_finite(body::BodyInput& input) {
@@ -60,7 +74,7 @@ void choose_kinematics(Problem& problem, Cache& cache) {
   watch.frame = [&](const Frame& frame) {
     for (std::size_t b = 0; b < choices.size(); ++b)
       if (const auto& body = frame.bodies[b]; choices[b])
-        keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis, body.u));
+        keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis, fem::in_frame(body.mesh->X, body.u, body.angle_rad)));
   };
   watch.interrupted = over;
   const Summary summary = run(trial, state, watch, cache);
@@ -84,12 +98,27 @@ std::optional<double> chosen_small_error(const Problem& problem) {
 std::optional<double> small_strain_error(const Problem& problem, const State& state, const solver::System& system) {
   std::optional<double> largest;
   for (int b = 0; b < problem.body_count(); ++b)
-    if (problem.kinematics[b] && small(problem.inputs[b])) {
-      const auto u = recovered(problem, state, system, b);
-      const auto now = fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, u);
-      largest = std::max(largest.value_or(0.0), now.error());
-    }
+    if (problem.kinematics[b] && small(problem.inputs[b]))
+      largest = std::max(largest.value_or(0.0), distortion_of(problem, state, system, b).error());
   return largest;
+}
+
+std::string check_small_strain(const Problem& problem, State& state, const solver::System& system, const Observer& observer) {
+  for (int b = 0; b < problem.body_count(); ++b) {
+    const auto& input = problem.inputs[b];
+    if (problem.rigid[b] || problem.kinematics[b] || !small(input)) continue;
+    const double strain = distortion_of(problem, state, system, b).strain_and_rotation();
+    if (strain <= strain_warned_of) continue;
+    char text[240];
+    std::snprintf(text, sizeof text, "%s %.2g %% where body %s stores its energy, which small strain gets wrong by about "
+                  "%.2g %%: kinematics = \"finite\" does not",
+                  turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain, input.name.c_str(), 200.0 * strain);
+    const auto found = problem.scene.body_material.find(input.name);
+    const bool asked = found != problem.scene.body_material.end() && found->second.kinematics_given;
+    if (strain > strain_refused && !asked) return text;
+    warn(state, observer, {"strain", "body " + input.name, text, strain});
+  }
+  return {};
 }
 
 }  // namespace reye::sim

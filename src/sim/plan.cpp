@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "body/turning.hpp"
 #include "material/parameters.hpp"
 #include "scene/choose_elements.hpp"
 #include "sim/block.hpp"
@@ -70,6 +71,20 @@ std::string solved_back_for(const Problem& p, int b) {
   return uses;
 }
 
+/// What a linear body turns about, or why its rotation is taken as small.
+void tell_turning(const Problem& p, const body::LinearBody& linear, int b, Plan& plan) {
+  const auto& mesh = p.shapes[b]->mesh;
+  if (linear.turning()) {
+    const auto pivot = body::pivot_of(mesh, p.inputs[b]);
+    plan.lines.push_back(text("  turns by any angle about (%.6g, %.6g) mm, ", pivot->centre.x(), pivot->centre.y()) +
+                         (pivot->support >= 0 ? "where support " + p.inputs[b].supports[pivot->support].name + " is"
+                                              : "guided by contact alone"));
+  } else if (const std::string support = body::keeps_direction(mesh, p.inputs[b]); !support.empty()) {
+    plan.lines.push_back("  its rotation is taken as small: support " + support +
+                         " acts along a fixed direction; kinematics = \"finite\" lets it turn");
+  }
+}
+
 void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
   const auto& name = p.inputs[b].name;
   const auto& mesh = p.shapes[b]->mesh;
@@ -94,6 +109,7 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
   plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
                             mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
+  tell_turning(p, linear, b, plan);
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
+#include "body/resultant.hpp"
 #include "cad/geometry.hpp"
 #include "scene/read.hpp"
 #include "sim/accuracy.hpp"
@@ -240,6 +241,7 @@ Problem built(scene::Scene scene, Cache& cache) {
                                         std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
     p.rigid.push_back(options.rigid);
     p.inputs.push_back(body_input(scene, options));
+    p.inputs.back().centre = body::box_centre(p.shapes.back()->mesh);
     const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
     p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
   }

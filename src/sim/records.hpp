@@ -45,6 +45,7 @@ struct BodyFrame {
   std::string name;
   std::shared_ptr<const mesh::Mesh> mesh;  ///< on X; a rigid body has outline only
   std::vector<Vec2> u;                     ///< nodal displacement [mm]
+  double angle_rad = 0.0;                  ///< by which a linear body has turned: it is strained in that frame
   std::vector<std::array<double, 4>> stress_MPa;  ///< nodal (11, 22, 12, 33); empty for a rigid body
   std::vector<double> plastic_strain;      ///< nodal, accumulated; empty where nothing yields
   std::vector<double> wear_depth_mm;       ///< nodal, zero inside

@@ -4,6 +4,7 @@
 #include "adapt/gauss_transfer.hpp"
 #include "adapt/remesh.hpp"
 #include "adapt/transfer.hpp"
+#include "body/turning.hpp"
 #include "fem/finite.hpp"
 #include "mesh/quality.hpp"
 #include "sim/carry.hpp"
@@ -24,8 +25,9 @@ const std::vector<body::SupportColumn>& support_columns(const body::Operator& op
 /// A body as it was before its mesh was made anew.
 struct Displaced {
   body::ShapePtr on;  ///< X that all of this is counted on
-  base::Points u;     ///< of all nodes
+  base::Points u;     ///< of all nodes, in the frame of a linear body
   Vector q;
+  double angle = 0.0;  ///< of that frame
   std::vector<body::SupportColumn> supports;
   fem::ElasticStates elastic;
   fem::Prestrain F0;
@@ -70,10 +72,10 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
                          const body::ShapePtr& current) {
   const auto& interior = state.solution.interiors[b];
   const Vector q = system.part(state.solution.q, b);
-  Displaced body{state.shapes[b], recovered(problem, state, system, b), q, support_columns(system.bodies[b]),
-                 {}, interior.F0};
+  Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), support_columns(system.bodies[b]), {}, interior.F0};
   const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
   if (nonlinear) body.elastic = nonlinear->elastic_states(interior, q);
+  body.u = recovered_in_frame(problem, state, system, b);
   if (!renew) return body;
   body.on = current;
   body.u.assign(body.u.size(), Vec2::Zero());
@@ -94,6 +96,7 @@ std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const
   if (const auto* linear = std::get_if<body::LinearBody>(&op)) {
     base::Points contact;
     for (int node : linear->contact_nodes()) contact.push_back(fresh.X[node]);
+    if (const auto* turning = linear->turning()) q[turning->angle] = before.angle;
     const std::string failure = carry_displacement(old, before.u, contact, u, projection);
     if (failure.empty()) body::seat(*linear, u, q);
     return failure;
@@ -159,6 +162,14 @@ base::Points recovered(const Problem& problem, const State& state, const solver:
   const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
   return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
                        controls.load_factors[body]);
+}
+
+base::Points recovered_in_frame(const Problem& problem, const State& state, const solver::System& system, int body) {
+  const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
+  if (!linear) return recovered(problem, state, system, body);
+  const scene::Step none;
+  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
+  return linear->recover_in_frame(system.part(state.solution.q, body), controls.load_factors[body]);
 }
 
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
@@ -247,7 +258,7 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
     const Vector q = system.part(state.solution.q, b);
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
     const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
-    balance.energy.push_back(linear      ? 0.5 * q.dot(linear->tangent(q) * q)
+    balance.energy.push_back(linear      ? linear->strain_energy(q)
                              : nonlinear ? nonlinear->strain_energy(state.solution.interiors[b], q)
                                          : 0.0);
   }

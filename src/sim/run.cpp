@@ -176,7 +176,7 @@ class Runner {
     state_.step_cycles += state_.cycle - cycle_before;
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    watch_strain();
+    if (const auto reason = watch_strain(step_over(step, state_)); !reason.empty()) return fail(reason);
     const bool remeshed = state_.counts.remeshes > remeshes_before;
     const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
     if (step.cycles > 0.0 && !remeshed) watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved);
@@ -215,17 +215,25 @@ class Runner {
     warn(state_, observer_, {"plastic", "step " + step.name, words, missing / now});
   }
 
-  /// Small strain that the trial found good enough may cease to be so as bodies wear.
-  void watch_strain() {
+  /// Whether small strain is good enough, seen at the first blocks, at every eighth later and at the end of a step. Returns
+  /// why the run ends. What the trial found good enough may cease to be so as bodies wear.
+  std::string watch_strain(bool last) {
+    constexpr long first = 8, every = 8;
+    if (state_.step_blocks > first && state_.step_blocks % every != 0 && !last) return {};
+    watch_chosen_strain();
+    return check_small_strain(p_, state_, system_of(p_, state_, cache_), observer_);
+  }
+
+  void watch_chosen_strain() {
     const auto now = small_strain_error(p_, state_, system_of(p_, state_, cache_));
     const double before = state_.small_strain_error.value_or(0.0);
     if (!now || *now <= before) return;
     state_.small_strain_error = now;
-    if (before > small_strain_bound || *now <= small_strain_bound || !observer_.log) return;
+    if (*now <= small_strain_bound) return;
     char text[160];
-    std::snprintf(text, sizeof text, "warning: cycle %g: small strain was chosen, but its estimated error is now "
-                  "%.2g %%; kinematics = \"finite\" is without it", state_.cycle, 100.0 * *now);
-    observer_.log(text);
+    std::snprintf(text, sizeof text, "small strain was chosen, but its estimated error is %.2g %% at cycle %g: "
+                  "kinematics = \"finite\" is without it", 100.0 * *now, state_.cycle);
+    warn(state_, observer_, {"strain", "", text, *now});
   }
 
   bool fail(const std::string& reason) {

@@ -30,6 +30,8 @@ struct Moved {
 
 /// Displacement of all nodes of a body.
 base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body);
+/// The same in the frame of a linear body that turns: what strain is made of.
+base::Points recovered_in_frame(const Problem& problem, const State& state, const solver::System& system, int body);
 
 /// Shapes that have changed and what goes with them, on the way to a new equilibrium.
 struct Change {

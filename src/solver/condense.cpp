@@ -56,6 +56,18 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
   }
 }
 
+/// Of linear bodies that turn the columns of the nodes themselves turn.
+void Condenser::turn(const std::vector<PlacedNode>& nodes, const Vector& force) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto& p = nodes[k].position;
+    if (p.angle < 0) continue;
+    const Vec2 f = force.segment<2>(2 * static_cast<Eigen::Index>(k));
+    if (f.isZero(0.0)) continue;
+    for (int t = p.turned; t < p.count; ++t)
+      At_(inside(nodes[k].angle), inside(nodes[k].column[t])) += base::cross(p.terms[t].direction, f);
+  }
+}
+
 const std::vector<contact::Linearised>& Condenser::linearise(std::vector<contact::Interface>& contacts,
                                                              const std::vector<std::vector<Vec2>>& lambda) {
   linearised_.resize(contacts.size());
@@ -68,12 +80,16 @@ void Condenser::add_contact(const System& system, int contact, const contact::In
                             const Vector& q) {
   for (const auto& e : linearised_[contact].force) {
     const auto &row = nodes[e.row / 2], &col = nodes[e.col / 2];
-    for (int r = 0; r < row.position.count; ++r)
+    for (int r = 0; r < row.position.count; ++r) {
+      const double value = e.value * row.position.terms[r].direction[e.row % 2];
       for (int k = 0; k < col.position.count; ++k)
-        At_(inside(col.column[k]), inside(row.column[r])) +=
-            e.value * row.position.terms[r].direction[e.row % 2] * col.position.terms[k].direction[e.col % 2];
+        At_(inside(col.column[k]), inside(row.column[r])) += value * col.position.terms[k].direction[e.col % 2];
+      if (col.angle >= 0) At_(col.angle, inside(row.column[r])) += value * col.position.swing[e.col % 2];
+    }
   }
-  turn(system, system.contacts[contact], face.forces(lambda), reduction, window, q);
+  const Vector force = face.forces(lambda);
+  turn(nodes, force);
+  turn(system, system.contacts[contact], force, reduction, window, q);
 }
 
 /// dlambda = constant + slope dq from the balance of each active node; along a held direction an unknown.
@@ -172,6 +188,7 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
     const auto& node = nodes[e.col / 2];
     for (int t = 0; t < node.position.count; ++t)
       At_(inside(node.column[t]), condition.column) += value * node.position.terms[t].direction[e.col % 2];
+    if (node.angle >= 0) At_(node.angle, condition.column) += value * node.position.swing[e.col % 2];
   }
   for (auto& s : elim.met) {  // a weight that passed through zero is met twice, and counts once
     s.factor = std::exchange(weight_(s.component, s.column), 0.0);
@@ -196,6 +213,14 @@ void Condenser::fix(int column, double by) {
     At_(column, column) = 1.0;
   }
   b_[column] = by;
+}
+
+void Condenser::tie(int column, const std::vector<std::pair<int, double>>& factors, double value) {
+  if (!factored_) {
+    At_.col(column).setZero();
+    for (const auto& [of, factor] : factors) At_(of, column) = factor;
+  }
+  b_[column] = value;
 }
 
 Vector Condenser::solve() {

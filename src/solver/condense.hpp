@@ -12,6 +12,7 @@ namespace reye::solver {
 struct PlacedNode {
   body::NodePosition position;
   std::array<int, 4> column{-1, -1, -1, -1};  ///< reduced column of each term
+  int angle = -1;                             ///< likewise, of the body that turns it
   int free = 0;                               ///< number of its own free columns: they come last
 };
 
@@ -31,6 +32,9 @@ class Condenser {
   /// Tangent of a body whose columns start at `at`.
   void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
 
+  /// Where the tangent of a body whose columns start at `at` stands, transposed.
+  Eigen::Ref<Matrix> tangent(int at, Eigen::Index size) { return At_.block(at, at, size, size); }
+
   /// Derivatives of conditions and forces, per contact: what the next matrix is made of.
   const std::vector<contact::Linearised>& linearise(std::vector<contact::Interface>& contacts,
                                                     const std::vector<std::vector<Vec2>>& lambda);
@@ -44,6 +48,9 @@ class Condenser {
 
   /// Moves a column by a given amount.
   void fix(int column, double by);
+
+  /// In place of the equation of a column: the steps of columns, times factors, add up to `value`.
+  void tie(int column, const std::vector<std::pair<int, double>>& factors, double value);
 
   /// dq, and the held multipliers after it. Throws base::SolveError when the matrix is singular.
   Vector solve();
@@ -76,6 +83,7 @@ class Condenser {
   void right_hand_side(const contact::Interface& face, Elimination& elim);
   void turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
             const Window& window, const Vector& q);
+  void turn(const std::vector<PlacedNode>& nodes, const Vector& force);
 
   Matrix At_;  ///< transposed: one equation per column
   Vector b_;

@@ -20,19 +20,22 @@ class Condensed {
   Eigen::Index size() const { return S_.rows(); }                                          ///< columns kept
   Eigen::Index full() const { return static_cast<Eigen::Index>(near_.size() + far_.size()); }  ///< all columns
 
+  const std::vector<int>& near() const { return near_; }
   const std::vector<int>& far() const { return far_; }
 
-  /// f'; remembers what f_f moves for `moved`.
-  Vector load(const Eigen::Ref<const Vector>& full);
-  Vector moved(const Eigen::Ref<const Vector>& near) const;  ///< q_f
+  /// Forces f on all columns: f' on those kept, and what f_f moves.
+  struct Load {
+    Vector near, own;
+  };
+  Load load(const Eigen::Ref<const Vector>& full) const;
+  Vector moved(const Eigen::Ref<const Vector>& near, const Vector& own) const { return own - G_ * near; }  ///< q_f
   /// All columns from the kept ones.
-  Vector expand(const Eigen::Ref<const Vector>& near) const;
+  Vector expand(const Eigen::Ref<const Vector>& near, const Vector& own) const;
 
  private:
   std::vector<int> near_, far_;
   Matrix S_, G_;
   algebra::DenseCholesky factor_;  ///< of S_ff
-  Vector own_;  ///< S_ff^-1 f_f
 };
 
 }  // namespace reye::solver

@@ -114,6 +114,7 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
       }, system.bodies[node.body]);
       for (int t = 0; t < placed.position.count; ++t)
         placed.column[t] = reduction_.index(system.offset[node.body] + placed.position.terms[t].column);
+      if (placed.position.angle >= 0) placed.angle = reduction_.index(system.offset[node.body] + placed.position.angle);
       x = placed.position.x;
     };
     const auto ns = setup.secondary_nodes.size();

@@ -15,6 +15,13 @@ constexpr double digits = 64.0 * std::numeric_limits<double>::epsilon();  ///< r
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
+/// The largest length that the position of a node is made of: what its rounding is relative to. An angle has lost what
+/// many turns cost it.
+double extent_of(const PlacedNode& node, const Vector& q) {
+  const double turned = node.angle < 0 ? 0.0 : std::abs(q[node.angle]) * node.position.swing.norm();
+  return std::max(node.position.x.norm(), turned);
+}
+
 }  // namespace
 
 void Increment::forget() {
@@ -113,6 +120,11 @@ Vector Increment::residual(const System& system, const Controls& controls, const
       r.segment(at, part.size()) += rigid->residual(part, controls.load_factors[b]);
     } else if (nonlinear_.tangent(body)) {
       nonlinear_.add_residual(body, v[b], r);
+    } else if (const auto* turning = reduction().turning(body)) {
+      const double angle = q.high[at + turning->angle];
+      Vector own = reduction().stiffness(body) * v[b] - reduction().turning_load(body).at(angle);
+      turning->to_axes(angle, own);
+      r.segment(at, own.size()) += own;
     } else {
       r.segment(at, v[b].size()).noalias() += reduction().stiffness(body) * v[b];
     }
@@ -160,7 +172,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
       multiplier = std::max(multiplier, lambda_[c][j].norm());
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
       // What rounding of positions leaves of a gap can not be asked to vanish.
-      const double rounding = digits * nodes[j].position.x.norm() * D;
+      const double rounding = digits * extent_of(nodes[j], q.high) * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
       const auto count = [&](double r) {
         if (r > unmet) suspects_.unmet = {static_cast<int>(c), node};
@@ -172,6 +184,9 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
     }
   }
   for (const auto& [column, value] : controls.prescribed) balance_[reduction().index(column)] = 0.0;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* turning = reduction().turning(static_cast<int>(b)); turning && !turning->chord.empty())
+      balance_[reduction().first(static_cast<int>(b)) + turning->angle] = 0.0;  // its balance is that of the other columns
   const Rounding rounding = this->rounding(system, q, v);
   largest = std::max({largest, nonlinear_.force_scale(), rounding.scale});
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;
@@ -229,17 +244,51 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
   return true;
 }
 
+/// Tells the window where the bodies that turn are.
+void Increment::turn_window(const System& system, const base::TwoPart& q) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int body = static_cast<int>(b);
+    const auto* turning = reduction().turning(body);
+    if (!turning) continue;
+    const auto own = reduction().of_body(body, q);
+    const auto& load = reduction().turning_load(body);
+    const double angle = turning->angle_of(own.high);
+    Vector forces = Vector::Zero(own.size());
+    if (turning->pivot[0] >= 0) {
+      const Vector v = reduction().deformation(body, q), f = load.at(angle);
+      for (int k : turning->pivot) forces[k] = reduction().stiffness(body).col(k).dot(v) - f[k];
+    }
+    window_.turn(body, own.high, forces, load.rate(angle));
+  }
+}
+
+/// Where no support names the angle of a body: what the frame turns by is what its chord does.
+void Increment::tie_angles(const System& system, const base::TwoPart& q) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const int body = static_cast<int>(b), at = reduction().first(body);
+    const auto* turning = reduction().turning(body);
+    if (!turning || turning->chord.empty()) continue;
+    auto factors = turning->chord;
+    for (auto& [column, factor] : factors) column = window_.index(at + column);
+    condenser_.tie(window_.index(at + turning->angle), factors, -turning->chord_of(reduction().of_body(body, q).high));
+  }
+}
+
 Vector Increment::step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord) {
   auto& faces = contacts_.faces();
   if (!chord) {
     const auto& derivatives = condenser_.linearise(faces, lambda_);
     window_.choose(system, reduction(), contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
   }
+  if (!chord) turn_window(system, q);
   const Vector rhs = window_.load(-balance_);
   auto nodes = contacts_.nodes();
   for (auto& of_contact : nodes)
     for (auto& node : of_contact)
+    {
       for (int t = 0; t < node.position.count; ++t) node.column[t] = node.column[t] < 0 ? -1 : window_.index(node.column[t]);
+      if (node.angle >= 0) node.angle = window_.index(node.angle);
+    }
   if (chord) {
     condenser_.again(rhs);
   } else {
@@ -250,6 +299,8 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
         condenser_.add_body(window_.first(body), rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
       else
         condenser_.add_body(window_.first(body), nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
+      if (reduction().turning(body))
+        window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
     }
     for (std::size_t c = 0; c < faces.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
@@ -259,6 +310,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
     const int at = reduction().index(column);
     condenser_.fix(window_.index(at), value - q.high[at] - q.low[at]);
   }
+  tie_angles(system, q);
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < faces.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
   return window_.expand(dq.head(rhs.size()));

@@ -70,6 +70,8 @@ class Increment {
   void change_columns(const System& system, const Controls& controls);
   std::vector<Vector> deformations(const System& system, const base::TwoPart& q) const;
   Vector residual(const System& system, const Controls& controls, const base::TwoPart& q, const std::vector<Vector>& v) const;
+  void turn_window(const System& system, const base::TwoPart& q);
+  void tie_angles(const System& system, const base::TwoPart& q);
   Rounding rounding(const System& system, const base::TwoPart& q, const std::vector<Vector>& v) const;
   const Matrix& stiffness(std::size_t body) const;
 

@@ -13,8 +13,11 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
     if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b])) {
       const auto& translation = linear->translation();
       auto near_translation = translation.part(near), far_translation = translation.part(far);
-      parts_[b] = {Condensed(linear->tangent({}), std::move(near), std::move(far)), std::move(near_translation),
-                   std::move(far_translation)};
+      std::optional<body::Turning> turning;
+      if (linear->turning()) turning = linear->turning()->part(near);
+      const Vector none = Vector::Zero(static_cast<Eigen::Index>(far.size()));
+      parts_[b] = {Condensed(linear->stiffness(), std::move(near), std::move(far)), std::move(near_translation),
+                   std::move(far_translation), std::move(turning), {}, {none, none, none}};
     }
   }
 }
@@ -25,9 +28,19 @@ Vector Reduction::loads(const System& system, const std::vector<Vector>& load_fa
   Vector f = Vector::Zero(size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
-    if (!linear || load_factors[b].size() == 0) continue;
-    const Vector near = parts_[b].load(-linear->residual(Vector::Zero(linear->dofs()), load_factors[b]));
-    f.segment(first(static_cast<int>(b)), near.size()) = near;
+    if (!linear) continue;
+    auto& part = parts_[b];
+    if (part.turning) {
+      const auto load = linear->turning_load(load_factors[b]);
+      auto still = part.Condensed::load(load.still), along = part.Condensed::load(load.along),
+           across = part.Condensed::load(load.across);
+      part.load = {std::move(still.near), std::move(along.near), std::move(across.near)};
+      part.own = {std::move(still.own), std::move(along.own), std::move(across.own)};
+    } else if (load_factors[b].size() > 0) {
+      auto load = part.Condensed::load(linear->load(load_factors[b]));
+      f.segment(first(static_cast<int>(b)), load.near.size()) = load.near;
+      part.own.still = std::move(load.own);
+    }
   }
   return f;
 }
@@ -44,7 +57,7 @@ base::TwoPart Reduction::of_body(int body, const base::TwoPart& reduced) const {
 }
 
 Vector Reduction::deformation(int body, const base::TwoPart& reduced) const {
-  return parts_[body].near_translation.without(of_body(body, reduced));
+  return parts_[body].near_translation.without(parts_[body].in_frame(of_body(body, reduced)));
 }
 
 base::TwoPart Reduction::expand(const base::TwoPart& reduced) const {
@@ -52,9 +65,10 @@ base::TwoPart Reduction::expand(const base::TwoPart& reduced) const {
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     const auto& part = parts_[b];
     if (part.far().empty()) continue;
-    const auto near = of_body(static_cast<int>(b), reduced);
+    const auto kept = of_body(static_cast<int>(b), reduced), near = part.in_frame(kept);
     const Vec2 a = part.near_translation.of(near.high);
-    const auto far = part.far_translation.with(a, part.moved(part.near_translation.without(a, near)));
+    const Vector own = part.turning ? part.own.at(part.turning->angle_of(kept.high)) : part.own.still;
+    const auto far = part.far_translation.with(a, part.moved(part.near_translation.without(a, near), own));
     for (std::size_t i = 0; i < part.far().size(); ++i) {
       q.high[offset_[b] + part.far()[i]] = far.high[static_cast<Eigen::Index>(i)];
       q.low[offset_[b] + part.far()[i]] = far.low[static_cast<Eigen::Index>(i)];

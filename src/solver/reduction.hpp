@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "body/turning.hpp"
 #include "solver/condensed.hpp"
 #include "solver/kept_columns.hpp"
 #include "solver/reach.hpp"
@@ -20,11 +21,15 @@ class Reduction {
   int first(int body) const { return columns_.first[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
-  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`.
+  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`. Those of bodies that
+  /// turn go along with them: `turning_load`.
   Vector loads(const System& system, const std::vector<Vector>& load_factors);
+  const body::TurningLoad& turning_load(int body) const { return parts_[body].load; }
+  const body::Turning* turning(int body) const { return parts_[body].turning ? &*parts_[body].turning : nullptr; }
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
-  /// Kept columns of a linear body without its rigid translation: S' needs no more, and is rounded less.
+  /// Kept columns of a linear body in its frame, without its rigid translation: S' needs no more, and is rounded less.
   Vector deformation(int body, const base::TwoPart& reduced) const;
+  base::TwoPart of_body(int body, const base::TwoPart& reduced) const;
   /// All global columns from the kept ones; `scatter` leaves those out of reach at zero.
   base::TwoPart expand(const base::TwoPart& reduced) const;
   Vector scatter(const Vector& reduced) const;
@@ -32,8 +37,12 @@ class Reduction {
  private:
   struct Part : Condensed {
     body::Translation near_translation, far_translation;
+    std::optional<body::Turning> turning;
+    body::TurningLoad load;  ///< f' of a body that turns
+    body::TurningLoad own;   ///< what loads move out of reach; where nothing turns all of it is `still`
+
+    base::TwoPart in_frame(base::TwoPart near) const { return turning ? turning->in_frame(std::move(near)) : near; }
   };
-  base::TwoPart of_body(int body, const base::TwoPart& reduced) const;
 
   KeptColumns columns_;
   std::vector<int> offset_;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "body/turning.hpp"
 
 namespace reye::solver {
 
@@ -56,6 +57,8 @@ Vector arms(const System& system) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     constexpr int turning = 2;  // column of a rigid body, motion of a support
     if (std::holds_alternative<body::RigidBody>(system.bodies[b])) arm[system.offset[b] + turning] = system.extent;
+    if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]); linear && linear->turning())
+      arm[system.offset[b] + linear->turning()->angle] = system.extent;
     for (const auto& s : std::visit([](const auto& o) { return o.support_columns(); }, system.bodies[b]))
       if (s.motion == turning) arm[system.offset[b] + s.column] = system.extent;
   }
@@ -127,7 +130,7 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
           if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
             return o.retained_residual(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
           else if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::LinearBody>)
-            return o.at_supports(o.translation().without(q), controls.load_factors[b]);
+            return o.at_supports(q, controls.load_factors[b]);
           else
             return o.residual(q.high, controls.load_factors[b]);
         },

@@ -17,24 +17,56 @@ void Window::choose(const System& system, const Reduction& reduction, const Reac
     const int to = b + 1 < system.bodies.size() ? reduction.first(body + 1) : reduction.size();
     first_reduced_.push_back(from);
     auto [near, far] = columns_.add(to - from, [&](int i) { return out[reduction.column(i)]; });
-    if (reduction.stiffness(body).size() > 0) parts_[b] = Condensed(reduction.stiffness(body), std::move(near), std::move(far));
+    if (reduction.stiffness(body).size() == 0) continue;
+    if (const auto* turning = reduction.turning(body)) {
+      parts_[b].whole = *turning;
+      parts_[b].turning = turning->part(near);
+    }
+    static_cast<Condensed&>(parts_[b]) = Condensed(reduction.stiffness(body), std::move(near), std::move(far));
   }
+}
+
+void Window::turn(int body, const Vector& q, const Vector& forces, const Vector& rate) {
+  Part& part = parts_[body];
+  part.q = q(part.near());
+  part.forces = forces(part.near());
+  part.rate = part.Condensed::load(rate);
+}
+
+void Window::add_turning(int body, Eigen::Ref<Matrix> transposed) const {
+  const Part& part = parts_[body];
+  if (part.turning) part.turning->turn(part.q, part.forces, part.rate.near, transposed);
 }
 
 Vector Window::load(const Vector& b) {
   Vector inside = b(columns_.column);
-  for (std::size_t k = 0; k < parts_.size(); ++k)
-    if (parts_[k].size() > 0)
-      inside.segment(columns_.first[k], parts_[k].size()) = parts_[k].load(b.segment(first_reduced_[k], parts_[k].full()));
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    Part& part = parts_[k];
+    if (part.size() == 0) continue;
+    Vector forces = b.segment(first_reduced_[k], part.full());
+    const double angle = part.turning ? part.turning->angle_of(part.q) : 0.0;
+    if (part.turning) part.whole->to_frame(angle, forces);
+    auto load = part.Condensed::load(forces);
+    if (part.turning) part.turning->to_axes(angle, load.near);
+    inside.segment(columns_.first[k], part.size()) = load.near;
+    part.own = std::move(load.own);
+  }
   return inside;
 }
 
 Vector Window::expand(const Vector& inside) const {
   Vector all = Vector::Zero(static_cast<Eigen::Index>(columns_.index.size()));
   all(columns_.column) = inside;
-  for (std::size_t k = 0; k < parts_.size(); ++k)
-    if (parts_[k].size() > 0)
-      all.segment(first_reduced_[k], parts_[k].full()) = parts_[k].expand(inside.segment(columns_.first[k], parts_[k].size()));
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Part& part = parts_[k];
+    if (part.size() == 0 || part.far().empty()) continue;
+    const Vector near = inside.segment(columns_.first[k], part.size());
+    const Vector far = part.turning ? part.moved(part.turning->step_in_frame(part.q, near),
+                                                 part.own + near[part.turning->angle] * part.rate.own)
+                                    : part.moved(near, part.own);
+    for (std::size_t i = 0; i < part.far().size(); ++i)
+      all[first_reduced_[k] + part.far()[i]] = far[static_cast<Eigen::Index>(i)];
+  }
   return all;
 }
 

@@ -86,14 +86,15 @@ class Uncondensed {
     return k < ns ? setup.secondary_nodes[k] : setup.primary_nodes[k - ns];
   }
 
-  /// dx/dq of the surface dofs.
-  Matrix motion(const contact::Setup& setup, int dofs) const {
+  /// dx/dq of the surface dofs; `forces`: what their forces do work on.
+  Matrix motion(const contact::Setup& setup, int dofs, bool forces) const {
     Matrix G = Matrix::Zero(dofs, system_.dofs);
     for (int k = 0; k < dofs / 2; ++k) {
       const auto& at = node(setup, k);
       const auto p = std::visit([&](const auto& o) { return o.position(at.contact_node, Vector(system_.part(q, at.body))); },
                                 system_.bodies[at.body]);
       for (int t = 0; t < p.count; ++t) G.block<2, 1>(2 * k, system_.offset[at.body] + p.terms[t].column) += p.terms[t].direction;
+      if (!forces && p.angle >= 0) G.block<2, 1>(2 * k, system_.offset[at.body] + p.angle) += p.swing;
     }
     return G;
   }
@@ -104,7 +105,7 @@ class Uncondensed {
     face.evaluate(lambda[c]);
     contact::Linearised lin;
     face.linearise(lambda[c], lin);
-    const Matrix G = motion(setup, face.dofs());
+    const Matrix G = motion(setup, face.dofs(), false), L = motion(setup, face.dofs(), true);
     const int first = system_.dofs + first_[c], n = system_.dofs, multipliers = 2 * setup.secondary_count();
     Matrix F = Matrix::Zero(face.dofs(), face.dofs()), C(face.dofs(), multipliers);
     Matrix R = Matrix::Zero(multipliers, face.dofs() + multipliers);
@@ -116,9 +117,9 @@ class Uncondensed {
       C.col(i) = face.forces(unit);
     }
     const Vector f = face.forces(lambda[c]);
-    A_.topLeftCorner(n, n) += G.transpose() * F * G;
-    A_.block(0, first, n, multipliers) = G.transpose() * C;
-    b_.head(n) -= G.transpose() * f;
+    A_.topLeftCorner(n, n) += L.transpose() * F * G;
+    A_.block(0, first, n, multipliers) = L.transpose() * C;
+    b_.head(n) -= L.transpose() * f;
     A_.block(first, 0, multipliers, n) = R.leftCols(face.dofs()) * G;
     A_.block(first, first, multipliers, multipliers) = R.rightCols(multipliers);
     for (int j = 0; j < setup.secondary_count(); ++j) close_rows(face, c, j, first + 2 * j);
@@ -141,8 +142,14 @@ class Uncondensed {
     b_[row + 1] = -face.residual_tangential(j);
   }
 
-  /// Second derivative of a rigid body's positions under contact forces.
+  /// Second derivative of positions of bodies that turn under contact forces.
   void turn(const contact::SurfaceNode& at, const Vec2& force) {
+    if (const auto* linear = std::get_if<body::LinearBody>(&system_.bodies[at.body])) {
+      const auto p = linear->position(at.contact_node, system_.part(q, at.body));
+      const int first = system_.offset[at.body];
+      for (int t = p.turned; p.angle >= 0 && t < p.count; ++t)
+        A_(first + p.terms[t].column, first + p.angle) += force.dot(Vec2(-p.terms[t].direction.y(), p.terms[t].direction.x()));
+    }
     const auto* rigid = std::get_if<body::RigidBody>(&system_.bodies[at.body]);
     if (!rigid) return;
     std::vector<Vec2> forces(rigid->contact_nodes().size(), Vec2::Zero());
