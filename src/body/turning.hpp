@@ -68,14 +68,14 @@ struct Turning {
   Vector in_frame(const Vector& q) const { return in_frame(TwoPart(q)).high; }
   TwoPart in_frame(TwoPart q) const;                            ///< w of q, as columns
   Vector step_in_frame(const Vector& q, Vector dq) const;      ///< dw of dq at q
-  void to_frame(double angle, Eigen::Ref<Vector> forces) const;  ///< forces on q as forces on w
-  void to_axes(double angle, Eigen::Ref<Vector> forces) const;   ///< and back
+  void to_frame(double theta, Eigen::Ref<Vector> forces) const;  ///< forces on q as forces on w
+  void to_axes(double theta, Eigen::Ref<Vector> forces) const;   ///< and back
   /// Makes the transposed stiffness of w the transposed tangent of q; `forces` on w are out of balance, `rate` is that of
   /// the loads with theta. The row of theta is the moment, where a support names it.
   void turn(const Vector& q, const Vector& forces, const Vector& rate, Eigen::Ref<Matrix> transposed) const;
 
  private:
-  Eigen::Matrix2d axes(double angle) const { return rotation(-hand * angle); }  ///< w of the pivot = axes * its motion
+  Eigen::Matrix2d axes(double theta) const { return rotation(-hand * theta); }  ///< w of the pivot = axes * its motion
   Vec2 of_pivot(const Vector& q) const { return {q[pivot[0]], q[pivot[1]]}; }
 };
 

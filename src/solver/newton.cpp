@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "body/turning.hpp"
 #include "solver/chord_rule.hpp"
 
 namespace reye::solver {
@@ -14,6 +15,34 @@ constexpr int few_changes = 4;           ///< of status in an iteration, of an a
 constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
+
+/// The mean length of a facet of a contact's surfaces.
+double facet_length(const contact::Setup& setup) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const auto* surface : {&setup.secondary, &setup.primary}) {
+    for (const auto& facet : surface->facets) sum += (surface->X[facet[1]] - surface->X[facet[0]]).norm();
+    count += surface->facets.size();
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// Whether a body is turned so far in one increment that contact finds other nodes of it than those in reach.
+bool turns_beyond_reach(const System& system, const SolverState& before, const Controls& controls) {
+  constexpr double facets = 4.0;  // the reach has a margin of six
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
+    if (!linear || !linear->turning()) continue;
+    const int column = system.offset[b] + linear->turning()->angle;
+    const auto imposed = std::find_if(controls.prescribed.begin(), controls.prescribed.end(),
+                                      [&](const auto& p) { return p.first == column; });
+    if (imposed == controls.prescribed.end()) continue;
+    const double way = std::abs(imposed->second - before.q[column]) * 0.5 * system.extent;
+    for (const auto& setup : system.contacts)
+      if (way > facets * facet_length(setup)) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -131,7 +160,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
 }
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
-  increment_.choose_reach(system, before, false, options_.limit_reach);
+  increment_.choose_reach(system, before, turns_beyond_reach(system, before, controls), options_.limit_reach);
   const bool predicted = controls.guess || (controls.continues > 0.0 && increment_.follows(before));
   SolveResult result = iterate(system, before, controls, predicted, options_.limit_reach);
   if (predicted && !result.report.converged) {

@@ -164,7 +164,9 @@ TEST(turning, is_objective) {
   for (const auto& c : columns) {
     force += r[c.column] * c.direction;
     turned += r_turned[c.column] * c.direction;
-    if (c.motion == 2) EXPECT_NEAR(r[c.column], r_turned[c.column], 1e-11 * std::abs(r[c.column]));
+    if (c.motion == 2) {
+      EXPECT_NEAR(r[c.column], r_turned[c.column], 1e-11 * std::abs(r[c.column]));
+    }
   }
   EXPECT_LT((R * force - turned).norm(), 1e-11 * force.norm());
 }
