@@ -16,14 +16,11 @@ namespace {
 
 IncrementRecord record_of(const Problem& problem, const State& state, const solver::System& system,
                           const solver::Controls& controls, const BlockSpan& span, double progress, int newton) {
-  IncrementRecord r = wear_of(system, state);
+  IncrementRecord r = figures_of(problem, state, system, controls);
   r.step = span.step->name;
   r.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
   r.progress = progress;
   r.newton = newton;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(system.contacts[c], state.solution.contacts[c]));
-  r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));
   return r;
 }
 
@@ -129,6 +126,15 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
 }
 
 }  // namespace
+
+IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,
+                           const solver::Controls& controls) {
+  IncrementRecord r = wear_of(system, state);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(system.contacts[c], state.solution.contacts[c]));
+  r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));
+  return r;
+}
 
 IncrementRecord wear_of(const solver::System& system, const State& state) {
   IncrementRecord r;

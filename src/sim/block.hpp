@@ -68,6 +68,10 @@ bool renew_references(const Problem& problem, State& state, Cache& cache, const 
 /// A row of the history with only what has worn until now: largest depths and energy.
 IncrementRecord wear_of(const solver::System& system, const State& state);
 
+/// A row of the history but for where it stands: what has worn, the peak pressure and what supports feel.
+IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,
+                           const solver::Controls& controls);
+
 /// Displacement of all mesh nodes of a body.
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
                                 const Vector& load_factors);

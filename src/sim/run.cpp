@@ -10,6 +10,7 @@
 #include "sim/block.hpp"
 #include "sim/corners.hpp"
 #include "sim/discretisation.hpp"
+#include "sim/held_row.hpp"
 #include "sim/jump.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/limits.hpp"
@@ -91,7 +92,7 @@ constexpr int most_turns = 3;  ///< times that a block is played again to end at
 class Runner {
  public:
   Runner(const Problem& problem, State& state, const Observer& observer, Cache& cache)
-      : p_(problem), state_(state), observer_(observer), cache_(cache) {
+      : p_(problem), state_(state), row_(observer), observer_(row_.observer()), cache_(cache) {
     solver::NewtonOptions options;
     options.max_iterations = problem.scene.max_newton;
     cache_.newton = solver::Newton(options);
@@ -101,6 +102,7 @@ class Runner {
     const auto start = clock::now();
     const double cpu = cpu_seconds();
     play();
+    row_.release();
     if (p_.scene.output.estimate_error && summary_.status == RunStatus::done) estimate();
     Summary s = summarise_run();
     s.wall_s = std::chrono::duration<double>(clock::now() - start).count();
@@ -173,6 +175,7 @@ class Runner {
       show(step.name);
       return false;
     }
+    row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     state_.step_cycles += state_.cycle - cycle_before;
     ++state_.step_blocks;
     ++state_.counts.blocks;
@@ -299,6 +302,7 @@ class Runner {
 
   const Problem& p_;
   State& state_;
+  HeldRow row_;
   const Observer& observer_;
   Cache& cache_;
   Summary summary_;

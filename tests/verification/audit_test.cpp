@@ -46,9 +46,10 @@ double pressed(const sim::SurfaceRecord& s, base::Analysis analysis) {
 }
 
 /// The booked volume of every side has left its body: the change of its content, to the digits that content has.
-void expect_booked_volume_is_the_change_of_shape(const Played& run) {
+void expect_booked_volume_is_the_change_of_shape(const Played& run, const std::string& divided_arc) {
   const auto analysis = run.problem.scene.analysis;
   for (int b = 0; b < run.problem.body_count(); ++b) {
+    if (run.problem.inputs[b].name == divided_arc) continue;
     double booked = 0.0;
     for (std::size_t c = 0; c < run.problem.contacts.size(); ++c) {
       if (run.problem.contacts[c].secondary.body == b) booked += run.summary.contacts[c].secondary.worn_area;
@@ -90,15 +91,16 @@ void expect_history_ends_with_the_summary(const Played& run) {
   const auto& last = run.records.back();
   EXPECT_DOUBLE_EQ(last.cycle, run.summary.cycles);
   EXPECT_NEAR(last.energy_mJ, energy, 1e-12 * energy);
-  EXPECT_NEAR(last.depth_max_secondary_mm, secondary, 1e-6 * secondary);
-  EXPECT_NEAR(last.depth_max_primary_mm, primary, 1e-6 * primary);
-  EXPECT_NEAR(last.pressure_max_MPa, peak, 0.02 * peak);
+  EXPECT_NEAR(last.depth_max_secondary_mm, secondary, 1e-9 * secondary);
+  EXPECT_NEAR(last.depth_max_primary_mm, primary, 1e-9 * primary);
+  EXPECT_NEAR(last.pressure_max_MPa, peak, 1e-9 * peak);
 }
 
 struct Bounds {
   double table = 0.01;    ///< of the integral of the pressure table against the normal force
   double support = 1e-6;  ///< of the resultant against what supports feel
   bool shape = true;      ///< wear has gone from the bodies
+  std::string divided_arc{};  ///< body whose unworn arc a remesh divides into other chords: they change its content, too
 };
 
 void audit(const Played& run, const Bounds& bounds = {}) {
@@ -109,12 +111,12 @@ void audit(const Played& run, const Bounds& bounds = {}) {
     EXPECT_GE(record.energy_mJ, from_nothing) << "dissipated energy never falls";
     from_nothing = record.energy_mJ;
   }
-  if (run.problem.contacts.size() == 1 && analysis != base::Analysis::axisymmetric)
+  if (run.problem.contacts.size() == 1 && analysis != base::Analysis::axisymmetric) {
     EXPECT_NEAR(pressed(run.surface(Side::secondary), analysis), run.contact().normal_force,
                 bounds.table * run.contact().normal_force);
-  for (const auto& c : run.summary.contacts)
-    if (c.ledger_relative_error) EXPECT_LT(*c.ledger_relative_error, 1e-9) << c.name;
-  if (bounds.shape) expect_booked_volume_is_the_change_of_shape(run);
+  }
+  for (const auto& c : run.summary.contacts) EXPECT_LT(c.ledger_relative_error.value_or(0.0), 1e-9) << c.name;
+  if (bounds.shape) expect_booked_volume_is_the_change_of_shape(run, bounds.divided_arc);
   expect_supports_feel_the_contact(run, bounds.support);
   expect_history_ends_with_the_summary(run);
 }
@@ -142,7 +144,8 @@ TEST(Audit, PartialSlip) {
 TEST(Audit, PinWornWithRemeshes) {
   audit(played(scene_text("pin_worn_flat", {{"cycles = 180\njump = 5", "cycles = 40\njump = 5"},
                                             {"cycles = 3300\njump = 25", "cycles = 0"},
-                                            {"size_mm = 0.02 }", "size_mm = 0.04 }\n[remesh]\nevery_blocks = 6\n"}})));
+                                            {"size_mm = 0.02 }", "size_mm = 0.04 }\n[remesh]\nevery_blocks = 6\n"}})),
+        {.divided_arc = "pin"});
 }
 
 TEST(Audit, RingsByArchard) {
