@@ -66,11 +66,11 @@ RunEnd read_end(const std::string& dir) {
   const Json summary = Json::parse(read_text(file.string()), nullptr, false);
   if (!summary.is_object()) return {};
   RunEnd end{text_of(summary, "status"), text_of(summary, "reason"), text_of(summary, "scene_sha256"), {}};
+  if (const auto warnings = summary.find("warnings"); warnings != summary.end() && warnings->is_array())
+    end.figures.emplace_back("warnings", std::to_string(warnings->size()));
   for (const auto* part : parts)
     if (const auto found = summary.find(part); found != summary.end() && !found->is_null())
       add_figures(*found, part, end);
-  if (const auto warnings = summary.find("warnings"); warnings != summary.end() && warnings->is_array())
-    end.figures.emplace_back("warnings", std::to_string(warnings->size()));
   return end;
 }
 

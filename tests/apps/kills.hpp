@@ -12,7 +12,9 @@ namespace reye::test {
 /// The wearing contact on steel that yields under the load: friction, wear, plastic flow and, twice, fresh meshes.
 inline std::string yielding() {
   const std::string steel = "[material.steel]\nE_MPa = 200e3\nnu    = 0.3\n";
-  return changed(wearing, {{steel, steel + "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 480.0, modulus_MPa = 2000.0 }\n"},
+  return changed(wearing, {{"[body.disc]\n", "[body.disc]\nkinematics = \"small\"\n"},
+                           {"[body.flat]\n", "[body.flat]\nkinematics = \"small\"\n"},
+                           {steel, steel + "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 480.0, modulus_MPa = 2000.0 }\n"},
                            {"half_width_mm = 0.08, depth_mm = 0.02, size_mm = 0.008", "half_width_mm = 0.08, depth_mm = 0.04, size_mm = 0.008"},
                            {"increments = 16\ncycles = 400\njump = 100", "increments = 8\ncycles = 240\njump = 20"},
                            {"every_cycles = 200 }", "every_cycles = 40, at_remeshes = true }"}}) +

@@ -33,6 +33,7 @@ TEST(SweepTable, ReadsTheEnd) {
   EXPECT_EQ(figures.at("life_cycles.deep"), "17000.0");
   EXPECT_EQ(figures.at("counts.blocks"), "180");
   EXPECT_EQ(figures.at("warnings"), "0");
+  EXPECT_EQ(end.figures.back().first, "peak_rss_MB");
   std::filesystem::remove_all(dir);
   EXPECT_EQ(output::read_end(dir).status, "missing");
 }

@@ -68,13 +68,13 @@ void expect_booked_volume_is_the_change_of_shape(const Played& run, const std::s
 void expect_supports_feel_the_contact(const Played& run, double tolerance) {
   if (run.problem.contacts.size() != 1) return;
   const auto& contact = run.contact();
-  const double resultant = std::hypot(contact.normal_force, contact.tangential_force);
+  const bool ring = run.problem.scene.analysis == base::Analysis::axisymmetric;
+  const double resultant = ring ? contact.normal_force : std::hypot(contact.normal_force, contact.tangential_force);
   for (const int b : {run.problem.contacts[0].secondary.body, run.problem.contacts[0].primary.front().body}) {
     const auto& input = run.problem.inputs[b];
     if (!input.boundary_loads.empty() || !input.point_loads.empty() || !input.body_forces.empty()) continue;
     const base::Vec2 felt = held_by_supports(run, b);
-    EXPECT_NEAR(run.problem.scene.analysis == base::Analysis::axisymmetric ? std::abs(felt.y()) : felt.norm(), resultant,
-                tolerance * resultant)
+    EXPECT_NEAR(ring ? std::abs(felt.y()) : felt.norm(), resultant, tolerance * resultant)
         << "body " << input.name;
   }
 }
@@ -155,7 +155,8 @@ TEST(Audit, RingsByArchard) {
 TEST(Audit, HertzWithoutWear) { audit(played(scene_text("hertz_block", {{"size_mm = 0.035", "size_mm = 0.07"}}))); }
 
 TEST(Audit, RubberThatWears) {
-  audit(played(scene_text("rubber_pin_wear", {{"cycles = 200", "cycles = 10"}, {"size_mm = 0.08", "size_mm = 0.2"}})));
+  audit(played(scene_text("rubber_pin_wear", {{"cycles = 200", "cycles = 10"}, {"size_mm = 0.08", "size_mm = 0.2"}})),
+        {.table = 0.03});  // the table's lengths are those of X, the pressure is per length of x
 }
 
 TEST(Audit, PlasticFretting) {
