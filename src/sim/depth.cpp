@@ -4,6 +4,7 @@
 
 #include "adapt/unworn.hpp"
 #include "sim/carry.hpp"
+#include "sim/roundness.hpp"
 
 namespace reye::sim {
 
@@ -24,6 +25,16 @@ void measure(const Problem& problem, const State& state, const contact::Boundary
              double* removed) {
   const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
   const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
+  // A remesh divides an arc into other chords and keeps the content under them: nodes lie about a sagitta off the worn curve.
+  // Wear that is not much deeper is told by the volume removed at each node.
+  constexpr double sagittas = 20.0;
+  double facets = 0.0, deepest = 0.0;
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    if (removed[k] <= 0.0) continue;
+    facets = std::max(facets, sagitta(surface, static_cast<int>(k)));
+    deepest = std::max(deepest, depth[k]);
+  }
+  if (deepest < sagittas * facets) return;
   for (std::size_t k = 0; k < depth.size(); ++k)
     if (removed[k] > 0.0) removed[k] = std::max(depth[k], 0.0) * surface.area[k] + pending[k];
 }

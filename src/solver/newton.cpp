@@ -11,8 +11,6 @@ namespace reye::solver {
 
 namespace {
 
-const std::string lost_contact = "nothing is in contact, and a body has lost the contact that holds it; ";
-
 constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
 constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
 constexpr int settling = 5;              ///< iterations that follow the last change
@@ -88,8 +86,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
-      report.reason = "the residual is not finite after " + std::to_string(iteration) + " iterations";
-      if (!increment_.touching()) report.reason = lost_contact + report.reason;
+      report.reason = "the residual is not finite after " + std::to_string(iteration) +
+                      " iterations: displacements grow without bound, as where a body has lost the contact that holds it";
       return result;
     }
     const double off = error_of(row);
@@ -154,7 +152,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
-      if (!increment_.touching()) report.reason = lost_contact + report.reason;
+      if (!increment_.touching()) report.reason = "nothing is in contact, and a body has lost the contact that holds it; " + report.reason;
       return result;
     }
   }

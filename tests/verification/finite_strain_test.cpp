@@ -15,7 +15,7 @@ using base::Vec2;
 std::string turned_blocks(double degrees, double friction) {
   const std::string angle = "\nangle_deg = " + std::to_string(degrees);
   std::string text = scene_text("two_blocks_dual", {{"E_MPa = 1.0e6", "law = \"hencky\"\nE_MPa = 1.0e6"},
-                                                    {"material = \"elastic\"", "material = \"elastic\"\nkinematics = \"finite\""},
+                                                    {"kinematics = \"small\"", "kinematics = \"finite\""},
                                                     {"edge = \"left_left\"", "edge = \"left_left\"" + angle},
                                                     {"edge = \"right_right\"", "edge = \"right_right\"" + angle}});
   const auto from = text.find("geometry = [\""), to = text.find(']', from);

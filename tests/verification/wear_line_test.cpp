@@ -93,7 +93,8 @@ TEST(WearLine, SidesExchanged) {
       r.push_back({sides, "secondary = \"round\"\nprimary   = [\"face\"]"});
       r.push_back({"secondary_per_MPa = 2.0e-8, primary_per_MPa = 1.0e-8", "secondary_per_MPa = 1.0e-8, primary_per_MPa = 2.0e-8"});
     }
-    return played(up_to("to S = 1", r));
+    // On one mesh: with seven elements across, a fresh one would move the depth in the middle by some 9 %, and warn.
+    return played(up_to("to S = 1", r) + "\n[remesh]\nautomatic = false\n");
   };
   const auto difference = [&](const std::string& size) {
     const Played one = ends(size, false), other = ends(size, true);
