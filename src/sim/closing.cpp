@@ -15,7 +15,8 @@ using Values = std::vector<double>;
 struct Gaps {
   const contact::Setup& setup;
   const std::vector<contact::MortarRow>& rows;
-  const Values& gap;  ///< weighted
+  Values gap;    ///< weighted
+  Values rates;  ///< by which a length of the secondary's way as a whole closes the gap of a node
   SideShift secondary, primary;
 
   /// What the moves have left of the weighted gap of a node.
@@ -93,20 +94,65 @@ void close_by_primary(Gaps& c) {
   }
 }
 
-/// What content may be given back by: under the contact a motion of the whole side against its load, which costs no pressure.
-void free_motion(Gaps& c, const contact::Interface& face, const HeldTraction& held) {
+contact::Interface meeting(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at) {
+  contact::IncrementOptions options;
+  options.held = true;
+  contact::Interface face;
+  face.begin(setup, contact, at.secondary, at.primary, options);
+  face.integrate(at.secondary, at.primary);
+  return face;
+}
+
+/// The direction in which the secondary is pressed, the axis in axisymmetry; zero where the contact goes round the body, so that
+/// all nodes count alike.
+Vec2 pressed_along(const contact::Interface& face, const HeldTraction& held) {
   Vec2 load = Vec2::Zero();
   double all = 0.0;
-  for (std::size_t j = 0; j < c.rows.size(); ++j) {
-    load += std::max(held.normal[j], 0.0) * face.normal()[j];
-    all += std::max(held.normal[j], 0.0);
+  for (std::size_t j = 0; j < held.normal.size(); ++j) {
+    const double force = std::max(held.normal[j], 0.0);
+    load += force * face.normal()[j];
+    all += force;
   }
-  constexpr double least = 0.2;  // below it the contact goes round the body: all nodes alike
-  const bool one_way = load.norm() > least * all;
+  if (face.setup().analysis == base::Analysis::axisymmetric) load.x() = 0.0;
+  constexpr double least = 0.2;
+  return load.norm() > least * all ? Vec2(load.normalized()) : Vec2(Vec2::Zero());
+}
+
+/// By how much the gap of each secondary node closes when its side goes along e as a whole, per length: n . e, but beside a
+/// corner, where n is not that of the facets it meets.
+Values closed_by(const Vec2& e, const contact::Interface& face, const contact::ContactState& contact, solver::Sides at) {
+  const auto& setup = face.setup();
+  double length = 0.0;
+  for (double A : setup.secondary.area) length = std::max(length, A);
+  const double step = 1e-5 * length;
+  for (Vec2& x : at.secondary) x += step * e;
+  const auto moved = meeting(setup, contact, at);
+  Values rates;
+  for (std::size_t j = 0; j < face.rows().size(); ++j) {
+    const double D = face.rows()[j].carried();
+    rates.push_back(D > 0.0 ? (face.gap()[j] - moved.gap()[j]) / (D * step) : 0.0);
+  }
+  return rates;
+}
+
+/// Takes the way out of the gaps that the sides are apart as a whole: it is the support's, and moves no content.
+void bring_together(Gaps& c) {
+  double apart = 0.0, closed = 0.0;
+  for (std::size_t j = 0; j < c.rows.size(); ++j) {
+    if (!c.secondary.loaded[j]) continue;
+    apart += c.gap[j];
+    closed += c.rows[j].carried() * c.rates[j];
+  }
+  if (!(closed > 0.0)) return;
+  for (std::size_t j = 0; j < c.rows.size(); ++j) c.gap[j] -= apart / closed * c.rows[j].carried() * c.rates[j];
+}
+
+/// What content may be given back by: under the contact a motion of the whole side against its load, which costs no pressure.
+void free_motion(Gaps& c) {
   Values met(c.primary.by.size(), 0.0), sum = met;
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
     if (!c.secondary.loaded[j]) continue;
-    const double along = one_way ? std::max(0.0, face.normal()[j].dot(load.normalized())) : 1.0;
+    const double along = std::max(0.0, c.rates[j]);
     if (c.secondary.room[j] > 0.0) c.secondary.free[j] = along;
     for (const auto& [l, M] : c.rows[j].M) {
       met[l] += std::abs(M);
@@ -164,12 +210,11 @@ bool any(const Values& v) {
   return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
 }
 
-void close(Gaps& c, const contact::Interface& face, const HeldTraction& held) {
-  for (std::size_t j = 0; j < c.rows.size(); ++j)
-    c.secondary.loaded[j] = held.normal[j] > 0.0 && !c.setup.cut[j] && face.touching(static_cast<int>(j));
+void close(Gaps& c) {
+  bring_together(c);
   if (any(c.secondary.room)) close_by_secondary(c);
   if (any(c.primary.room)) close_by_primary(c);
-  free_motion(c, face, held);
+  free_motion(c);
   fade_out(c.setup.secondary, c.secondary);
   fade_out(c.setup.primary, c.primary);
   keep_open(c);
@@ -177,12 +222,20 @@ void close(Gaps& c, const contact::Interface& face, const HeldTraction& held) {
 
 }  // namespace
 
-Closing closing_of(const contact::Interface& face, const contact::ContactState& contact, const HeldTraction& held) {
-  const auto& setup = face.setup();
+Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
+                   const HeldTraction& held) {
+  const auto face = meeting(setup, contact, at);
   const auto& law = setup.options.wear;
-  Gaps c{setup, face.rows(), face.gap(), side_of(setup.secondary, contact.removed_secondary, law.secondary),
+  const Vec2 e = pressed_along(face, held);
+  Gaps c{setup,
+         face.rows(),
+         face.gap(),
+         e.isZero() ? Values(face.gap().size(), 1.0) : closed_by(e, face, contact, at),
+         side_of(setup.secondary, contact.removed_secondary, law.secondary),
          side_of(setup.primary, contact.removed_primary, law.primary)};
-  close(c, face, held);
+  for (std::size_t j = 0; j < c.rows.size(); ++j)
+    c.secondary.loaded[j] = held.normal[j] > 0.0 && !setup.cut[j] && face.touching(static_cast<int>(j));
+  close(c);
   Closing closing;
   for (std::size_t j = 0; j < c.rows.size(); ++j)
     if (c.secondary.loaded[j] && !setup.between(static_cast<int>(j)))

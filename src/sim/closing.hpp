@@ -20,8 +20,9 @@ struct Closing {
   double moved_mm = 0.0;  ///< farthest move
 };
 
-/// Moves of the worn nodes of a contact, in its state `contact`, that close the gaps of `face`, integrated where the tractions
+/// Moves of the worn nodes of a contact, in its state `contact`, that close the gaps at the positions `at`, where the tractions
 /// `held` are in equilibrium.   (README, 5)
-Closing closing_of(const contact::Interface& face, const contact::ContactState& contact, const HeldTraction& held);
+Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
+                   const HeldTraction& held);
 
 }  // namespace reye::sim

@@ -37,12 +37,13 @@ solver::System unyielding(solver::System system) {
   return system;
 }
 
-/// How soft springs must be for pressures that stay as they are given, whatever the gaps: a layer of a thousand lengths of
-/// the contact.
+/// How soft springs must be for pressures that stay nearly as they are given: a layer of thirty lengths of the contact, which
+/// leaves a thirtieth of what a gap would change to the next pass. Where normals have turned, the given tractions miss the
+/// load, and a body goes that share of the approach times thirty: on softer springs it would go too far for gaps to be linear.
 double soft(const contact::Setup& setup, const contact::ContactState& contact) {
   double compliance = 0.0;
   for (std::size_t j = 0; j < contact.status.size(); ++j)
-    if (contact.status[j] != contact::ContactStatus::inactive) compliance += 1e3 / setup.stiffness[j];
+    if (contact.status[j] != contact::ContactStatus::inactive) compliance += 30.0 / setup.stiffness[j];
   return compliance;
 }
 

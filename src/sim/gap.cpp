@@ -69,12 +69,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
     const auto& setup = system.contacts[c];
     auto& contact = next.solution.contacts[c];
     const auto at = solver::positions(system, setup, pressed.solution.q);
-    contact::IncrementOptions options;
-    options.held = true;
-    contact::Interface face;
-    face.begin(setup, contact, at.secondary, at.primary, options);
-    face.integrate(at.secondary, at.primary);
-    const Closing closing = closing_of(face, contact, held[c]);
+    const Closing closing = closing_of(setup, contact, at, held[c]);
     carried.left_mm = std::max(carried.left_mm, closing.left_mm);
     carried.moved_mm = std::max(carried.moved_mm, closing.moved_mm);
     collect(problem.contacts[c], next, closing, shifts);
@@ -125,11 +120,13 @@ std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cac
     if (!re_equilibrate(problem, tried, cache, span, held).empty()) break;
     const double after = largest_jump(system_of(problem, tried, cache), tried, held);
     if (!(after < jump)) break;
+    const bool settled = after > 0.5 * jump;  // what is left is no gap: tractions turned with the normals
     jump = after;
     next = std::move(tried);
     gap.moved_mm += now.moved_mm;
     gap.left_mm = now.left_mm;
     gap.failure = now.failure;
+    if (settled) break;
   }
   return {};
 }

@@ -80,6 +80,22 @@ TEST(Grammar, FrictionOverCycles) {
   EXPECT_TRUE(changed("friction  = 0.9", "friction = 0.9").contacts[0].friction_over_cycles.empty());
 }
 
+/// A history that turns a body by whole turns, and moves nothing else, may end a cycle elsewhere than it began.
+TEST(Grammar, WholeTurnsAreClosedCycles) {
+  const auto turned = [](const std::string& motion) {
+    auto text = test::replaced(test::example, "[[0.0, 0.0], [0.25, 1.0], [0.75, -1.0], [1.0, 0.0]]", "[[0.0, 0.0], [1.0, 1.0]]");
+    text = test::replaced(text, "rotation = \"fixed\"\nx        = { motion_mm = 0.025, history = \"stroke\" }", motion);
+    const test::Folder folder;
+    test::Folder::write("scene.toml", text);
+    test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+    return scene::read("scene.toml");
+  };
+  EXPECT_NO_THROW(turned("rotation = { motion_rad = 12.5663706, history = \"stroke\" }"));
+  EXPECT_THROW(turned("rotation = { motion_rad = 6.0, history = \"stroke\" }"), base::InputError);
+  EXPECT_THROW(turned("rotation = { motion_rad = 12.5663706, history = \"stroke\" }\nx = { motion_mm = 0.1, history = \"stroke\" }"),
+               base::InputError);
+}
+
 /// A point, an edge's own axes and turned axes.
 TEST(Grammar, Supports) {
   const auto s = with("[support.pin]\npoint_mm = [3.0, 6.0]\nbody = \"cylinder\"\nx = \"fixed\"\n"

@@ -42,3 +42,12 @@ TEST(CarriedGap, PrimaryAlone) {
                                    {"secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 1.0e-5", "primary_mm3_per_J = 1.0e-4"},
                                    {"half_width_mm = 0.15", "half_width_mm = 0.3"}})));
 }
+
+// A ball worn into its cup, where the motion that costs no pressure is along the axis alone and goes far beside the elastic
+// approach, must keep its pressure, too.
+TEST(CarriedGap, BallInCup) {
+  const auto w = watched(scene_text("ball_in_cup"));
+  EXPECT_GE(w.remeshes.size(), 3U);
+  EXPECT_LT(w.pressure_jump(), 0.02);
+  EXPECT_LT(w.run.contact().ledger_relative_error.value(), 1e-9);
+}

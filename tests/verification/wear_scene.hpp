@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -54,7 +55,9 @@ inline std::string scene_text(const std::string& name, const Replacements& repla
 
 inline sim::Problem prepared(const std::string& text) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string path = testing::TempDir() + "reye_" + test->test_suite_name() + "_" + test->name() + ".toml";
+  std::string name = std::string("reye_") + test->test_suite_name() + "_" + test->name() + ".toml";
+  std::replace(name.begin(), name.end(), '/', '_');  // of parametrised tests
+  const std::string path = testing::TempDir() + name;
   std::ofstream(path, std::ios::binary) << text;
   return sim::prepare(scene::read(path));
 }
