@@ -20,6 +20,7 @@ constexpr double fewest = 1.0;  ///< cycles of a block that jumps none: it is pl
 constexpr double aim = 0.85;    ///< times what a block may have, for the next block
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
+constexpr double most_steeper = 1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
 constexpr double levelling = 0.04;  ///< of a block's cycles, in those that level it
 
 double removed(const State& state) {
@@ -188,6 +189,7 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
   Outcome outcome = play_block(problem, state, cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   outcome.state.jump = most_growth * span.jump;
+  outcome.state.jump_rate = 0.0;
   const double after = removed(outcome.state);
   if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
   return outcome;
@@ -195,11 +197,11 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
 
 }  // namespace
 
-double next_jump(double jump, double error, double tolerance, double before, double after) {
-  const double share = after > 0.0 ? 1.0 - before / after : 1.0;
+double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
   const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
-  const double wanted = share * (ratio < 1.0 ? ratio : std::sqrt(ratio));
-  const double factor = wanted < 1.0 ? wanted / (1.0 - wanted) / share : most_growth;
+  const double steeper = rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
+  const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // of the share
+  const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
   return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
 }
 
@@ -214,14 +216,16 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
     if (outcome.interrupted) return {std::move(start), {}, true};
     if (outcome.failure.empty() && !trial.too_long) {
       const double jump = without_levelling(span), before = removed(state), after = removed(outcome.state);
+      const double share = after > 0.0 ? 1.0 - before / after : 0.0;
       trial.rows.play_back(observer, [&](IncrementRecord& row) {
         correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
       });
       trial.later.play_back(observer);
       const double end = state.step_cycles + span.jump;
-      outcome.state.jump = next_jump(jump, trial.error, allowed(problem, *span.step, state, end + span.jump), before, after);
-      const double faded = after > 0.0 ? before / after * state.jump_error.value_or(0.0) : 0.0;
-      outcome.state.jump_error = std::max(faded, trial.error);
+      const double next = allowed(problem, *span.step, state, end + span.jump);
+      outcome.state.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
+      outcome.state.jump_rate = share > 0.0 ? trial.error / share : 0.0;
+      outcome.state.jump_error = std::max((1.0 - share) * state.jump_error.value_or(0.0), trial.error);
       tell(observer, span, state.cycle, estimated(trial.error));
       return std::move(outcome);
     }
@@ -231,8 +235,13 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
     const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
     span.jump = std::max(fewest, factor * span.jump);
     span.last = span.level = false;
+    if (trial.too_long && start.step_cycles == 0.0) break;
   }
-  return play_one_cycle(problem, start, cache, span, observer);
+  const double tried = span.jump;
+  span.jump = std::min(fewest, span.jump);
+  Outcome outcome = play_one_cycle(problem, start, cache, span, observer);
+  outcome.state.jump = std::max(outcome.state.jump, tried);
+  return outcome;
 }
 
 }  // namespace reye::sim

@@ -76,17 +76,18 @@ TEST(Jump, EstimateAndTolerance) {
   }
 }
 
-// A block too long for the tolerance must be refused and said so, and leave nothing but its count behind.
+// A block too long for the tolerance must be refused and said so, and leave nothing but its count behind; where it was the
+// first of a step, the first cycle is played by itself.
 TEST(Jump, RefusedBlocksLeaveNothing) {
   const auto r = run(worn_block("{ tolerance = 0.001, first = 20000 }"));
   const auto& counts = r.summary.counts;
   EXPECT_GT(counts.refused_blocks, 0);
   EXPECT_NE(std::find_if(r.log.begin(), r.log.end(), [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
-  const long blocks = counts.blocks - 1;  // one is the load step
-  EXPECT_EQ(r.told.size(), 1 + (2 * 8 * static_cast<std::size_t>(blocks) + 2 * 8));  // two cycles level the end
+  const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
+  EXPECT_EQ(r.told.size(), 1 + 8 + (2 * 8 * static_cast<std::size_t>(blocks) + 2 * 8));  // two cycles level the end
   EXPECT_TRUE(std::is_sorted(r.told.begin(), r.told.end()));
-  EXPECT_EQ(counts.cycles_solved, 3 * (blocks + counts.refused_blocks) + 2);
+  EXPECT_EQ(counts.cycles_solved, 1 + 3 * (blocks + counts.refused_blocks) + 2);
 }
 
 // Going on from any block's end must change no bit of a controlled run.
@@ -167,9 +168,11 @@ TEST(Jump, TrustRisesOverThreeElements) {
 // The next block must grow with what is worn where the error is as aimed at, shrink in proportion to an error above it,
 // and never by leaps.
 TEST(Jump, NextJump) {
-  EXPECT_NEAR(sim::next_jump(100.0, 0.0085, 0.01, 4.0, 5.0), 125.0, 1e-9);        // a fifth of all wear again
-  EXPECT_NEAR(sim::next_jump(100.0, 0.017, 0.01, 4.0, 5.0), 500.0 / 9.0, 1e-9);  // a tenth
-  EXPECT_EQ(sim::next_jump(100.0, 0.0, 0.01, 4.0, 5.0), 400.0);
-  EXPECT_EQ(sim::next_jump(100.0, 1.0, 0.01, 4.0, 5.0), 30.0);
-  EXPECT_EQ(sim::next_jump(2.0, 1.0, 0.01, 0.0, 1.0), 1.0);
+  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01), 125.0, 1e-9);        // a fifth of all wear again
+  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.017, 0.01), 500.0 / 9.0, 1e-9);  // a tenth
+  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01, 0.0085 / 0.25), 100.0 * 0.8 / 0.84, 1e-9);  // error per share grew by 1.25
+  EXPECT_EQ(sim::next_jump(100.0, 0.2, 0.0, 0.01), 400.0);
+  EXPECT_EQ(sim::next_jump(100.0, 0.2, 1.0, 0.01), 30.0);
+  EXPECT_EQ(sim::next_jump(2.0, 1.0, 1.0, 0.01), 1.0);
+  EXPECT_EQ(sim::next_jump(100.0, 0.0, 0.0, 0.01), 400.0);  // nothing wears
 }
