@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 #include "base/errors.hpp"
 #include "cad/generate.hpp"
 #include "cad/geometry.hpp"
 #include "cad/plane.hpp"
-#include "mesh/arc.hpp"
 #include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
 
@@ -32,42 +30,12 @@ std::vector<Part> import_all(const std::vector<std::string>& files, const std::o
   return map_to_plane(raw, section);
 }
 
-/// The fine zone whose centre is nearest to a ring, of those whose centre is nearer to it than to any other loop.
-const FineZone* zone_on(const mesh::Mesh& mesh, const mesh::Chain& ring, const Drawing& drawing) {
-  const auto distance = [&](const mesh::Chain& chain, const Vec2& p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int node : chain) least = std::min(least, (mesh.X[node] - p).norm());
-    return least;
-  };
-  const FineZone* best = nullptr;
-  for (const FineZone& zone : drawing.zones) {
-    const double here = distance(ring, zone.centre_mm);
-    const bool nearest = std::all_of(mesh.outline.begin(), mesh.outline.end(),
-                                     [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); });
-    if (nearest && (!best || here < distance(ring, best->centre_mm))) best = &zone;
-  }
-  return best;
-}
-
 Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
   Drawing drawing{*plan.part, plan.boundaries, *plan.options, {}, options.axisymmetric};
   for (const FineZone& zone : options.fine_zones)
     if (applies(zone, plan.options->name) && zone_outline(*plan.part, zone, !zone.bodies.empty()))
       drawing.zones.push_back(zone);
   return drawing;
-}
-
-/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from opposite to the
-/// centre of the fine zone on it, so that no table is cut where there is contact.
-void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing) {
-  for (const auto& [name, chains] : mesh.boundaries) {
-    auto& origins = mesh.arc_origin[name] = mesh::arc_origins(mesh, name);
-    for (const auto& chain : chains) {
-      if (!mesh::is_closed(chain)) continue;
-      const FineZone* zone = zone_on(mesh, chain, drawing);
-      if (zone) std::replace(origins.begin(), origins.end(), chain.front(), mesh::opposite(mesh, chain, zone->centre_mm));
-    }
-  }
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 #include "cad/drawing.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "base/errors.hpp"
 #include "cad/generate.hpp"
 #include "cad/text.hpp"
+#include "mesh/arc.hpp"
+#include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
 
 namespace reye::cad {
@@ -28,7 +33,35 @@ mesh::Mesh checked(const Drawing& drawing, double most_nodes, Make make) {
   return mesh;
 }
 
+/// The fine zone whose centre is nearest to a ring, of those whose centre is nearer to it than to any other loop.
+const FineZone* zone_on(const mesh::Mesh& mesh, const mesh::Chain& ring, const Drawing& drawing) {
+  const auto distance = [&](const mesh::Chain& chain, const Vec2& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int node : chain) least = std::min(least, (mesh.X[node] - p).norm());
+    return least;
+  };
+  const FineZone* best = nullptr;
+  for (const FineZone& zone : drawing.zones) {
+    const double here = distance(ring, zone.centre_mm);
+    const bool nearest = std::all_of(mesh.outline.begin(), mesh.outline.end(),
+                                     [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); });
+    if (nearest && (!best || here < distance(ring, best->centre_mm))) best = &zone;
+  }
+  return best;
+}
+
 }  // namespace
+
+void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing) {
+  for (const auto& [name, chains] : mesh.boundaries) {
+    auto& origins = mesh.arc_origin[name] = mesh::arc_origins(mesh, name);
+    for (const auto& chain : chains) {
+      if (!mesh::is_closed(chain)) continue;
+      const FineZone* zone = zone_on(mesh, chain, drawing);
+      if (zone) std::replace(origins.begin(), origins.end(), chain.front(), mesh::opposite(mesh, chain, zone->centre_mm));
+    }
+  }
+}
 
 double estimated_nodes(const Drawing& drawing) { return estimated_nodes(plan_of(drawing)); }
 

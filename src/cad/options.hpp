@@ -65,6 +65,7 @@ struct FineZone {
   double size_mm = 0.0;
   double angle_deg = 0.0;  ///< direction of the width, from x
   std::string contact{};   ///< that asks for it
+  bool turns = false;      ///< made wide for a body that turns under it: it does not follow its contact
 };
 
 struct GeometryOptions {

@@ -131,12 +131,21 @@ std::optional<Corrections> corrections(const solver::System& system, const Twice
   return possible ? std::optional(std::move(result)) : std::nullopt;
 }
 
-double side_difference(const mortar::Surface& surface, const std::vector<double>& once, const std::vector<double>& halves) {
+/// Of an error that the correction takes, this share is not counted: what is of second order is smaller than what is corrected.
+constexpr double settled = 1.0 / 3.0;
+
+double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted, const std::vector<double>& once,
+                       const std::vector<double>& halves) {
   const double volume = sum(halves), depth = deepest(surface, halves);
   if (volume <= 0.0) return 0.0;
   double apart = 0.0;
-  for (std::size_t j = 0; j < halves.size(); ++j) apart += std::abs(halves[j] - once[j]);
-  return std::max(apart / volume, std::abs(depth - deepest(surface, once)) / depth);
+  std::size_t lowest = 0;
+  for (std::size_t j = 0; j < halves.size(); ++j) {
+    apart += (1.0 - settled * trusted[j]) * std::abs(halves[j] - once[j]);
+    if (halves[j] * surface.area[lowest] > halves[lowest] * surface.area[j]) lowest = j;
+  }
+  const double deeper = std::abs(depth - deepest(surface, once)) / depth;
+  return std::max(apart / volume, (1.0 - settled * trusted[lowest]) * deeper);
 }
 
 }  // namespace
@@ -158,13 +167,19 @@ std::vector<double> trust(const mortar::Surface& surface, const std::vector<char
   return share;
 }
 
-double wear_difference(const solver::System& system, const State& once, const State& halves) {
+double wear_difference(const solver::System& system, const Twice& twice, const State& halves) {
   double difference = 0.0;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const auto &a = once.solution.contacts[c], &b = halves.solution.contacts[c];
-    difference = std::max({difference, side_difference(setup.secondary, a.removed_secondary, b.removed_secondary),
-                           side_difference(setup.primary, a.removed_primary, b.removed_primary)});
+    const auto &a = twice.once.solution.contacts[c], &b = halves.solution.contacts[c];
+    const bool corrected = corrections(system, twice, halves, c).has_value();
+    const auto passed = passed_nodes(twice, halves, c);
+    const auto trusted = [&](const mortar::Surface& surface, const std::vector<char>& flags) {
+      return corrected ? trust(surface, flags) : std::vector<double>(flags.size(), 0.0);
+    };
+    difference = std::max(
+        {difference, side_difference(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary, b.removed_secondary),
+         side_difference(setup.primary, trusted(setup.primary, passed[1]), a.removed_primary, b.removed_primary)});
   }
   return difference;
 }

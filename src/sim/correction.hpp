@@ -15,9 +15,10 @@ struct Twice {
 /// of contact or of slip passed in the block or lies elsewhere in the two plays, then rising over three elements.
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed);
 
-/// How far apart two ends of the same block are: per contact and side that wears, sum_j |V_j - V'_j| over sum_j V_j, V the
-/// volumes removed since the start, and the difference of the largest depths over the largest depth; the largest of all.
-double wear_difference(const solver::System& system, const State& once, const State& halves);
+/// Error of the end of a block that was played twice: per contact and side that wears, sum_j |V_j - V'_j| over sum_j V_j, V the
+/// volumes removed since the start, and the difference of the largest depths over the largest depth; the largest of all. Of
+/// what `extrapolate` will correct a third is not counted.
+double wear_difference(const solver::System& system, const Twice& twice, const State& halves);
 
 /// Adds what two halves have corrected once more: with an error linear in the cycles, V + (V - V_once) is of second
 /// order. Each node takes its share by `trust`, and what others leave of the sum in proportion to what it wore, so that

@@ -167,7 +167,7 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.outcome.state.counts = attempt.counts;
   if (!attempt.failure.empty() || attempt.interrupted) return;
   const auto& system = system_of(problem, attempt.halves, cache);
-  trial.error = wear_difference(system, attempt.once, attempt.halves);
+  trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
   trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
   trial.uncorrected = wear_of(system, attempt.halves);

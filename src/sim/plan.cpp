@@ -9,6 +9,7 @@
 #include "scene/choose_elements.hpp"
 #include "sim/block.hpp"
 #include "sim/kinematics.hpp"
+#include "sim/widen_zones.hpp"
 
 namespace reye::sim {
 
@@ -110,6 +111,7 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
                             mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
   tell_turning(p, linear, b, plan);
+  for (auto& line : widened_zones(p, b)) plan.lines.push_back(std::move(line));
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
 }

@@ -17,6 +17,7 @@
 #include "sim/timer.hpp"
 #include "sim/warn_setup.hpp"
 #include "sim/warnings.hpp"
+#include "sim/widen_zones.hpp"
 
 namespace reye::sim {
 
@@ -252,6 +253,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   place_loads(p, resolve);
   place_contacts(p, resolve);
   refuse(resolve.issues);
+  widen_zones(p);
   warn_of_points(p);
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);

@@ -84,6 +84,7 @@ std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, 
 
 /// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does not.
 double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone, const mesh::Mesh& mesh) {
+  if (zone.turns) return 0.0;
   const auto range = range_in_use(problem, state, body, zone, mesh.X);
   if (!range) return 0.0;
   const auto all = extent(problem, zone, body, mesh);
