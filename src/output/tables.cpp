@@ -36,14 +36,14 @@ std::string history_row(const sim::IncrementRecord& record) {
 std::string remesh_header(base::Analysis analysis) {
   const bool ring = analysis == base::Analysis::axisymmetric;
   return std::string("step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,") +
-         (ring ? "volume_residue_mm3" : "area_residue_mm2") + ",gap_moved_mm,gap_left_mm,pressure_jump,force_jump,energy_jump,reason\n";
+         (ring ? "volume_residue_mm3" : "area_residue_mm2") + ",gap_moved_mm,gap_left_mm,pressure_jump,peak_jump,force_jump,energy_jump,reason\n";
 }
 
 std::string remesh_row(const sim::RemeshRecord& r) {
   std::string line = csv_field(r.step) + ',' + number(r.cycle) + ',' + csv_field(r.body) + ',' + std::to_string(r.nodes_before) +
                      ',' + std::to_string(r.nodes_after);
   for (const double value : {r.scaled_jacobian_before, r.scaled_jacobian_after, r.projection_mm, r.area_residue,
-                             r.gap_moved_mm, r.gap_left_mm, r.pressure_jump, r.force_jump, r.energy_jump})
+                             r.gap_moved_mm, r.gap_left_mm, r.pressure_jump, r.peak_jump, r.force_jump, r.energy_jump})
     line += ',' + number(value);
   return line + ',' + csv_field(r.reason) + '\n';
 }

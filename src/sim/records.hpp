@@ -88,7 +88,8 @@ struct RemeshRecord {
   double area_residue = 0.0;      ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
   double gap_moved_mm = 0.0;      ///< farthest a worn node was moved so that pressures hold on the new mesh
   double gap_left_mm = 0.0;       ///< largest gap under a pressure that no worn node could close
-  double pressure_jump = 0.0;     ///< largest difference in pressure over the largest pressure, of this body's contacts
+  double pressure_jump = 0.0;     ///< difference in pressure over the pressure, both as root mean squares; the worst of this body's contacts
+  double peak_jump = 0.0;         ///< largest difference at a node within 0.9 of the contact, over the largest pressure
   double force_jump = 0.0;        ///< difference of the contact force over the force
   double energy_jump = 0.0;       ///< difference of the strain energy over the energy
   double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh and all in all, re-equilibration included

@@ -275,4 +275,25 @@ double pressure_jump(const contact::Setup& setup, const contact::ContactState& s
   return all > 0.0 ? std::sqrt(difference / all) : 0.0;
 }
 
+double peak_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried) {
+  std::vector<char> inner(carried.normal.size(), 0);
+  double count = 0.0, peak = 0.0, most = 0.0;
+  const auto pressure = [&](std::size_t j) { return carried.normal[j] / setup.secondary.area[j]; };
+  for (std::size_t j = 0; j < inner.size(); ++j) {
+    inner[j] = carried.normal[j] > 0.0;
+    count += inner[j];
+    peak = std::max(peak, pressure(j));
+  }
+  for (int turn = 0; turn < std::max(1.0, count / 20.0); ++turn) {
+    const auto before = inner;
+    for (const auto& facet : setup.secondary.facets)
+      for (int node : facet)
+        for (int beside : facet)
+          if (node >= 0 && beside >= 0 && !before[beside]) inner[node] = 0;
+  }
+  for (std::size_t j = 0; j < inner.size(); ++j)
+    if (inner[j]) most = std::max(most, std::abs(state.lambda[j].dot(state.normal[j]) - pressure(j)));
+  return peak > 0.0 ? most / peak : 0.0;
+}
+
 }  // namespace reye::sim

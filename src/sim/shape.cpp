@@ -111,6 +111,7 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
       for (const auto& ref : placed.primary) here = here || ref.body == body;
       if (!here) continue;
       r.pressure_jump = std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
+      r.peak_jump = std::max(r.peak_jump, peak_jump(system.contacts[c], next.solution.contacts[c], held[c]));
       if (before.force[c].norm() > 0.0)
         r.force_jump = std::max(r.force_jump, (now.force[c] - before.force[c]).norm() / before.force[c].norm());
     }

@@ -101,7 +101,7 @@ TEST(Surface, HasTheColumnsOfTheContractAndReadsBack) {
 TEST(Remesh, HasItsColumns) {
   using reye::base::Analysis;
   const std::string first = "step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,";
-  const std::string last = ",gap_moved_mm,gap_left_mm,pressure_jump,force_jump,energy_jump,reason\n";
+  const std::string last = ",gap_moved_mm,gap_left_mm,pressure_jump,peak_jump,force_jump,energy_jump,reason\n";
   EXPECT_EQ(remesh_header(Analysis::plane_strain), first + "area_residue_mm2" + last);
   EXPECT_EQ(remesh_header(Analysis::plane_stress), first + "area_residue_mm2" + last);
   EXPECT_EQ(remesh_header(Analysis::axisymmetric), first + "volume_residue_mm3" + last);
@@ -120,7 +120,8 @@ TEST(Remesh, RowReadsBack) {
       {"cycle", record.cycle}, {"nodes_before", 120.0}, {"nodes_after", 135.0},
       {"scaled_jacobian_before", record.scaled_jacobian_before}, {"scaled_jacobian_after", record.scaled_jacobian_after},
       {"projection_mm", record.projection_mm}, {"area_residue_mm2", record.area_residue},
-      {"gap_moved_mm", record.gap_moved_mm}, {"gap_left_mm", record.gap_left_mm}, {"pressure_jump", record.pressure_jump}, {"force_jump", record.force_jump}, {"energy_jump", record.energy_jump}};
+      {"gap_moved_mm", record.gap_moved_mm}, {"gap_left_mm", record.gap_left_mm}, {"pressure_jump", record.pressure_jump},
+      {"peak_jump", record.peak_jump}, {"force_jump", record.force_jump}, {"energy_jump", record.energy_jump}};
   for (const auto& [column, value] : numbers) EXPECT_EQ(table.column(column).at(0), value) << column;
   record.seconds = record.mesh_seconds = 99.0;
   EXPECT_EQ(remesh_row(record), row);

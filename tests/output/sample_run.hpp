@@ -127,7 +127,7 @@ inline sim::IncrementRecord increment(int k, double cycle) {
 inline sim::RemeshRecord remesh(double cycle) {
   return {.step = "wear, main", .cycle = cycle, .body = "pad, upper", .reason = "worn at (0, 1) mm: 0.6 of the element below",
           .nodes_before = 120, .nodes_after = 135, .scaled_jacobian_before = 0.28, .scaled_jacobian_after = 2.0 / 3.0,
-          .projection_mm = 1e-5, .area_residue = -3e-9, .gap_moved_mm = 4e-6, .gap_left_mm = 5e-9, .pressure_jump = 0.0123, .force_jump = 1e-3 / 3.0,
+          .projection_mm = 1e-5, .area_residue = -3e-9, .gap_moved_mm = 4e-6, .gap_left_mm = 5e-9, .pressure_jump = 0.0123, .peak_jump = 0.0045, .force_jump = 1e-3 / 3.0,
           .energy_jump = 4e-4, .mesh_seconds = 0.04, .seconds = 0.1};
 }
 

@@ -11,13 +11,15 @@ void PrintTo(const WornScene& scene, std::ostream* out) { *out << scene.name; }
 
 class CarriedGapScenes : public testing::TestWithParam<WornScene> {};
 
-// Whatever is worn to a conforming contact must keep its pressure over every remesh within 2 %, its
-// largest depth within 0.5 % and its book of volumes to 1e-9.
+// Whatever is worn to a conforming contact must keep its pressure over every remesh within 2 % (at each node within 0.9 of its
+// width 3 %), its largest depth within 0.5 % and its book of volumes to 1e-9.
 TEST_P(CarriedGapScenes, KeepPressureAndDepth) {
   const auto w = watched(scene_text(GetParam().name));
   EXPECT_GE(w.remeshes.size(), 2U);
-  for (const auto& r : w.remeshes)
+  for (const auto& r : w.remeshes) {
     EXPECT_LT(r.pressure_jump, 0.02) << r.body << " at cycle " << r.cycle << ": " << r.reason;
+    EXPECT_LT(r.peak_jump, 0.03) << r.body << " at cycle " << r.cycle << ": " << r.reason;
+  }
   EXPECT_LT(w.depth_step, 0.005);
   EXPECT_LT(w.run.contact().ledger_relative_error.value(), 1e-9);
 }

@@ -17,6 +17,7 @@ std::string worn_pin(Replacements words = {}) {
 void expect_carried(const Watched& w) {
   EXPECT_GE(w.remeshes.size(), 12U);
   EXPECT_LT(w.pressure_jump(), 0.02);
+  for (const auto& r : w.remeshes) EXPECT_LT(r.peak_jump, 0.03);
   EXPECT_LT(w.depth_step, 0.005);
   EXPECT_LT(w.run.contact().ledger_relative_error.value(), 1e-9);
 }
@@ -49,5 +50,6 @@ TEST(CarriedGap, BallInCup) {
   const auto w = watched(scene_text("ball_in_cup"));
   EXPECT_GE(w.remeshes.size(), 3U);
   EXPECT_LT(w.pressure_jump(), 0.02);
+  for (const auto& r : w.remeshes) EXPECT_LT(r.peak_jump, 0.03);
   EXPECT_LT(w.run.contact().ledger_relative_error.value(), 1e-9);
 }
