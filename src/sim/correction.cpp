@@ -131,9 +131,6 @@ std::optional<Corrections> corrections(const solver::System& system, const Twice
   return possible ? std::optional(std::move(result)) : std::nullopt;
 }
 
-/// Of an error that the correction takes, this share is not counted: what is of second order is smaller than what is corrected.
-constexpr double settled = 1.0 / 3.0;
-
 double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted, const std::vector<double>& once,
                        const std::vector<double>& halves) {
   const double volume = sum(halves), depth = deepest(surface, halves);

@@ -15,9 +15,12 @@ struct Twice {
 /// of contact or of slip passed in the block or lies elsewhere in the two plays, then rising over three elements.
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed);
 
+/// Of an error that the correction takes, this share is not counted: what is of second order is smaller than what is corrected.
+inline constexpr double settled = 1.0 / 3.0;
+
 /// Error of the end of a block that was played twice: per contact and side that wears, sum_j |V_j - V'_j| over sum_j V_j, V the
 /// volumes removed since the start, and the difference of the largest depths over the largest depth; the largest of all. Of
-/// what `extrapolate` will correct a third is not counted.
+/// what `extrapolate` will correct the share `settled` is not counted.
 double wear_difference(const solver::System& system, const Twice& twice, const State& halves);
 
 /// Adds what two halves have corrected once more: with an error linear in the cycles, V + (V - V_once) is of second

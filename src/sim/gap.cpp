@@ -17,6 +17,9 @@ bool any(const Values& v) {
   return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
 }
 
+/// Whether the wear of a contact was in its gap when its pressures were found: explicit wear changes them after that.
+bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wear.wears() && contact.implicit_wear; }
+
 /// What the moves give back a node has no longer lost.
 void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
   for (std::size_t k = 0; k < removed.size(); ++k)
@@ -56,8 +59,6 @@ void book(const Problem& problem, State& next, int body, double removed) {
 CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
                      const std::vector<HeldTraction>& held) {
   CarriedGap carried;
-  const auto wears = [](const PlacedContact& contact) { return contact.options.wear.wears(); };
-  if (std::none_of(problem.contacts.begin(), problem.contacts.end(), wears)) return carried;
   State pressed = next;
   carried.failure = equilibrate_on_springs(problem, pressed, cache, span, held);
   next.counts = pressed.counts;
@@ -65,7 +66,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
   Shifts shifts(next.shapes.size());
   const auto& system = timed_system(problem, next, cache);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    if (!wears(problem.contacts[c])) continue;
+    if (!keeps_pressure(problem.contacts[c].options)) continue;
     const auto& setup = system.contacts[c];
     auto& contact = next.solution.contacts[c];
     const auto at = solver::positions(system, setup, pressed.solution.q);
@@ -97,7 +98,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
 double largest_jump(const solver::System& system, const State& state, const std::vector<HeldTraction>& held) {
   double largest = 0.0;
   for (std::size_t c = 0; c < held.size(); ++c)
-    if (system.contacts[c].options.wear.wears())
+    if (keeps_pressure(system.contacts[c].options))
       largest = std::max(largest, pressure_jump(system.contacts[c], state.solution.contacts[c], held[c]));
   return largest;
 }

@@ -141,16 +141,15 @@ double without_levelling(const BlockSpan& span) {
 }
 
 /// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body was
-/// remeshed. The last block of a step leaves remeshing to the next step.
+/// remeshed. Levelling comes after the shape step, which turns a layer that was right in the gap into facets that are not
+/// quite. The last block of a step leaves remeshing to the next step.
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles, const Observer& observer) {
   const long remeshes = state.counts.remeshes;
   span.jump = levelling * cycles;
-  Outcome outcome{std::move(state), {}};
-  if (span.level) outcome = level(problem, std::move(outcome), cache, span, observer);
-  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   span.remesh = !span.last;
-  outcome = end_block(problem, std::move(outcome.state), cache, span, observer);
-  if (!outcome.failure.empty() || outcome.state.counts.remeshes == remeshes) return outcome;
+  Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
+  const bool shown = span.level || outcome.state.counts.remeshes > remeshes;
+  if (!shown || !outcome.failure.empty() || outcome.interrupted) return outcome;
   span.level = span.remesh = false;
   outcome = level(problem, std::move(outcome), cache, span, observer);
   return outcome.failure.empty() && !outcome.interrupted ? end_block(problem, std::move(outcome.state), cache, span, observer)

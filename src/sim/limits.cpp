@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/correction.hpp"
 #include "sim/measure.hpp"
 
 namespace reye::sim {
@@ -61,7 +62,7 @@ bool watch_limits(const Problem& problem, State& state, const solver::System& sy
     if (now < (limit.stop ? 1.0 - at_limit : 1.0) * bound || state.life_cycles.contains(limit.name)) continue;
     const double cycles = state.cycle - cycle_before, at = crossing(bound, before, found(middle, limit.name), now);
     state.life_cycles[limit.name] = cycle_before + cycles * at;
-    if (state.jump_error) state.life_error[limit.name] = *state.jump_error * bound * cycles / (now - before);
+    if (state.jump_error) state.life_error[limit.name] = *state.jump_error / (1.0 - settled) * bound * cycles / (now - before);
     stop = stop || limit.stop;
   }
   return stop;

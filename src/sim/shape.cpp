@@ -154,8 +154,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   next.shown = false;
   for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
   CarriedGap gap;
-  const std::string failure = records.empty() ? re_equilibrate(problem, next, cache, span, change.held)
-                                              : equilibrate_with_gap(problem, next, cache, span, change.held, gap);
+  const std::string failure = equilibrate_with_gap(problem, next, cache, span, change.held, gap);
   if (!failure.empty()) return {std::move(state), failure, false};
   if (!gap.failure.empty() && observer.log) observer.log("the gap is not carried over the remesh: " + gap.failure);
   if (!records.empty()) {
