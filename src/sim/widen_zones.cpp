@@ -66,7 +66,7 @@ const cad::FineZone* asked_for(const Problem& p, const cad::FineZone& zone) {
 void widen_zones(Problem& p) {
   for (int b = 0; b < p.body_count(); ++b) {
     const auto& shape = *p.shapes[b];
-    if (p.rigid[b] || !shape.drawing || shape.drawing->part.mesh || shape.drawing->zones.empty()) continue;
+    if (!shape.drawing || shape.drawing->part.mesh || shape.drawing->zones.empty()) continue;
     const auto pivot = body::pivot_of(shape.mesh, p.inputs[b]);
     if (!pivot) continue;
     cad::Drawing drawing = *shape.drawing;

@@ -1,20 +1,9 @@
-#include <cmath>
-
-#include "verification/wear_scene.hpp"
+#include "verification/hinge.hpp"
 
 using namespace reye;
 using namespace reye::verification;
 
 namespace {
-
-/// The hinge for a few cycles.
-std::string hinge(const Replacements& changes) {
-  Replacements all{{"cycles     = 1e6", "cycles     = 1e4"}, {"{ tolerance = 0.01 }", "5000"}, {"per_decade = 5", "every_blocks = 1"}};
-  all.insert(all.end(), changes.begin(), changes.end());
-  return scene_text("hinge", all);
-}
-
-const Replacements rigid{{"at       = [0, -7]\nmaterial = \"steel\"", "at    = [0, -7]\nrigid = true"}};
 
 // A shaft that swings by half a radian must wear its bush as a rigid one does: it turns, and does not swell.
 TEST(Turning, ShaftWearsAsARigidOne) {
