@@ -140,20 +140,21 @@ double without_levelling(const BlockSpan& span) {
   return span.level ? span.jump / (1.0 + levelling) : span.jump;
 }
 
-/// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body was
-/// remeshed. Levelling comes after the shape step, which turns a layer that was right in the gap into facets that are not
-/// quite. The last block of a step leaves remeshing to the next step.
+/// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body is to be
+/// meshed anew, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no cycle that
+/// wore the corrected layer. The last block of a step leaves remeshing to the next step.
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles, const Observer& observer) {
-  const long remeshes = state.counts.remeshes;
   span.jump = levelling * cycles;
-  span.remesh = !span.last;
+  span.remesh = false;
+  span.extrapolated = true;
   Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
-  const bool shown = span.level || outcome.state.counts.remeshes > remeshes;
-  if (!shown || !outcome.failure.empty() || outcome.interrupted) return outcome;
-  span.level = span.remesh = false;
+  const bool levels = span.level || (outcome.remesh_due && !span.last);
+  if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.level = span.extrapolated = false;
   outcome = level(problem, std::move(outcome), cache, span, observer);
-  return outcome.failure.empty() && !outcome.interrupted ? end_block(problem, std::move(outcome.state), cache, span, observer)
-                                                         : outcome;
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.remesh = !span.last;
+  return end_block(problem, std::move(outcome.state), cache, span, observer);
 }
 
 void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span, const Observer& observer,

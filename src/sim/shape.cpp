@@ -127,14 +127,19 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   std::vector<Moved> moved;
   if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
     return {std::move(state), failure, false};
-  auto reasons = span.remesh ? remesh_reasons(problem, state, system, moved) : std::vector<RemeshReason>(moved.size());
+  std::vector<RemeshReason> reasons(moved.size());
+  if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
+  const bool due = !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
+  if (!span.remesh) reasons.assign(moved.size(), {});
   Change change{state, std::move(reasons), held_tractions(system, state)};
   for (std::size_t b = 0; b < moved.size(); ++b)
     change.next.shapes[b] = moved[b].shape;
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (!asked[b].text.empty()) change.reasons[b] = asked[b];
-  return settle(problem, std::move(state), std::move(change), cache, span, observer);
+  Outcome outcome = settle(problem, std::move(state), std::move(change), cache, span, observer);
+  outcome.remesh_due = due;
+  return outcome;
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
@@ -154,7 +159,8 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   next.shown = false;
   for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
   CarriedGap gap;
-  const std::string failure = equilibrate_with_gap(problem, next, cache, span, change.held, gap);
+  const std::string failure = span.extrapolated ? re_equilibrate(problem, next, cache, span, change.held)
+                                                : equilibrate_with_gap(problem, next, cache, span, change.held, gap);
   if (!failure.empty()) return {std::move(state), failure, false};
   if (!gap.failure.empty() && observer.log) observer.log("the gap is not carried over the remesh: " + gap.failure);
   if (!records.empty()) {
