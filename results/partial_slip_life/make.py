@@ -73,7 +73,7 @@ def main():
         result = run("partial_slip_life", f"order_{order}_across_{across}",
                      [("size_mm = 0.0045", f"size_mm = {h}"), *(FIRST_ORDER if order == 1 else [])])
         frames = result.frames("secondary")
-        depth = {cycle: max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
+        depth = {round(cycle, 6): max(r["wear_depth_mm"] for r in rows) for cycle, rows in frames}
         rows = frames[-1][1]
         own = edge_of_stick(rows)
         pressure = value_at(rows, "pressure_MPa", centre(rows)) / P0

@@ -15,23 +15,6 @@ std::set<std::string> cycled_histories(const Scene& scene) {
   return names;
 }
 
-/// True where forces vary over a cycle and nothing is moved by a given way.
-bool only_forces_drive(const Scene& scene) {
-  const auto cycled = cycled_histories(scene);
-  bool moved = false, loaded = false;
-  for (const auto& support : scene.supports)
-    for (const auto& motion : {support.x, support.y, support.rotation}) {
-      if (!cycled.contains(motion.history)) continue;
-      moved = moved || (motion.drive == body::Drive::moved && motion.amplitude != 0.0);
-      loaded = loaded || motion.drive == body::Drive::loaded;
-    }
-  const auto varies = [&](const auto& load) { return cycled.contains(load.history); };
-  loaded = loaded || std::any_of(scene.boundary_loads.begin(), scene.boundary_loads.end(), varies) ||
-           std::any_of(scene.point_loads.begin(), scene.point_loads.end(), varies) ||
-           std::any_of(scene.body_forces.begin(), scene.body_forces.end(), varies);
-  return loaded && !moved;
-}
-
 /// Whether a body may have an edge: one that no [boundary] names may lie on any.
 bool may_have(const Scene& scene, const cad::BodyOptions& body, const std::string& edge) {
   const auto& boundaries = scene.geometry.boundaries;
@@ -62,6 +45,22 @@ ElementChoice choice_of(const Scene& scene, std::size_t c) {
 }
 
 }  // namespace
+
+bool only_forces_drive(const Scene& scene) {
+  const auto cycled = cycled_histories(scene);
+  bool moved = false, loaded = false;
+  for (const auto& support : scene.supports)
+    for (const auto& motion : {support.x, support.y, support.rotation}) {
+      if (!cycled.contains(motion.history)) continue;
+      moved = moved || (motion.drive == body::Drive::moved && motion.amplitude != 0.0);
+      loaded = loaded || motion.drive == body::Drive::loaded;
+    }
+  const auto varies = [&](const auto& load) { return cycled.contains(load.history); };
+  loaded = loaded || std::any_of(scene.boundary_loads.begin(), scene.boundary_loads.end(), varies) ||
+           std::any_of(scene.point_loads.begin(), scene.point_loads.end(), varies) ||
+           std::any_of(scene.body_forces.begin(), scene.body_forces.end(), varies);
+  return loaded && !moved;
+}
 
 std::vector<ElementChoice> element_choices(const Scene& scene) {
   std::vector<ElementChoice> choices;

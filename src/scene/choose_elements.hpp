@@ -16,6 +16,9 @@ struct ElementChoice {
   bool linear = false;                    ///< multipliers
 };
 
+/// True where forces vary over a cycle that wears and nothing is moved by a given way.
+bool only_forces_drive(const Scene& scene);
+
 std::vector<ElementChoice> element_choices(const Scene& scene);
 
 /// Takes them.

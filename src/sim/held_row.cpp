@@ -18,7 +18,7 @@ void HeldRow::settle(const Problem& problem, const State& state, const solver::S
   count_from_renewal(controls, problem, system, state);
   IncrementRecord now = figures_of(problem, state, system, controls);
   now.step = row_->step;
-  now.cycle = row_->cycle;
+  now.cycle = state.cycle;
   now.progress = row_->progress;
   now.newton = row_->newton;
   row_ = std::move(now);

@@ -161,6 +161,12 @@ class Runner {
     return outcome;
   }
 
+  /// A step ends on its last cycle, not by what the sum of its blocks is rounded to.
+  void end_on_the_cycle(const scene::Step& step) {
+    state_.cycle += remaining(step, state_);
+    state_.step_cycles = step.cycles;
+  }
+
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
     const double cycle_before = state_.cycle, plastic_before = largest_plastic_strain(state_);
@@ -175,8 +181,9 @@ class Runner {
       show(step.name);
       return false;
     }
-    row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     state_.step_cycles += state_.cycle - cycle_before;
+    if (step.cycles > 0.0 && step_over(step, state_)) end_on_the_cycle(step);
+    row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
     if (const auto reason = watch_strain(step_over(step, state_)); !reason.empty()) return fail(reason);

@@ -19,6 +19,9 @@ struct Pressed {
 /// What a run has seen of one contact at ends of increments.
 struct ContactWatch {
   double force_most = 0.0;  ///< largest normal force since the start; 0: it never closed
+  double stick_mm = 0.0;    ///< widest that its stick zone has been over a block that wears
+  double contact_mm = 0.0;  ///< what carried pressure then
+  double facet_mm = 0.0;    ///< longest of its facets then
   int slipped_most = 0;     ///< most nodes that slipped at one end of an increment of a step that wears
   Pressed pressed;          ///< of the present block
 };

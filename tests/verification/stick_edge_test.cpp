@@ -11,7 +11,7 @@ namespace {
 
 /// geo/partial_slip_life, coarse, over two blocks.
 Played coarse(Replacements words) {
-  words.insert(words.end(), {{"size_mm = 0.0045", "size_mm = 0.012"},
+  words.insert(words.begin(), {{"size_mm = 0.0045", "size_mm = 0.012"},
                              {"half_width_mm = 0.13, depth_mm = 0.1", "half_width_mm = 0.12, depth_mm = 0.05"},
                              {"far_size_mm = 0.8", "far_size_mm = 2.0"},
                              {"increments = 10", "increments = 4"},
@@ -77,6 +77,18 @@ TEST(StickEdge, Estimate) {
   EXPECT_NEAR(sim::limit_depth(std::sqrt(0.5)), 0.225466, 1e-6);
   EXPECT_NEAR(sim::limit_depth(0.5), 0.547596, 1e-6);
   EXPECT_EQ(sim::receded(0.3), 0.0);
+}
+
+// A stick zone that forces alone drive keeps its width: a run that loses it must say so.
+TEST(StickEdge, RecedingZoneIsWarnedOf) {
+  const auto lost = [](const Played& run) {
+    const auto& all = run.summary.warnings;
+    return std::any_of(all.begin(), all.end(), [](const sim::Warning& w) { return w.kind == "stick_zone"; });
+  };
+  EXPECT_FALSE(lost(coarse({})));
+  EXPECT_TRUE(lost(coarse({first_order,
+                           {"force_N_per_mm = 36.0", "force_N_per_mm = 60.0"},
+                           {"cycles = 20\njump = 10", "cycles = 4000\njump = 200"}})));
 }
 
 }  // namespace reye::verification
