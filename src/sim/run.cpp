@@ -21,6 +21,7 @@
 #include "sim/stick_edge.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
+#include "sim/watch_block.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {
@@ -67,13 +68,6 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   span.last = left - span.jump <= 1e-9 * step.cycles;
   span.level = frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
   return span;
-}
-
-double largest_plastic_strain(const State& state) {
-  double largest = 0.0;
-  for (const auto& interior : state.solution.interiors)
-    for (const auto& point : interior.history) largest = std::max(largest, point.accumulated);
-  return largest;
 }
 
 std::string in_words(const MeshError& error) {
@@ -186,64 +180,21 @@ class Runner {
     row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    if (const auto reason = watch_strain(step_over(step, state_)); !reason.empty()) return fail(reason);
+    if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_); !reason.empty())
+      return fail(reason);
     const bool remeshed = state_.counts.remeshes > remeshes_before;
     const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
-    if (step.cycles > 0.0 && !remeshed) watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved);
+    if (step.cycles > 0.0 && !remeshed) watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved, state_, observer_);
     if (step.wear && step.cycles > 0.0 && !remeshed)
       warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
     warn_of_block(p_, state_, observer_);
     for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_)) warn(state_, observer_, std::move(warning));
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
-    if (last && controlled(step)) watch_tolerance(step);
+    if (last && controlled(step)) watch_tolerance(step, state_, observer_);
     if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed})) show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
-  }
-
-  /// A tolerance that was missed is named with its figure.
-  void watch_tolerance(const scene::Step& step) {
-    const double error = state_.jump_error.value_or(0.0);
-    if (error <= step.jump_tolerance) return;
-    char words[240];
-    std::snprintf(words, sizeof words, "at cycle %g the estimated error of the cycle jump is %.2g %%, above the tolerance of "
-                  "%.2g %%; a smaller jump.first or jump.most, or more increments a cycle, lower it", state_.cycle,
-                  100.0 * error, 100.0 * step.jump_tolerance);
-    warn(state_, observer_, {"tolerance", "step " + step.name, words, error / step.jump_tolerance});
-  }
-
-  /// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any. `cycles`: that a played one
-  /// stands for.
-  void watch_plastic_strain(const scene::Step& step, double before, double cycles) {
-    const double now = largest_plastic_strain(state_), missing = (cycles - 1.0) * (now - before);
-    if (missing <= 0.01 * now) return;
-    char words[320];
-    std::snprintf(words, sizeof words, "cycles that are jumped add no plastic strain: up to cycle %g its largest value grew "
-                  "from %.3g to %.3g in cycles that stand for %.3g each, so that some %.2g is missing from this block alone; "
-                  "jump = 1 plays every cycle", state_.cycle, before, now, cycles, missing);
-    warn(state_, observer_, {"plastic", "step " + step.name, words, missing / now});
-  }
-
-  /// Whether small strain is good enough, seen at the first blocks, at every eighth later and at the end of a step. Returns
-  /// why the run ends. What the trial found good enough may cease to be so as bodies wear.
-  std::string watch_strain(bool last) {
-    constexpr long first = 8, every = 8;
-    if (state_.step_blocks > first && state_.step_blocks % every != 0 && !last) return {};
-    watch_chosen_strain();
-    return check_small_strain(p_, state_, system_of(p_, state_, cache_), observer_);
-  }
-
-  void watch_chosen_strain() {
-    const auto now = small_strain_error(p_, state_, system_of(p_, state_, cache_));
-    const double before = state_.small_strain_error.value_or(0.0);
-    if (!now || *now <= before) return;
-    state_.small_strain_error = now;
-    if (*now <= small_strain_bound) return;
-    char text[160];
-    std::snprintf(text, sizeof text, "small strain was chosen, but its estimated error is %.2g %% at cycle %g: "
-                  "kinematics = \"finite\" is without it", 100.0 * *now, state_.cycle);
-    warn(state_, observer_, {"strain", "", text, *now});
   }
 
   bool fail(const std::string& reason) {
