@@ -111,7 +111,6 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
                             mesh.cell_count(), cell_name(mesh.kind),
                             linear.full_dofs(), linear.dofs()));
   tell_turning(p, linear, b, plan);
-  for (auto& line : widened_zones(p, b)) plan.lines.push_back(std::move(line));
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
 }
@@ -196,6 +195,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   Plan plan;
   for (int b = 0; b < p.body_count(); ++b) {
     tell_body(p, system, b, plan);
+    for (auto& line : widened_zones(p, b)) plan.lines.push_back(std::move(line));
     tell_kinematics(p, b, plan);
   }
   for (const auto& choice : scene::element_choices(p.scene)) plan.lines.push_back(scene::in_words(p.scene, choice));
