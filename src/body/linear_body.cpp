@@ -1,4 +1,5 @@
 #include <cassert>
+#include <mutex>
 #include <utility>
 
 #include "body/columns.hpp"
@@ -63,6 +64,8 @@ struct LinearBody::Impl {
   std::optional<Turning> turning;
   std::vector<LoadColumn> names;
   std::vector<BodyLoad> loads;
+  mutable std::once_flag inverted;
+  mutable std::shared_ptr<const algebra::Compliance> compliance;
 
   Impl(ShapePtr s, const BodyInput& input, algebra::SchurAnalysisPtr known)
       : shape(std::move(s)),
@@ -172,6 +175,16 @@ int LinearBody::dofs() const { return impl_->dofs(); }
 int LinearBody::full_dofs() const { return impl_->columns.interior + impl_->columns.retained; }
 const std::vector<int>& LinearBody::contact_nodes() const { return impl_->columns.contact_nodes; }
 const Matrix& LinearBody::stiffness() const { return impl_->S(); }
+std::shared_ptr<const Matrix> LinearBody::shared_stiffness() const { return {impl_, &impl_->S()}; }
+
+std::shared_ptr<const algebra::Compliance> LinearBody::compliance() const {
+  if (!impl_->turning) return {};
+  std::call_once(impl_->inverted, [this] {
+    impl_->compliance = std::make_shared<const algebra::Compliance>(impl_->S(), impl_->turning->named());
+  });
+  return impl_->compliance;
+}
+
 const Turning* LinearBody::turning() const { return impl_->turning ? &*impl_->turning : nullptr; }
 double LinearBody::angle(const Vector& q) const { return impl_->turning ? q[impl_->turning->angle] : 0.0; }
 const Translation& LinearBody::translation() const { return impl_->translation; }

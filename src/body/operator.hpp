@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "algebra/compliance.hpp"
 #include "algebra/factor.hpp"
 #include "base/analysis.hpp"
 #include "body/control_points.hpp"
@@ -104,6 +105,9 @@ class LinearBody {
   NodeFreedom freedom(int contact_node) const;
   const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
   const Matrix& stiffness() const;                              ///< S, constant, in the body's frame
+  std::shared_ptr<const Matrix> shared_stiffness() const;
+  /// What stands for S where contact goes round the body, made when it is first asked for; null where it keeps its direction.
+  std::shared_ptr<const algebra::Compliance> compliance() const;
   const Turning* turning() const;                               ///< null where the body keeps its direction
   double angle(const Vector& q) const;                          ///< it has turned by; 0 where it keeps its direction
   Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i, in the frame
@@ -139,6 +143,7 @@ class RigidBody {
  public:
   RigidBody(ShapePtr shape, const BodyInput& input);
 
+  static constexpr int angle = 2;  ///< column of theta
   int dofs() const { return 3; }
   const std::vector<int>& contact_nodes() const;
   NodePosition position(int contact_node, const Vector& q) const;

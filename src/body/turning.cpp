@@ -87,6 +87,15 @@ std::array<int, 2> chord_nodes(const mesh::Mesh& mesh, const BodyInput& input, c
   return {first, second};
 }
 
+std::vector<int> Turning::named() const {
+  std::vector<int> columns{angle};
+  for (int column : pivot)
+    if (column >= 0) columns.push_back(column);
+  for (const auto& [column, factor] : chord)
+    if (std::find(columns.begin(), columns.end(), column) == columns.end()) columns.push_back(column);
+  return columns;
+}
+
 Turning Turning::part(const std::vector<int>& columns) const {
   const auto index = [&](int column) {
     return column < 0 ? -1 : static_cast<int>(std::find(columns.begin(), columns.end(), column) - columns.begin());

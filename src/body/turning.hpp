@@ -59,6 +59,7 @@ struct Turning {
   Vec2 centre{0.0, 0.0};
   std::vector<std::pair<int, double>> chord;  ///< sum of factor q[column] = 0 fixes theta; empty where a support names it
 
+  std::vector<int> named() const;  ///< all columns that are named here: held, they leave the frame and the body nowhere to go
   /// The same of a choice of columns, which holds all that are named here.
   Turning part(const std::vector<int>& columns) const;
 

@@ -30,6 +30,7 @@ struct NodeConstants {
   double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
   wear::Law law;
   wear::Start start;            ///< the node as the law finds it
+  double arc_over_chord = 1.0;  ///< of the way that the sides slide while supports turn them
   bool imposed = false;         ///< slip is a number: D * imposed_slip
   double imposed_slip = 0.0;
   bool out_of_plane = false;    ///< slip is out of the plane: there friction is mu lambda_n, and none is left in the plane
@@ -61,7 +62,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   const Pair<T> tangent{-1.0 * s.normal.y, s.normal.x};
   r.lambda_n = mortar::dot(s.lambda, s.normal);
   r.lambda_t = mortar::dot(s.lambda, tangent);
-  r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : mortar::dot(tangent, s.motion);
+  r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : c.arc_over_chord * mortar::dot(tangent, s.motion);
   r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
   if (c.friction == 0.0) r.drag = T(0.0);  // what rounding leaves of the shear works on nothing
   if (status == ContactStatus::slip && !c.held)

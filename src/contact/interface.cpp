@@ -192,6 +192,8 @@ NodeConstants Interface::constants(int node) const {
   if (o.implicit_wear)
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
                        thickness(options_.thickness_secondary, node);
+  // What turns by t has slid by r t; its motion, seen along the tangent where it ends, is r sin t.
+  if (mobility_.turn != 0.0) c.arc_over_chord = mobility_.turn / std::sin(mobility_.turn);
   c.imposed = o.imposed;
   c.imposed_slip = options_.imposed_slip + options_.imposed_turn * placement_.xs_before[node].x();
   c.out_of_plane = o.out_of_plane;

@@ -31,8 +31,9 @@ struct IncrementOptions {
   std::vector<double> thickness_secondary, thickness_primary;
 };
 
-/// What supports leave of the motions of a contact's nodes.
+/// What supports leave of the motions of a contact's nodes in one increment, and impose on them.
 struct Mobility {
+  double turn = 0.0;                       ///< by which they turn one side against the other [rad]
   std::vector<char> secondary;             ///< per node: held along one direction, which nothing but its support moves
   std::vector<body::NodeFreedom> primary;  ///< per node: the directions in which forces move it
 };
@@ -59,7 +60,7 @@ class Interface {
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 
-  /// Tells which nodes no force moves along the surface in this increment; an empty one: none.
+  /// Tells which nodes no force moves along the surface in this increment, and how far the sides are turned.
   void hold(Mobility mobility) { mobility_ = std::move(mobility); }
 
   /// Begins with the conditions that are expected to hold, slipping as these multipliers drag.

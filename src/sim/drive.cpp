@@ -16,15 +16,41 @@ double factor_at(const scene::History& history, double progress) {
   return history.back()[1];
 }
 
+namespace {
+
+constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
+
+/// Largest angle by which a support turns its body between two moments of a step [rad].
+double turned_between(const scene::Scene& scene, const scene::Step& step, double from, double to) {
+  double most = 0.0;
+  for (const auto& support : scene.supports) {
+    const auto& [drive, amplitude, history] = support.rotation;
+    if (drive != body::Drive::moved || std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
+    const auto& corners = scene.histories.at(history);
+    most = std::max(most, std::abs(amplitude * (factor_at(corners, to) - factor_at(corners, from))));
+  }
+  return most;
+}
+
+}  // namespace
+
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
-  std::vector<double> ends;
-  for (int i = 1; i <= step.increments; ++i) ends.push_back(static_cast<double>(i) / step.increments);
+  std::vector<double> corners;
+  for (int i = 1; i <= step.increments; ++i) corners.push_back(static_cast<double>(i) / step.increments);
   for (const auto& name : step.play)
     for (const auto& corner : scene.histories.at(name))
-      if (corner[0] > 0.0 && corner[0] < 1.0) ends.push_back(corner[0]);
-  std::sort(ends.begin(), ends.end());
+      if (corner[0] > 0.0 && corner[0] < 1.0) corners.push_back(corner[0]);
+  std::sort(corners.begin(), corners.end());
   const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9; };
-  ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  std::vector<double> ends;
+  double from = 0.0;
+  for (const double to : corners) {
+    const auto parts = static_cast<int>(std::ceil(turned_between(scene, step, from, to) / most_turn - 1e-9));
+    for (int i = 1; i < parts; ++i) ends.push_back(from + (to - from) * i / parts);
+    ends.push_back(to);
+    from = to;
+  }
   return ends;
 }
 

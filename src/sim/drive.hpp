@@ -7,7 +7,8 @@ namespace reye::sim {
 /// Factor of a history at a progress in [0, 1], linear between its corners.
 double factor_at(const scene::History& history, double progress);
 
-/// Ends of the increments of a step: equal parts, and every corner of the histories it plays.
+/// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
+/// support would turn its body by more than 0.3 rad.
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
 
 /// Factors of all histories while a step plays.

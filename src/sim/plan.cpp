@@ -8,6 +8,7 @@
 #include "material/parameters.hpp"
 #include "scene/choose_elements.hpp"
 #include "sim/block.hpp"
+#include "sim/drive.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/widen_zones.hpp"
 
@@ -201,11 +202,12 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   for (const auto& choice : scene::element_choices(p.scene)) plan.lines.push_back(scene::in_words(p.scene, choice));
   for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
   for (const auto& step : p.scene.steps) {
+    const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
     if (step.cycles > 0.0)
       plan.lines.push_back(text("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s", step.name.c_str(), step.cycles,
-                                blocks_of(step).c_str(), step.increments, step.wear ? "" : ", no wear"));
+                                blocks_of(step).c_str(), increments, step.wear ? "" : ", no wear"));
     else
-      plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), step.increments, step.wear ? "" : ", no wear"));
+      plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
   }
   tell_remeshing(p, plan);
   tell_output(p, plan);

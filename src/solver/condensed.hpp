@@ -1,6 +1,8 @@
 #pragma once
+#include <memory>
 #include <vector>
 
+#include "algebra/compliance.hpp"
 #include "algebra/factor.hpp"
 
 namespace reye::solver {
@@ -13,11 +15,15 @@ using base::Vector;
 class Condensed {
  public:
   Condensed() = default;
-  /// `near` and `far`: columns n and f of S. Throws base::SolveError when S_ff is not definite.
-  Condensed(const Matrix& S, std::vector<int> near, std::vector<int> far);
+  /// `near` and `far`: columns n and f of S. `inverse`: what stands for S where choices follow one another, or null. Where
+  /// nothing is left out both are shared. Throws base::SolveError when S_ff is not definite.
+  Condensed(std::shared_ptr<const Matrix> S, std::shared_ptr<const algebra::Compliance> inverse, std::vector<int> near,
+            std::vector<int> far);
+  /// A choice of the columns kept.
+  Condensed part(std::vector<int> near, std::vector<int> far) const;
 
-  const Matrix& stiffness() const { return S_; }
-  Eigen::Index size() const { return S_.rows(); }                                          ///< columns kept
+  const Matrix& stiffness() const { return *S_; }
+  Eigen::Index size() const { return S_->rows(); }                                         ///< columns kept
   Eigen::Index full() const { return static_cast<Eigen::Index>(near_.size() + far_.size()); }  ///< all columns
 
   const std::vector<int>& near() const { return near_; }
@@ -34,8 +40,10 @@ class Condensed {
 
  private:
   std::vector<int> near_, far_;
-  Matrix S_, G_;
-  algebra::DenseCholesky factor_;  ///< of S_ff
+  std::shared_ptr<const Matrix> S_ = std::make_shared<const Matrix>();
+  Matrix G_;
+  std::shared_ptr<const algebra::Compliance> inverse_;
+  algebra::DenseCholesky factor_;  ///< of S_ff, where there is no inverse
 };
 
 }  // namespace reye::solver

@@ -1,6 +1,10 @@
 #include "solver/mobility.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/turning.hpp"
 
 namespace reye::solver {
 
@@ -22,10 +26,30 @@ body::NodeFreedom freedom_of(const body::NodePosition& position, int offset, con
   return freedom;
 }
 
+/// The column of the angle that a body turns by; -1 where it has none.
+int angle_column(const System& system, int body) {
+  if (std::holds_alternative<body::RigidBody>(system.bodies[body])) return system.offset[body] + body::RigidBody::angle;
+  const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
+  return linear && linear->turning() ? system.offset[body] + linear->turning()->angle : -1;
+}
+
+/// What supports turn a side by; nothing where it is made of several bodies.
+double imposed_turn(const System& system, const std::vector<contact::SurfaceNode>& side, const Vector& q,
+                    const Controls& controls) {
+  const int body = side.front().body;
+  if (std::any_of(side.begin(), side.end(), [&](const auto& node) { return node.body != body; })) return 0.0;
+  const int angle = angle_column(system, body);
+  for (const auto& [column, value] : controls.prescribed)
+    if (column == angle) return value - q[angle];
+  return 0.0;
+}
+
 }  // namespace
 
 contact::Mobility mobility(const System& system, const contact::Setup& setup, const Vector& q, const Controls& controls) {
   contact::Mobility result;
+  const double turn = imposed_turn(system, setup.secondary_nodes, q, controls) - imposed_turn(system, setup.primary_nodes, q, controls);
+  result.turn = std::remainder(turn, 2.0 * std::numbers::pi);  // a cycle of whole turns ends where it began
   const auto held = [](const body::NodeFreedom& f) { return f.free == 1; };
   if (std::none_of(setup.freedom.begin(), setup.freedom.end(), held)) return result;
   std::vector<char> prescribed(system.dofs, 0);

@@ -27,6 +27,10 @@ class Reduction {
   const body::TurningLoad& turning_load(int body) const { return parts_[body].load; }
   const body::Turning* turning(int body) const { return parts_[body].turning ? &*parts_[body].turning : nullptr; }
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
+  /// A choice of the kept columns of a linear body.
+  Condensed part(int body, std::vector<int> near, std::vector<int> far) const {
+    return parts_[body].part(std::move(near), std::move(far));
+  }
   /// Kept columns of a linear body in its frame, without its rigid translation: S' needs no more, and is rounded less.
   Vector deformation(int body, const base::TwoPart& reduced) const;
   base::TwoPart of_body(int body, const base::TwoPart& reduced) const;

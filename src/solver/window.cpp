@@ -22,7 +22,7 @@ void Window::choose(const System& system, const Reduction& reduction, const Reac
       parts_[b].whole = *turning;
       parts_[b].turning = turning->part(near);
     }
-    static_cast<Condensed&>(parts_[b]) = Condensed(reduction.stiffness(body), std::move(near), std::move(far));
+    static_cast<Condensed&>(parts_[b]) = reduction.part(body, std::move(near), std::move(far));
   }
 }
 

@@ -55,6 +55,22 @@ TEST(Drive, IncrementEnds) {
   EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{1.0}));
 }
 
+// A step in which a support turns its body far must be divided until no increment turns it by more than 0.3 rad.
+TEST(Drive, FarTurnsAreDivided) {
+  scene::Scene scene;
+  scene.histories["turn"] = {{0.0, 0.0}, {0.5, 1.0}, {1.0, 1.0}};
+  scene.histories["press"] = {{0.0, 0.0}, {1.0, 1.0}};
+  body::Support shaft;
+  shaft.rotation = {body::Drive::moved, 1.2, "turn"};
+  scene.supports = {shaft};
+  scene::Step step;
+  step.increments = 2;
+  step.play = {"turn"};
+  EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{0.125, 0.25, 0.375, 0.5, 1.0}));
+  step.play = {"press"};
+  EXPECT_EQ(sim::increment_ends(scene, step), (std::vector{0.5, 1.0}));
+}
+
 // A step must move the factors it plays and hold all others where they were.
 TEST(Drive, FactorsHold) {
   const auto scene = with_histories();

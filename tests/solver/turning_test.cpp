@@ -2,6 +2,7 @@
 
 #include "body/turning.hpp"
 #include "solver/blocks.hpp"
+#include "solver/rolling.hpp"
 #include "solver/uncondensed.hpp"
 
 namespace {
@@ -54,6 +55,17 @@ TEST(turning, newton_is_exact) {
       const BlocksOptions o{.friction = friction, .drag = 0.01, .upper_secondary = swapped};
       expect_condensed_is_exact(turning_blocks(o, 0.05), "friction " + std::to_string(friction));
     }
+}
+
+// However far a shaft turns in an increment, what its friction dissipates must be what its support works: nothing is lost between
+// the way that slides and its chord.
+TEST(turning, friction_dissipates_what_the_support_works) {
+  const auto states = rolling::spun(480, {0.01, 0.03, 0.07, 0.15, 0.3}, 3e4);
+  ASSERT_EQ(states.size(), 5u);
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    const double dissipated = states[k].friction_work - states[k - 1].friction_work;
+    EXPECT_NEAR(dissipated / (std::abs(states[k].moment) * (states[k].angle - states[k - 1].angle)), 1.0, 2e-3) << states[k].angle;
+  }
 }
 
 /// The upper block without supports: pressed by a pressure on its top that turns along, held by friction.

@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "verification/hinge.hpp"
 
 using namespace reye;
@@ -13,6 +15,16 @@ TEST(Turning, ShaftWearsAsARigidOne) {
   EXPECT_NEAR(swung.contact().secondary.worn_area, stiff.contact().secondary.worn_area,
               0.01 * stiff.contact().secondary.worn_area);
   for (const auto& warning : swung.summary.warnings) EXPECT_NE(warning.kind, "strain") << warning.text;
+}
+
+// A shaft that spins by whole turns must wear coefficient x load x way, however few increments a turn is asked in.
+TEST(Turning, WholeTurnsWearTheWay) {
+  for (const int increments : {4, 24}) {
+    const auto spun = played(scene_text("spinning_shaft", {{"cycles     = 1000", "cycles     = 2"},
+                                                           {"increments = 24", "increments = " + std::to_string(increments)}}));
+    const double way = 2.0 * 2.0 * std::numbers::pi * 10.0, load = 40.0, coefficient = 1e-9;
+    EXPECT_NEAR(spun.contact().secondary.worn_area / (coefficient * load * way), 1.0, 1e-3) << increments;
+  }
 }
 
 }  // namespace
