@@ -52,6 +52,18 @@ double distance_to_loops(const Region& region, const Vec2& p) {
   return smallest;
 }
 
+/// Whether a ray from p along x leaves through the loops.
+bool is_inside(const Region& region, const Vec2& p) {
+  bool inside = false;
+  for (const RegionLoop& loop : region.loops)
+    for (std::size_t i = 0; i < loop.nodes.size(); ++i) {
+      const Vec2 &a = region.X[loop.nodes[i]], &b = region.X[loop.nodes[(i + 1) % loop.nodes.size()]];
+      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+        inside = !inside;
+    }
+  return inside;
+}
+
 /// The rows as a table of nodes: rows[j][i] lies j layers beneath stretch node i. New nodes follow those of the region.
 struct Rows {
   std::vector<std::vector<int>> nodes;
@@ -70,14 +82,16 @@ Rows make_rows(const Region& region, const std::vector<int>& stretch, const Poin
   return rows;
 }
 
-/// Whether the rim of the rows keeps away from the outline as its own depth lets expect.
+/// Whether the rim of the rows keeps away from the outline as its own depth lets expect, on this side of it: beneath the
+/// face of a body thinner than the rows are deep it is beyond the other face.
 bool is_clear(const Region& region, const Rows& rows, double depth) {
   const std::size_t width = rows.nodes[0].size(), layers = rows.nodes.size() - 1;
   for (std::size_t j = 1; j <= layers; ++j)
     for (std::size_t i = 0; i < width; ++i) {
       if (j < layers && i != 0 && i + 1 != width) continue;
       const double expected = depth * static_cast<double>(j) / static_cast<double>(layers);
-      if (distance_to_loops(region, rows.added[(j - 1) * width + i]) < 0.6 * expected) return false;
+      const Vec2& p = rows.added[(j - 1) * width + i];
+      if (distance_to_loops(region, p) < 0.6 * expected || !is_inside(region, p)) return false;
     }
   return true;
 }

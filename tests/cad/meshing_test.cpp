@@ -54,6 +54,20 @@ TEST_P(Kinds, fine_zone_is_equally_spaced) {
   }
 }
 
+// A layer far thinner than its fine zone is deep must be meshed by itself, and its outline stay where it is drawn.
+TEST_P(Kinds, layer_thinner_than_its_zone) {
+  GeometryOptions options;
+  options.files = {temporary_file("layer.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, 0, 0, 12, 0.02};\n")};
+  options.bodies = {body_at("layer", 0, 0.01)};
+  options.bodies[0].mesh = {GetParam(), 0.1, 1.3};
+  options.fine_zones = {{{"layer"}, {0, 0}, 1.0, 0.2, 0.05, 0.0}};
+  options.boundaries = {boundary("back", "layer")};
+  options.boundaries[0].nearest_mm = Vec2(0, 0);
+  const mesh::Mesh layer = build(options).bodies[0];
+  EXPECT_NEAR(mesh::area(layer), 12 * 0.02, 1e-12);
+  EXPECT_GT(mesh::poorest_cell(layer).scaled_jacobian, 0.1);
+}
+
 // Symmetric bodies must have a node at the centre of the zone and, on the contact boundary, mirrored nodes.
 TEST_P(Kinds, contact_nodes_are_symmetric) {
   const Geometry geometry = build(cylinder_on_flat(GetParam(), 0.8, 0.01));
