@@ -16,7 +16,7 @@ using Row = Eigen::RowVector3d;
 /// What acts on the motions, one linear form per row, scaled to order one.
 class MotionSpace {
  public:
-  MotionSpace(const mesh::Mesh& mesh, bool axisymmetric) : mesh_(mesh), centre_(box_centre(mesh)) {
+  MotionSpace(const mesh::Mesh& mesh, bool axisymmetric) : centre_(box_centre(mesh)) {
     for (const Vec2& X : mesh.X) size_ = std::max(size_, (X - centre_).norm());
     if (axisymmetric) rows_ = {Row{1, 0, 0}, Row{0, 0, 1}};  // only the motion along the axis remains
   }
@@ -45,7 +45,6 @@ class MotionSpace {
   }
 
  private:
-  const mesh::Mesh& mesh_;
   Vec2 centre_;
   double size_ = 0.0;
   std::vector<Row> rows_;
@@ -96,6 +95,15 @@ std::string name_of(const Eigen::Vector3d& translation) {
   return text;
 }
 
+std::vector<std::string> names_of(const MotionSpace& space) {
+  const Matrix all = space.left(false), translations = space.left(true);
+  std::vector<std::string> names;
+  if (translations.cols() == 2) names = {"translation along x", "translation along y"};
+  if (translations.cols() == 1) names = {name_of(translations.col(0))};
+  if (all.cols() > translations.cols()) names.push_back("rotation");
+  return names;
+}
+
 }  // namespace
 
 std::vector<std::string> unheld_motions(const mesh::Mesh& mesh, const BodyInput& input, bool friction) {
@@ -105,12 +113,14 @@ std::vector<std::string> unheld_motions(const mesh::Mesh& mesh, const BodyInput&
     if (friction) return {};
     add_loads(mesh, input, space);
   }
-  const Matrix all = space.left(false), translations = space.left(true);
-  std::vector<std::string> names;
-  if (translations.cols() == 2) names = {"translation along x", "translation along y"};
-  if (translations.cols() == 1) names = {name_of(translations.col(0))};
-  if (all.cols() > translations.cols()) names.push_back("rotation");
-  return names;
+  return names_of(space);
+}
+
+std::vector<std::string> unheld_together(const std::vector<HeldBody>& bodies, bool axisymmetric) {
+  MotionSpace space(*bodies.front().mesh, axisymmetric);
+  for (const auto& [mesh, supports] : bodies)
+    for (const auto& support : *supports) hold_support(*mesh, support, space);
+  return names_of(space);
 }
 
 }  // namespace reye::body

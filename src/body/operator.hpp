@@ -256,4 +256,14 @@ using Operator = std::variant<RigidBody, LinearBody, NonlinearBody>;
 /// body has a contact and either friction acts there or some load or loaded support does work on the motion.
 std::vector<std::string> unheld_motions(const mesh::Mesh& mesh, const BodyInput& input, bool friction);
 
+/// A body by where it is held.
+struct HeldBody {
+  const mesh::Mesh* mesh = nullptr;
+  const std::vector<Support>* supports = nullptr;
+};
+
+/// The same of bodies that touch one another, moved as one: contacts among them hold none of these motions, and no load has
+/// anything to lean on. Forces do not count.
+std::vector<std::string> unheld_together(const std::vector<HeldBody>& bodies, bool axisymmetric);
+
 }  // namespace reye::body

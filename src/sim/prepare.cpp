@@ -9,6 +9,7 @@
 #include "scene/read.hpp"
 #include "sim/accuracy.hpp"
 #include "sim/corners.hpp"
+#include "sim/held.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/overlap.hpp"
 #include "sim/plan.hpp"
@@ -167,19 +168,6 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
   }
 }
 
-void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
-  for (int b = 0; b < p.body_count(); ++b) {
-    bool friction = false;
-    for (const auto& contact : p.contacts) {
-      bool here = contact.secondary.body == b;
-      for (const auto& ref : contact.primary) here = here || ref.body == b;
-      friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
-    }
-    for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
-      issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
-  }
-}
-
 std::string shown(double x) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.4g", x);
@@ -257,7 +245,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   warn_of_points(p);
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
-  check_rigid_motions(p, issues);
+  for (auto& issue : unheld_issues(p)) issues.push_back(std::move(issue));
   for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
   refuse(issues);
   const double before = cpu_seconds();

@@ -64,6 +64,13 @@ TEST(WarnSetup, RigidRing) {
   }
 }
 
+// Bodies in contact that no support holds along the load must be refused by their names, though each by itself has the other
+// one to lean on.
+TEST(WarnSetup, HeldByNothing) {
+  const std::string told = refusal(test::with(test::block_scene, {{"y        = \"fixed\"\nrotation = \"fixed\"\n[history]", "rotation = \"fixed\"\n[history]"}}));
+  EXPECT_NE(told.find("translation along y of base and slider together is free: no support of any of them holds it"), std::string::npos) << told;
+}
+
 // A support that loses one corner to a rigid edge which is free there must be told, and the rest of it acts.
 TEST(WarnSetup, LostCorner) {
   const std::string side = "[support.side]\nedge = \"base_left\"\nx = \"fixed\"\n[history]";
