@@ -1,5 +1,6 @@
 #include "contact/interface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reye::contact {
@@ -141,13 +142,29 @@ void Interface::sum_start_of_increment() {
   }
 }
 
-/// At a corner the facet with more cover decides.
+/// The cosine between a facet and the line that its ends meet on the other side; one where an end carries no multiplier.
+double Interface::faces(const FacetRecord& record) const {
+  const auto& facet = setup_->secondary.facets[record.facet];
+  std::array<Vec2, 2> met{Vec2::Zero(), Vec2::Zero()};
+  for (int e = 0; e < 2; ++e) {
+    if (!(record.value.D[e] > 0.0)) return 1.0;
+    for (std::size_t l = 0; l < record.primaries.size(); ++l)
+      met[e] += record.value.M[e][l] / record.value.D[e] * placement_.xm[record.primaries[l]];
+  }
+  const Vec2 own = placement_.xs[facet[1]] - placement_.xs[facet[0]], opposite = met[1] - met[0];
+  return std::max(0.0, own.dot(opposite)) / (own.norm() * opposite.norm());
+}
+
+/// At a corner the facet decides that covers more of what it faces: where wear has left a corner between the worn surface
+/// and a flank, the flank is covered as well, but the node bears on the worn surface. With the flank's normal its
+/// friction would pull it in: pressure there would close the gap, and no status would fit.
 mortar::NormalStencil Interface::stencil(int node) const {
   const auto cover = [&](int side) {
     const int r = record_of_[node][side];
-    return r < 0 ? 0.0 : (*records_)[r].value.D[1 - side];
+    return r < 0 ? 0.0 : (*records_)[r].value.D[1 - side] * faces((*records_)[r]);
   };
-  return mortar::normal_stencil(setup_->secondary, node, cover(1) > cover(0) ? 1 : 0);
+  const bool after = setup_->secondary.corner[node] && cover(1) > cover(0);
+  return mortar::normal_stencil(setup_->secondary, node, after ? 1 : 0);
 }
 
 /// Where the covered length on X changed (on x stretch changes it too), the difference of D and M is no measure of

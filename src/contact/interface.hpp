@@ -133,6 +133,7 @@ class Interface {
   void sum_rows();
   bool leave_out_slivers();
   void sum_start_of_increment();
+  double faces(const mortar::FacetRecord& record) const;
   mortar::NormalStencil stencil(int node) const;
   NodeConditions<Eleven> node_duals(int node, const std::vector<Vec2>& lambda) const;
   bool wear_spreads() const;
