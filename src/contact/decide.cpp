@@ -62,11 +62,11 @@ double Interface::others_wear(int node) const {
   return others;
 }
 
-void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool predicted) {
+void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start from) {
   status_last_ = status_;
   sign_last_ = sign_;
   const auto& o = setup_->options;
-  const bool searching = iteration < 5;
+  const bool searching = iteration < 5, unjudged = iteration == 0 && from != Start::predicted;
   const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
   const double c_normal = searching ? o.c_normal : 1.0, c_tangential = searching ? o.c_tangential : 1.0;
   const bool spread = late && wear_spreads();
@@ -81,7 +81,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
     const double opened = (gap_[j] + worn_before_[j] + (spread ? others_wear(node) : 0.0)) / D;
     const bool was = status_last_[j] != ContactStatus::inactive;
     // Nodes that touch at zero gap start active: the first matrix would be singular without them.
-    const bool start = iteration == 0 && !predicted && (was || opened <= 1e-9 * setup_->secondary.area[j]);
+    const bool start = unjudged && (was || opened <= 1e-9 * setup_->secondary.area[j]);
     const bool pressed = options_.compliance > 0.0 && options_.held_pressure[j] > 0.0;
     if (options_.compliance > 0.0 && !pressed) {
       status_[j] = ContactStatus::inactive;
@@ -101,8 +101,9 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, bool pred
       unmoved_[j] = std::abs(*slip) <= least_slip * setup_->length[j];
       status_[j] = unmoved_[j] ? ContactStatus::stick : ContactStatus::slip;
       sign_[j] = *slip < 0.0 ? -1.0 : 1.0;
-    } else if ((iteration == 0 && !predicted) || options_.held) {
+    } else if (unjudged || options_.held) {
       status_[j] = ContactStatus::stick;
+      unmoved_[j] = from == Start::sheared && !options_.held;
     } else {
       const double trial = lambda[j].dot(tangent) + c_tangential * stiffness * tangent.dot(motion(node)) / D;
       // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.

@@ -31,6 +31,10 @@ struct IncrementOptions {
   std::vector<double> thickness_secondary, thickness_primary;
 };
 
+/// What Newton starts an increment from. sticking: what was active stays so and sticks. sheared: it keeps the shear it
+/// has, so that it slides wherever it is driven, and is judged by that motion. predicted: a state to be judged at once.
+enum class Start { sticking, sheared, predicted };
+
 /// What supports leave of the motions of a contact's nodes in one increment, and impose on them.
 struct Mobility {
   double turn = 0.0;                       ///< by which they turn one side against the other [rad]
@@ -76,8 +80,8 @@ class Interface {
   void integrate(const Points& xs, const Points& xm);
 
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
-  /// In iteration 0 what was active stays so and sticks, unless the state is a `predicted` one to be judged.
-  void decide(const std::vector<Vec2>& lambda, int iteration, bool predicted = false);
+  /// In iteration 0 the start decides.
+  void decide(const std::vector<Vec2>& lambda, int iteration, Start from = Start::sticking);
   /// Takes back what the last `decide` did to a node.
   void keep(int node) {
     status_[node] = status_last_[node];
@@ -175,7 +179,8 @@ class Interface {
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
   std::vector<Vec2> offset_, drift_, normal_;
   std::vector<ContactStatus> status_, status_last_;
-  std::vector<char> unmoved_;  ///< held along the surface on both sides, and nothing slides
+  /// Per node: keeps its shear, because both sides are held along the surface and nothing slides, or as a `sheared` start.
+  std::vector<char> unmoved_;
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
   std::vector<double> column_sum_;                                       ///< of `add_up`, zero between its calls

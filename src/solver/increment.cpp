@@ -22,7 +22,8 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (contacts_.choose(system, before, everything, limited)) window_.forget();
 }
 
-base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, bool predicted) {
+base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from) {
+  const bool predicted = from == contact::Start::predicted;
   const Guess* guess = predicted ? controls.guess : nullptr;
   const double continues = predicted && !guess ? controls.continues : 0.0;
   contacts_.begin(system, before, controls, guess);
@@ -74,12 +75,12 @@ void Increment::widen(const System& system, const Controls& controls, base::TwoP
   change_columns(system, controls);
 }
 
-int Increment::decide(int iteration, bool predicted, Allowed allowed) {
+int Increment::decide(int iteration, contact::Start from, Allowed allowed) {
   int changes = 0;
   for (std::size_t c = 0; c < lambda_.size(); ++c) {
     auto& face = contacts_.faces()[c];
     const auto last = face.status();
-    face.decide(lambda_[c], iteration, predicted);
+    face.decide(lambda_[c], iteration, from);
     for (std::size_t j = 0; j < last.size(); ++j) {
       const int node = static_cast<int>(j);
       const bool asks = last[j] != face.status()[j];

@@ -23,14 +23,14 @@ class Increment {
   /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
-  /// From `before`; `predicted`: where the guess, or else the last increment gone on with, would lead. Returns q; throws
+  /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q; throws
   /// base::SolveError when a nonlinear body can not be linearised there.
-  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, bool predicted);
+  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from);
 
   /// Moves the surfaces to where q puts them, and integrates.
   void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }
   /// Number of nodes that ask for another status; those that are allowed to get it.
-  int decide(int iteration, bool predicted, Allowed allowed);
+  int decide(int iteration, contact::Start from, Allowed allowed);
   /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
   /// goes on as it would have, on a smaller matrix. True: q has to be placed and measured again.
   bool narrow(const System& system, const Controls& controls, base::TwoPart& q);

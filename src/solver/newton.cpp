@@ -9,6 +9,8 @@
 
 namespace reye::solver {
 
+using contact::Start;
+
 namespace {
 
 constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
@@ -44,15 +46,27 @@ bool turns_beyond_reach(const System& system, const SolverState& before, const C
   return false;
 }
 
+/// Whether a contact is loaded whose friction this increment decides.
+bool rubs(const System& system, const SolverState& before, const Controls& controls) {
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& options = system.contacts[c].options;
+    const auto& status = before.contacts[c].status;
+    if (options.friction > 0.0 && !options.imposed && !controls.contacts[c].held &&
+        std::any_of(status.begin(), status.end(), [](auto s) { return s != contact::ContactStatus::inactive; }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted,
+SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
                             bool narrowing) {
   SolveResult result;
   auto& report = result.report;
   base::TwoPart q;
   try {
-    q = increment_.begin(system, before, controls, predicted);
+    q = increment_.begin(system, before, controls, from);
   } catch (const base::SolveError& error) {
     report.reason = error.what();
     return result;
@@ -70,10 +84,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     increment_.place(system, q);
     const bool one_by_one = watch.cycling();
     const int stage = late ? options_.max_iterations : iteration;
-    const int changes = increment_.decide(stage, predicted, one_by_one ? Allowed::none : Allowed::all);
+    const int changes = increment_.decide(stage, from, one_by_one ? Allowed::none : Allowed::all);
     Iteration row = increment_.measure(system, controls, q, fresh);
     if (one_by_one && changes > 0 && error_of(row) < 1.0) {
-      increment_.decide(stage, predicted, Allowed::one);
+      increment_.decide(stage, from, Allowed::one);
       row = increment_.measure(system, controls, q, fresh);
     }
     row.changes = changes;
@@ -95,7 +109,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
     bool met = iteration > 0 && changes == 0 && off < (on_chord && chord ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
-    if (met && !late && increment_.decide(options_.max_iterations, predicted, one_by_one ? Allowed::one : Allowed::all) != 0) {
+    if (met && !late && increment_.decide(options_.max_iterations, from, one_by_one ? Allowed::one : Allowed::all) != 0) {
       met = chord = false;
       late = true;
       increment_.measure(system, controls, q, fresh);
@@ -110,7 +124,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       narrowing = false;
       if (!increment_.follow(system, controls, q)) {
         increment_.choose_reach(system, before, true, options_.limit_reach);
-        return iterate(system, before, controls, predicted, false);
+        return iterate(system, before, controls, from, false);
       }
       rule = {};
       report.converged = on_chord = false;
@@ -162,16 +176,27 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
   increment_.choose_reach(system, before, turns_beyond_reach(system, before, controls), options_.limit_reach);
-  const bool predicted = controls.guess || (controls.continues > 0.0 && increment_.follows(before));
-  SolveResult result = iterate(system, before, controls, predicted, options_.limit_reach);
-  if (predicted && !result.report.converged) {
-    const int solves = result.report.solves, matrices = result.report.matrices;
-    result = iterate(system, before, controls, false, options_.limit_reach);
-    result.report.solves += solves;
-    result.report.matrices += matrices;
+  std::vector<Start> starts;
+  if (controls.guess || (controls.continues > 0.0 && increment_.follows(before))) starts.push_back(Start::predicted);
+  starts.push_back(Start::sticking);
+  // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is lost
+  // on the way. There friction starts as it was, and gives way.
+  if (rubs(system, before, controls)) starts.push_back(Start::sheared);
+  SolveResult result;
+  int solves = 0, matrices = 0;
+  for (const Start from : starts) {
+    // The start before may have led the reach to where contact is not.
+    if (from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
+    SolveResult found = iterate(system, before, controls, from, options_.limit_reach);
+    solves += found.report.solves;
+    matrices += found.report.matrices;
+    const bool converged = found.report.converged;
+    if (converged || from != Start::sheared) result = std::move(found);  // a start that may not fit gives no reason
+    if (converged) break;
   }
-  if (!result.report.converged) return result;
-  increment_.remember(before, result.state);
+  result.report.solves = solves;
+  result.report.matrices = matrices;
+  if (result.report.converged) increment_.remember(before, result.state);
   return result;
 }
 

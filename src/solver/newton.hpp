@@ -18,7 +18,7 @@ class Newton {
   void reset() { increment_.forget(); }
 
  private:
-  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, bool predicted,
+  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
                       bool narrowing);
 
   NewtonOptions options_;
