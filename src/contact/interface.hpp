@@ -17,6 +17,7 @@ struct IncrementOptions {
   double duration_s = 0.0;    ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
+  double inset = 0.0;         ///< the primary side lies so far inside its body: what is left of a drawn overlap [mm]
   double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
@@ -112,6 +113,7 @@ class Interface {
   double residual_tangential(int node) const { return condition_[node].tangential; }
   const NodeConditions<double>& condition(int node) const { return condition_[node]; }
   const Setup& setup() const { return *setup_; }
+  double inset() const { return options_.inset; }
   int dofs() const { return placement_.dofs(); }
   /// Whether the tangential condition of a node is one of tractions, not of slip.
   bool shear_is_given(int node) const {
@@ -127,6 +129,7 @@ class Interface {
     int col = 0;
     double value = 0.0;
   };
+  Points primary_side(Points xm) const;
   NodeConstants constants(int node) const;
   Vec2 motion(int node) const;
   bool uses_drift(int node) const;
@@ -165,6 +168,7 @@ class Interface {
   Mobility mobility_;
   double friction_ = 0.0;
   mortar::Placement placement_;
+  Points inset_;  ///< per primary node: its way into its body, of what is left of a drawn overlap
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;
   /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.

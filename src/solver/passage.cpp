@@ -86,11 +86,11 @@ double depth_behind(const Vec2& x, const Line& line) {
 }
 
 std::optional<Passage> passage(const Line& points, const std::vector<contact::SurfaceNode>& nodes, const Line& line,
-                               double search) {
+                               double allowed) {
   for (std::size_t k = 0; k < points.now.size(); ++k) {
     if (points.seen[k] || entries(points, k, line) <= 0) continue;
     const double depth = depth_behind(points.now[k], line);
-    if (depth > least_depth * search) return Passage{nodes[k], points.now[k], depth};
+    if (depth > allowed) return Passage{nodes[k], points.now[k], depth};
   }
   return std::nullopt;
 }
@@ -110,8 +110,9 @@ std::optional<Passage> passage(const contact::Interface& face, const Sides& befo
   }
   const Line secondary = line_of(setup.secondary, before.secondary, now.secondary, seen);
   const Line primary = line_of(setup.primary, before.primary, now.primary, met);
-  const auto found = passage(secondary, setup.secondary_nodes, primary, setup.search);
-  return found ? found : passage(primary, setup.primary_nodes, secondary, setup.search);
+  const double allowed = face.inset() + least_depth * setup.search;  // a drawn overlap may still be there
+  const auto found = passage(secondary, setup.secondary_nodes, primary, allowed);
+  return found ? found : passage(primary, setup.primary_nodes, secondary, allowed);
 }
 
 }  // namespace reye::solver

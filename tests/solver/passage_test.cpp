@@ -8,12 +8,15 @@ namespace {
 using namespace reye;
 
 /// The upper block 0.1 mm above the lower one, pushed down or aside in one increment.
-solver::SolveResult pushed(double down, double aside = 0.0, bool upper_secondary = true, double search = 0.0) {
+solver::SolveResult pushed(double down, double aside = 0.0, bool upper_secondary = true, double search = 0.0,
+                           double inset = 0.0) {
   auto a = support::blocks({.friction = 0.3, .press = down, .drag = aside, .crown = 0.0, .upper_secondary = upper_secondary});
   for (auto& x : a.meshes[1].X) x.y() += 0.1;
   a.touches[0].options.search_mm = search;
   const auto system = support::system_of(a);
-  return solver::Newton().solve(system, support::fresh(system), support::controls_of(a, system));
+  auto controls = support::controls_of(a, system);
+  controls.contacts[0].inset = inset;
+  return solver::Newton().solve(system, support::fresh(system), controls);
 }
 
 // A push that takes one side behind the other, farther than the integrals see, must not be accepted as free of contact.
@@ -37,6 +40,13 @@ TEST(passage, contact_and_free_motion_are_accepted) {
   EXPECT_GT(pressure, 1.0);
   for (double aside : {5.0, -5.0}) EXPECT_TRUE(pushed(0.05, aside).report.converged);
   EXPECT_TRUE(pushed(-3.0).report.converged);
+}
+
+// A passage must be refused while a drawn overlap is let in, too.
+TEST(passage, beyond_a_drawn_overlap) {
+  const auto result = pushed(0.6, 0.0, true, 0.0, 0.05);
+  EXPECT_FALSE(result.report.converged);
+  EXPECT_NE(result.report.reason.find("went through the other side of contact"), std::string::npos) << result.report.reason;
 }
 
 // A slide far beyond the search along a closed contact must not be taken for a passage.
