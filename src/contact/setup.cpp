@@ -17,10 +17,13 @@ std::vector<SurfaceNode> located(int body, const std::vector<int>& mesh_nodes, c
   return nodes;
 }
 
-double default_search(const mortar::Surface& s) {
+/// A fifth of the side's extent; where the sides are drawn farther apart, half as far again, for normals need not point
+/// along the shortest way.
+double chosen_search(const mortar::Surface& s, double drawn_mm) {
   Eigen::AlignedBox2d box;
   for (const auto& x : s.X) box.extend(x);
-  return 0.2 * box.diagonal().norm();
+  const double usual = 0.2 * box.diagonal().norm();
+  return drawn_mm > usual ? 1.5 * drawn_mm : usual;
 }
 
 /// A node that a support holds in the direction contact pushes carries no multiplier; nor does a control point where
@@ -62,7 +65,7 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
     setup.primary_nodes.insert(setup.primary_nodes.end(), found.begin(), found.end());
   }
   setup.primary = mortar::joined(parts);
-  setup.search = options.search_mm > 0.0 ? options.search_mm : default_search(setup.secondary);
+  setup.search = options.search_mm > 0.0 ? options.search_mm : chosen_search(setup.secondary, options.drawn_mm);
   cut_down(setup, operators);
   const auto& s = setup.secondary;
   for (int j = 0; j < s.node_count(); ++j) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "sim/depth.hpp"
 #include "sim/measure.hpp"
@@ -44,6 +45,15 @@ struct Playing {
   std::vector<double> ends{};  ///< of the increments played so far
 };
 
+/// Said of an increment that does not lead anywhere while a drawn overlap is let in.
+std::string in_words_of_overlap(const std::map<std::string, double>& factors) {
+  const auto left = factors.find(overlap_left);
+  if (left == factors.end() || left->second == 1.0) return {};
+  char words[80];
+  std::snprintf(words, sizeof words, ", %.3g %% of the drawn overlap let in", 100.0 * (1.0 - left->second));
+  return words;
+}
+
 void note_cutback(State& state, const std::string& where, const Observer& observer) {
   if (++state.counts.cutbacks <= told_cutbacks) state.cutback_reasons.push_back(where);
   if (observer.log) observer.log("cut back: " + where);
@@ -73,7 +83,8 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged) {
     const std::string where = "step \"" + span.step->name + "\", cycle " + std::to_string(state.cycle) + ", progress " +
-                              std::to_string(from) + " to " + std::to_string(to) + ": " + result.report.reason;
+                              std::to_string(from) + " to " + std::to_string(to) + in_words_of_overlap(factors) + ": " +
+                              result.report.reason;
     if (depth == 0) return where;
     note_cutback(state, where, observer);
     const double middle = 0.5 * (from + to);

@@ -16,6 +16,13 @@ double factor_at(const scene::History& history, double progress) {
   return history.back()[1];
 }
 
+double largest_factor(const scene::Scene& scene, const std::string& history) {
+  if (history.empty()) return 1.0;
+  double most = 0.0;
+  for (const auto& corner : scene.histories.at(history)) most = std::max(most, std::abs(corner[1]));
+  return most;
+}
+
 namespace {
 
 constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
@@ -94,6 +101,10 @@ contact::IncrementOptions contact_options(const contact::ContactOptions& options
 
 }  // namespace
 
+double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors) {
+  return contact.drawn.let_in ? contact.drawn.overlap_mm * factors.at(overlap_left) : 0.0;
+}
+
 solver::Controls controls_at(const Problem& problem, const solver::System& system,
                              const std::map<std::string, double>& factors, const scene::Step& step, double from,
                              double to, double jump) {
@@ -111,8 +122,10 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
     for (std::size_t i = 0; i < list.size(); ++i) f[static_cast<Eigen::Index>(i)] = of(factors, list[i].history);
     controls.load_factors.push_back(std::move(f));
   }
-  for (const auto& contact : problem.contacts)
+  for (const auto& contact : problem.contacts) {
     controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
+    controls.contacts.back().inset = inset_at(contact, factors);
+  }
   return controls;
 }
 

@@ -4,8 +4,14 @@
 /// Histories, and what they impose at a moment of a step.
 namespace reye::sim {
 
+/// What is left of drawn overlaps, as a history: from 1 to 0 over the step that lets them in. No scene can name it.
+inline const std::string overlap_left = "drawn overlap";
+
 /// Factor of a history at a progress in [0, 1], linear between its corners.
 double factor_at(const scene::History& history, double progress);
+
+/// The largest factor of a history in size; of none, 1.
+double largest_factor(const scene::Scene& scene, const std::string& history);
 
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.
@@ -19,6 +25,9 @@ std::map<std::string, double> factors_at(const scene::Scene& scene, const scene:
 solver::Controls controls_at(const Problem& problem, const solver::System& system,
                              const std::map<std::string, double>& factors, const scene::Step& step, double from,
                              double to, double jump);
+
+/// How far inside its body the primary side of a contact lies while its drawn overlap is let in: overlap x what is left [mm].
+double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors);
 
 /// Coefficients of friction at a cycle, in contacts that have a table of them: constant before and after it.
 void set_friction(solver::Controls& controls, const Problem& problem, double cycle);

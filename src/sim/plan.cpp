@@ -8,6 +8,7 @@
 #include "material/parameters.hpp"
 #include "scene/choose_elements.hpp"
 #include "sim/block.hpp"
+#include "sim/drawn_gap.hpp"
 #include "sim/drive.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/widen_zones.hpp"
@@ -200,7 +201,10 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     tell_kinematics(p, b, plan);
   }
   for (const auto& choice : scene::element_choices(p.scene)) plan.lines.push_back(scene::in_words(p.scene, choice));
-  for (const auto& setup : system.contacts) tell_contact(p, setup, plan);
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    tell_contact(p, system.contacts[c], plan);
+    if (auto drawn = in_words(p, p.contacts[c]); !drawn.empty()) plan.lines.push_back(std::move(drawn));
+  }
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
     if (step.cycles > 0.0)

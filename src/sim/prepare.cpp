@@ -6,9 +6,11 @@
 #include "base/errors.hpp"
 #include "body/resultant.hpp"
 #include "cad/geometry.hpp"
+#include "mortar/inset.hpp"
 #include "scene/read.hpp"
 #include "sim/accuracy.hpp"
 #include "sim/corners.hpp"
+#include "sim/drawn_gap.hpp"
 #include "sim/held.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/overlap.hpp"
@@ -174,20 +176,24 @@ std::string shown(double x) {
   return digits;
 }
 
-void check_facing(const solver::System& system, std::vector<Issue>& issues) {
+void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
   mortar::Integrator integrator;
-  for (const auto& setup : system.contacts) {
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
     mortar::Placement place;
     place.secondary = &setup.secondary;
     place.primary = &setup.primary;
     place.xs = place.xs_before = setup.secondary.X;
-    place.xm = place.xm_before = setup.primary.X;
+    place.xm = setup.primary.X;
+    if (const auto& drawn = p.contacts[c].drawn; drawn.let_in) place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
+    place.xm_before = place.xm;
     place.cut = setup.cut;
     place.analysis = setup.analysis;
     place.search = setup.search;
     if (integrator.values(place).empty())
       issues.push_back({"contact." + setup.options.name, "",
-                        "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search)});
+                        "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search) +
+                        why_out_of_reach(p, p.contacts[c], setup.search)});
   }
 }
 
@@ -247,10 +253,11 @@ Problem built(scene::Scene scene, Cache& cache) {
   check_secondary_edges(p, issues);
   for (auto& issue : unheld_issues(p)) issues.push_back(std::move(issue));
   for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
+  for (auto& issue : place_drawn_gaps(p)) issues.push_back(std::move(issue));
   refuse(issues);
   const double before = cpu_seconds();
   const auto& system = timed_system(p, initial_state(p), cache);
-  check_facing(system, issues);
+  check_facing(p, system, issues);
   for (auto& issue : corner_issues(p, system)) issues.push_back(std::move(issue));
   refuse(issues);
   for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));

@@ -23,12 +23,23 @@ struct PlacedSupport {
   int body = 0;
 };
 
+/// How the two sides of a contact lie to one another on the drawing.
+struct DrawnGap {
+  double gap_mm = 0.0;      ///< shortest way between them; 0: they touch or overlap
+  double overlap_mm = 0.0;  ///< how deep a node of one side lies inside the body of the other at most; 0: none does
+  Vec2 at{0.0, 0.0};        ///< where they are nearest, or that node
+  Vec2 out{0.0, 0.0};       ///< from there along the shortest way out, a unit normal
+  int primary = 0;          ///< body of the primary side there
+  bool let_in = false;      ///< the overlap is too deep to be closed at once: the first step lets it in
+};
+
 /// A contact of the scene with its boundaries found.
 struct PlacedContact {
   contact::ContactOptions options;
   contact::BoundaryRef secondary;
   std::vector<contact::BoundaryRef> primary;
   double modulus_MPa = 0.0;  ///< stiffness scale of the pair
+  DrawnGap drawn;
 };
 
 /// What decided the kinematics of a body that left it to the run: a trial at small strain.

@@ -127,10 +127,12 @@ std::string carry_displaced(const State& state, int b, const Displaced& before, 
 }
 
 /// D and M on the fresh meshes: what the next equilibrium starts from.
-void renew_references(const solver::System& system, solver::SolverState& solution) {
+void renew_references(const Problem& problem, const solver::System& system, State& next) {
+  auto& solution = next.solution;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     contact::IncrementOptions held;
     held.held = true;
+    held.inset = inset_at(problem.contacts[c], next.factors);
     const auto at = solver::positions(system, system.contacts[c], solution.q);
     contact::Interface face;
     const contact::ContactState before = solution.contacts[c];
@@ -243,7 +245,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
     }
     next.solution.q.segment(system.offset[b], parts[b].size()) = parts[b];
   }
-  renew_references(system, next.solution);
+  renew_references(problem, system, next);
   return {};
 }
 

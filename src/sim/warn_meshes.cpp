@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/drawn_gap.hpp"
+#include "sim/drive.hpp"
 #include "sim/roundness.hpp"
 #include "sim/warn_contact.hpp"
 #include "sim/warn_setup.hpp"
@@ -37,42 +39,26 @@ Nearest nearest(const mortar::Surface& surface, const Vec2& X) {
   return best;
 }
 
-/// Where the two sides are nearest on the drawing.
+double away(const contact::Setup& setup, int secondary, const Vec2& from) { return (setup.secondary.X[secondary] - from).norm(); }
+
+/// Where the two sides are nearest on the drawing, or one lies deepest in the other.
 struct Touch {
   std::vector<Nearest> gap;  ///< per secondary node
   int secondary = 0, primary = 0;
   double least() const { return gap[secondary].distance; }
 };
 
-Touch touch_of(const contact::Setup& setup) {
+Touch touch_of(const contact::Setup& setup, const DrawnGap& drawn) {
   Touch touch;
   for (const Vec2& X : setup.secondary.X) touch.gap.push_back(nearest(setup.primary, X));
   const auto least = std::min_element(touch.gap.begin(), touch.gap.end(),
                                       [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
   touch.secondary = static_cast<int>(least - touch.gap.begin());
-  touch.primary = least->node;
+  if (drawn.let_in)
+    for (int j = 0; j < setup.secondary_count(); ++j)
+      if (away(setup, j, drawn.at) < away(setup, touch.secondary, drawn.at)) touch.secondary = j;
+  touch.primary = touch.gap[touch.secondary].node;
   return touch;
-}
-
-double largest_factor(const scene::Scene& scene, const std::string& history) {
-  if (history.empty()) return 1.0;
-  double most = 0.0;
-  for (const auto& corner : scene.histories.at(history)) most = std::max(most, std::abs(corner[1]));
-  return most;
-}
-
-/// Farthest that a support moves one of the two bodies.
-double longest_way(const Problem& problem, const PlacedContact& contact) {
-  double way = 0.0;
-  const auto look = [&](int body) {
-    for (const auto& support : problem.inputs[body].supports)
-      for (const auto* motion : {&support.x, &support.y})
-        if (motion->drive == body::Drive::moved)
-          way = std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
-  };
-  look(contact.secondary.body);
-  for (const auto& ref : contact.primary) look(ref.body);
-  return way;
 }
 
 /// Force of a support that presses the two bodies together along d; empty where other contacts share it, or none is known.
@@ -114,7 +100,7 @@ void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& to
     if (touch.gap[j].distance <= touch.least() + zone->size_mm) return;
     away = std::min(away, (setup.secondary.X[j] - setup.secondary.X[touch.secondary]).norm());
   }
-  if (longest_way(problem, contact) >= away) return;
+  if (farthest_way(problem, contact) >= away) return;
   const Vec2& X = setup.secondary.X[touch.secondary];
   const double h = spacing(setup.secondary, touch.secondary);
   warn(problem.warnings, {"fine_zone", "contact " + setup.options.name,
@@ -171,7 +157,7 @@ void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& to
 void warn_of_meshes(Problem& problem, const solver::System& system) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const Touch touch = touch_of(setup);
+    const Touch touch = touch_of(setup, problem.contacts[c].drawn);
     warn_of_zone(problem, setup, touch, problem.contacts[c]);
     warn_of_load(problem, setup, touch, problem.contacts[c]);
   }
