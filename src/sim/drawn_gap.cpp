@@ -79,7 +79,7 @@ double nearest(const std::vector<Piece>& pieces, const Vec2& x) {
 void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
   const auto look_at = [&](const Piece& piece, const Vec2& x) {
     if (const double gap = nearest(other.pieces, x); drawn.overlap_mm == 0.0 && gap < drawn.gap_mm) {
-      drawn.gap_mm = gap;
+      drawn.gap_mm = gap > touching * piece.along().norm() ? gap : 0.0;
       drawn.at = x;
     }
     if (!other.contains(x)) return;
