@@ -47,7 +47,7 @@ rotation = "fixed"
       {"edges that look away",
        {{R"(["base_top"])", R"(["base_bottom"])"}, {R"(edge     = "base_bottom")", R"(edge     = "base_top")"}},
        "",
-       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 0.4)"},
+       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5)"},
       {"too far apart",
        {{R"("slider_bottom")", R"("slider_right")"}, {R"(wear )", R"(search_mm = 0.1
 wear )"}},
