@@ -6,6 +6,7 @@
 
 namespace {
 
+using namespace reye;
 using namespace reye::sim;
 
 // Of one kind about one thing the most severe warning stays, in its first place; the log reports it once.
@@ -29,11 +30,13 @@ TEST(Warnings, TheMostSevereStays) {
 // cycle is played, nor once the strain has settled.
 TEST(Warnings, JumpedCyclesAddNoPlasticStrain) {
   const auto told = [](double before, double now, double cycles) {
+    scene::Step step;
+    step.name = "wear";
     State state;
     state.solution.interiors.resize(1);
     state.solution.interiors[0].history.resize(2);
     state.solution.interiors[0].history[1].accumulated = now;
-    watch_plastic_strain({.name = "wear"}, before, cycles, state, {});
+    watch_plastic_strain(step, before, cycles, state, {});
     return state.warnings;
   };
   const auto warnings = told(0.010, 0.011, 30.0);

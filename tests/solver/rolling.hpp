@@ -141,7 +141,7 @@ inline Assembly on_block(int around, double angle, double E_MPa = 3000.0) {
 /// The wheel of `around` facets pressed, then spun through these angles against friction. The state after each.
 inline std::vector<Turned> spun(int around, const std::vector<double>& angles, double E_MPa = 3000.0) {
   const auto system = support::system_of(on_block(around, 0.0, E_MPa));
-  const int hub = system.offset[0] + std::get<body::LinearBody>(system.bodies[0]).turning()->angle;
+  const int angle_column = system.offset[0] + std::get<body::LinearBody>(system.bodies[0]).turning()->angle;
   solver::Newton newton;
   auto state = support::fresh(system);
   std::vector<Turned> result;
@@ -151,7 +151,7 @@ inline std::vector<Turned> spun(int around, const std::vector<double>& angles, d
     EXPECT_TRUE(solved.report.converged) << angle << " rad: " << solved.report.reason;
     if (solved.report.converged) state = solved.state;
     result.push_back({angle, peak(state), resultant(state), state.contacts[0].frictional_work,
-                      solver::reactions(system, state, controls)[hub]});
+                      solver::reactions(system, state, controls)[angle_column]});
     return solved.report.converged;
   };
   if (play(0.0)) std::all_of(angles.begin(), angles.end(), play);
