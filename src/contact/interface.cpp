@@ -32,10 +32,13 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   placement_.secondary = &setup.secondary;
   placement_.primary = &setup.primary;
   placement_.xs = placement_.xs_before = std::move(xs);
-  inset_ = options.inset > 0.0 ? mortar::inset(setup.primary, xm, options.inset) : xm;
-  for (std::size_t l = 0; l < xm.size(); ++l) inset_[l] -= xm[l];
-  placement_.xm_before = primary_side(xm);
-  placement_.xm = placement_.xm_before;
+  inset_.clear();
+  if (options.inset > 0.0) {
+    inset_ = mortar::inset(setup.primary, xm, options.inset);
+    for (std::size_t l = 0; l < xm.size(); ++l) inset_[l] -= xm[l];
+  }
+  place_primary(xm);
+  placement_.xm_before = placement_.xm;
   placement_.cut = setup.cut;
   placement_.analysis = setup.analysis;
   placement_.measure = setup.measure;
@@ -49,10 +52,9 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
 }
 
 /// Primary nodes where the gap is measured to: inside their body while a drawn overlap is left.
-Points Interface::primary_side(Points xm) const {
-  if (options_.inset > 0.0)
-    for (std::size_t l = 0; l < xm.size(); ++l) xm[l] += inset_[l];
-  return xm;
+void Interface::place_primary(const Points& xm) {
+  placement_.xm = xm;
+  for (std::size_t l = 0; l < inset_.size(); ++l) placement_.xm[l] += inset_[l];
 }
 
 void Interface::expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda) {
@@ -65,7 +67,7 @@ void Interface::expect(const std::vector<ContactStatus>& status, const std::vect
 
 void Interface::integrate(const Points& xs, const Points& xm) {
   placement_.xs = xs;
-  placement_.xm = primary_side(xm);
+  place_primary(xm);
   placement_.cut = setup_->cut;
   records_ = &integrator_.values(placement_);
   differentiated_.assign(records_->size(), 0);

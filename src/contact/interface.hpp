@@ -129,7 +129,7 @@ class Interface {
     int col = 0;
     double value = 0.0;
   };
-  Points primary_side(Points xm) const;
+  void place_primary(const Points& xm);
   NodeConstants constants(int node) const;
   Vec2 motion(int node) const;
   bool uses_drift(int node) const;
@@ -168,7 +168,7 @@ class Interface {
   Mobility mobility_;
   double friction_ = 0.0;
   mortar::Placement placement_;
-  Points inset_;  ///< per primary node: its way into its body, of what is left of a drawn overlap
+  Points inset_;  ///< per primary node: its way into its body, of what is left of a drawn overlap; empty where none is
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;
   /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.

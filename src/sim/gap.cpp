@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "adapt/shift_outline.hpp"
 #include "sim/closing.hpp"
@@ -20,10 +21,15 @@ bool any(const Values& v) {
 /// Whether the wear of a contact was in its gap when its pressures were found: explicit wear changes them after that.
 bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wear.wears() && contact.implicit_wear; }
 
-/// What the moves give back a node has no longer lost.
+double sum(const Values& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+/// What the moves give back a node has no longer lost; the body keeps its content, so that all together have lost what they had.
 void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
+  const double before = sum(removed);
   for (std::size_t k = 0; k < removed.size(); ++k)
     if (side.by[k] != 0.0) removed[k] = std::max(0.0, removed[k] - side.by[k] * surface.area[k]);
+  if (const double after = sum(removed); after > 0.0)
+    for (double& v : removed) v *= before / after;
 }
 
 /// The moves of all boundaries, by body.

@@ -71,6 +71,16 @@ void warn_of_limit(const scene::Scene& scene, const scene::Limit& limit, const C
                          other / own});
 }
 
+void warn_of_ledger(const ContactSummary& contact, State& state, const Observer& observer) {
+  constexpr double open_book = 1e-6;  // relative
+  constexpr double rounding = 1e-12;  // mm^2 or mm^3, that an outline of stored coordinates does not tell
+  const double error = contact.ledger_relative_error.value_or(0.0);
+  if (error <= open_book || contact.secondary.worn_area + contact.primary.worn_area <= rounding) return;
+  warn(state, observer, {"ledger", "contact " + contact.name,
+                         text("The volume that its bodies have lost and coefficient x work differ by %.2g %%; they should agree to rounding. "
+                              "Please report this scene.", 100.0 * error), error});
+}
+
 }  // namespace
 
 const cad::FineZone* asked_zone(const body::Shape& shape, const std::string& contact) {
@@ -128,6 +138,7 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
 
 void warn_of_run(const Problem& problem, State& state, const Summary& summary, const Observer& observer) {
   const auto& scene = problem.scene;
+  for (const auto& contact : summary.contacts) warn_of_ledger(contact, state, observer);
   for (std::size_t c = 0; c < state.watch.size(); ++c) {
     const auto& options = problem.contacts[c].options;
     const auto& watch = state.watch[c];

@@ -34,7 +34,7 @@ void watch_contacts(const Problem& problem, State& state, const solver::System& 
 void warn_of_block(const Problem& problem, State& state, const Observer& observer);
 
 /// At the end of a run: contacts that never closed or never slipped though they should wear, and limits that watch the
-/// side that wears much less.
+/// side that wears much less; a ledger that does not close.
 void warn_of_run(const Problem& problem, State& state, const Summary& summary, const Observer& observer);
 
 /// Of a fresh mesh that changed the pressure.

@@ -90,6 +90,26 @@ TEST(WarnContact, LimitOfTheMilderSide) {
   EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + other + "[history]"}}), Kinds{});
 }
 
+// A book that does not close must be told with its figure; what rounding leaves of next to nothing must not.
+TEST(WarnContact, OpenLedger) {
+  const auto problem = test::problem_of(test::block_scene);
+  const auto told = [&](double area, double error) {
+    sim::State state;
+    sim::Summary summary;
+    summary.contacts.resize(1);
+    summary.contacts[0].name = "pad";
+    summary.contacts[0].secondary.worn_area = area;
+    summary.contacts[0].ledger_relative_error = error;
+    sim::warn_of_run(problem, state, summary, {});
+    Kinds kinds;
+    for (const auto& w : state.warnings) kinds.push_back(w.kind + ", " + w.about);
+    return kinds;
+  };
+  EXPECT_EQ(told(1e-3, 2e-3), Kinds{"ledger, contact pad"});
+  EXPECT_EQ(told(1e-3, 1e-9), Kinds{});
+  EXPECT_EQ(told(1e-20, 2e-3), Kinds{});
+}
+
 // A fresh mesh that changed the pressure by more than a tenth must be told, one that did not must not.
 TEST(WarnContact, JumpAtARemesh) {
   sim::State state;
