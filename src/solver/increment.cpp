@@ -76,20 +76,34 @@ void Increment::widen(const System& system, const Controls& controls, base::TwoP
 }
 
 int Increment::decide(int iteration, contact::Start from, Allowed allowed) {
-  int changes = 0;
+  struct Asking {
+    std::size_t contact;
+    int node;
+    bool closes;
+  };
+  std::vector<Asking> asking;
+  bool opens = false;
   for (std::size_t c = 0; c < lambda_.size(); ++c) {
     auto& face = contacts_.faces()[c];
     const auto last = face.status();
     face.decide(lambda_[c], iteration, from);
     for (std::size_t j = 0; j < last.size(); ++j) {
-      const int node = static_cast<int>(j);
-      const bool asks = last[j] != face.status()[j];
-      if (asks && (allowed == Allowed::none || (allowed == Allowed::one && changes > 0))) face.keep(node);
-      if (asks && changes++ == 0) suspects_.asking = {static_cast<int>(c), node};
-      if (!face.active(node)) lambda_[c][j].setZero();
+      if (last[j] == face.status()[j]) continue;
+      asking.push_back({c, static_cast<int>(j), last[j] == ContactStatus::inactive});
+      opens = opens || face.status()[j] == ContactStatus::inactive;
     }
   }
-  return changes;
+  for (const auto& node : asking) {
+    const bool first = &node == &asking.front();
+    const bool may = allowed == Allowed::all || (allowed == Allowed::one && first) ||
+                     (allowed == Allowed::opening_first && !(opens && node.closes));
+    if (!may) contacts_.faces()[node.contact].keep(node.node);
+  }
+  for (std::size_t c = 0; c < lambda_.size(); ++c)
+    for (std::size_t j = 0; j < lambda_[c].size(); ++j)
+      if (!contacts_.faces()[c].active(static_cast<int>(j))) lambda_[c][j].setZero();
+  if (!asking.empty()) suspects_.asking = {static_cast<int>(asking.front().contact), asking.front().node};
+  return static_cast<int>(asking.size());
 }
 
 ActiveSetWatch::Set Increment::active_set() const {

@@ -13,6 +13,7 @@ using contact::Start;
 
 namespace {
 
+constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
 constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
 constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
 constexpr int settling = 5;              ///< iterations that follow the last change
@@ -84,7 +85,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     increment_.place(system, q);
     const bool one_by_one = watch.cycling();
     const int stage = late ? options_.max_iterations : iteration;
-    const int changes = increment_.decide(stage, from, one_by_one ? Allowed::none : Allowed::all);
+    const Allowed together = stage < all_at_once ? Allowed::all : Allowed::opening_first;
+    const int changes = increment_.decide(stage, from, one_by_one ? Allowed::none : together);
     Iteration row = increment_.measure(system, controls, q, fresh);
     if (one_by_one && changes > 0 && error_of(row) < 1.0) {
       increment_.decide(stage, from, Allowed::one);

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <string>
+
 #include "sim/run.hpp"
 #include "support/problem.hpp"
 
@@ -7,10 +11,11 @@ using namespace reye;
 
 namespace {
 
-/// A shim of 12 x 0.2 mm that lies loose on a block, pressed on 2 mm of its top: most of it lifts off.
-const char* const geometry = R"(SetFactory("OpenCASCADE");
+/// A shim of 12 mm that lies loose on a block, pressed on 2 mm of its top: most of it lifts off.
+std::string shim(const std::string& thickness) {
+  return R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {-6, -6, 0, 12, 6};
-Rectangle(2) = {-6, 0, 0, 12, 0.2};
+Rectangle(2) = {-6, 0, 0, 12, )" + thickness + R"(};
 Physical Surface("block") = {1};
 Physical Surface("shim") = {2};
 Physical Curve("block_bottom") = {1};
@@ -18,6 +23,7 @@ Physical Curve("block_top") = {3};
 Physical Curve("shim_bottom") = {5};
 Physical Curve("shim_top") = {7};
 )";
+}
 
 const char* const text = R"(geometry = ["shim.geo"]
 [material.steel]
@@ -52,14 +58,90 @@ increments = 2
 wear = false
 )";
 
+/// A cylinder pressed on a coat of 20 um that nothing but friction holds on its substrate.
+const char* const coated_geometry = R"(SetFactory("OpenCASCADE");
+Disk(1) = {0, 6.02, 0, 6};
+Rectangle(2) = {-7, 6.02, 0, 14, 7};
+BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+Rectangle(4) = {-6, 0, 0, 12, 0.02};
+Rectangle(5) = {-6, -6, 0, 12, 6};
+Physical Surface("cylinder") = {3};
+Physical Surface("coat") = {4};
+Physical Surface("substrate") = {5};
+)";
+
+const char* const coated = R"(geometry = ["coated.geo"]
+[material.steel]
+E_MPa = 200e3
+nu    = 0.3
+[body.cylinder]
+material = "steel"
+mesh     = { far_size_mm = 1.0 }
+[body.coat]
+material = "steel"
+mesh     = { far_size_mm = 0.05 }
+[body.substrate]
+material = "steel"
+mesh     = { far_size_mm = 1.0 }
+[boundary]
+top    = { body = "cylinder", nearest_mm = [0, 6.02] }
+round  = { body = "cylinder", type = "circle" }
+face   = { body = "coat", nearest_mm = [0, 0.02] }
+back   = { body = "coat", nearest_mm = [0, 0] }
+under  = { body = "substrate", nearest_mm = [0, 0] }
+bottom = { body = "substrate", nearest_mm = [0, -6] }
+[contact.pad]
+secondary = "face"
+primary   = ["round"]
+friction  = 0.0
+fine_zone = { centre_mm = [0, 0], half_width_mm = 0.3, depth_mm = 0.1, size_mm = 0.01 }
+[contact.bond]
+secondary = "back"
+primary   = ["under"]
+friction  = 5.0
+fine_zone = { centre_mm = [0, 0], half_width_mm = 0.3, depth_mm = 0.1, size_mm = 0.01 }
+[support.holder]
+edge     = "top"
+x        = "fixed"
+rotation = "fixed"
+y        = { force_N_per_mm = -120.0, history = "press" }
+[support.base]
+edge = "bottom"
+x    = "fixed"
+y    = "fixed"
+[history]
+press = [[0, 0], [1, 1]]
+[[step]]
+name = "press"
+play = ["press"]
+increments = 5
+wear = false
+)";
+
 }  // namespace
 
-// A loose shim that lifts off node by node must find its contact, however many nodes have to open, without a cut-back.
+// A loose shim that lifts off node by node must find its contact without a cut-back, however thin it is and however many
+// nodes have to open, and in no more solves than an increment of any other contact takes.
 TEST(Lifting, AShimUnderFriction) {
-  const auto problem = support::problem_from({{"shim.geo", geometry}, {"scene.toml", text}});
+  for (const char* thickness : {"0.2", "0.02"}) {
+    const auto problem = support::problem_from({{"shim.geo", shim(thickness)}, {"scene.toml", text}});
+    auto state = sim::initial_state(problem);
+    const auto summary = sim::run(problem, state, {});
+    EXPECT_EQ(summary.status, sim::RunStatus::done) << thickness << ": " << summary.reason;
+    EXPECT_EQ(summary.counts.cutbacks, 0) << thickness;
+    EXPECT_LE(summary.counts.newton_iterations, 25) << thickness;
+    EXPECT_NEAR(summary.contacts.at(0).normal_force / 200.0, 1.0, 1e-6) << thickness;
+  }
+}
+
+// A coat that friction alone holds must carry Hertz' pressure where it is of its substrate's material.
+TEST(Lifting, ACoatThatFrictionHolds) {
+  const auto problem = support::problem_from({{"coated.geo", coated_geometry}, {"scene.toml", coated}});
   auto state = sim::initial_state(problem);
   const auto summary = sim::run(problem, state, {});
   EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
   EXPECT_EQ(summary.counts.cutbacks, 0);
-  EXPECT_NEAR(summary.contacts.at(0).normal_force / 200.0, 1.0, 1e-6);
+  const double modulus = 200e3 / (2.0 * (1.0 - 0.3 * 0.3)), peak = std::sqrt(120.0 * modulus / (std::numbers::pi * 6.0));
+  EXPECT_NEAR(summary.contacts.at(0).peak_pressure_MPa.value() / peak, 1.0, 0.01);
+  EXPECT_NEAR(summary.contacts.at(1).normal_force / 120.0, 1.0, 1e-6);
 }
