@@ -31,4 +31,19 @@ class Checkpoints {
   std::optional<BlockEnd> waiting_;
 };
 
+/// Where a run goes on from.
+struct Resumption {
+  sim::State state;
+  output::Counters counters;
+  bool previous = false;            ///< of the checkpoint before the last
+  std::vector<std::string> notes;   ///< what is to be told: checkpoints that were refused, another build
+};
+
+/// The newest checkpoint of this problem in the folder that is whole and whose tables are there; changes nothing. Throws
+/// base::InputError with every reason when there is none.
+Resumption resumption_of(const std::string& dir, const sim::Problem& problem, sim::Cache& cache);
+
+/// Whether there is one.
+bool can_go_on(const std::string& dir, const sim::Problem& problem);
+
 }  // namespace reye::apps

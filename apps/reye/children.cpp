@@ -1,10 +1,11 @@
 #include "children.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -12,58 +13,35 @@
 #include <sstream>
 #include <thread>
 
-extern char** environ;
+#include "signals.hpp"
 
 namespace reye::apps {
 
 namespace {
 
-volatile std::sig_atomic_t signals = 0;
-
-extern "C" void on_signal(int) { signals = signals + 1; }
-
-/// Signals are counted while this lives. SIGCHLD is not ignored, as a parent may have wanted: children are waited for.
-class CountedSignals {
- public:
-  CountedSignals() {
-    signals = 0;
-    struct sigaction action {};
-    action.sa_handler = on_signal;
-    std::signal(SIGCHLD, SIG_DFL);
-    ::sigaction(SIGINT, &action, &before_[0]);
-    ::sigaction(SIGTERM, &action, &before_[1]);
+[[noreturn]] void become(const std::vector<char*>& words, const char* log, pid_t parent) {
+  // A group of its own, so that a Ctrl-C reaches it once, through this program; and should this program be killed, it is
+  // asked to end, too.
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(127);
+  if (*log != '\0') {
+    const int file = ::open(log, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0644);
+    if (file < 0 || ::dup2(file, STDOUT_FILENO) < 0 || ::dup2(file, STDERR_FILENO) < 0) ::_exit(127);
   }
-  ~CountedSignals() {
-    ::sigaction(SIGINT, &before_[0], nullptr);
-    ::sigaction(SIGTERM, &before_[1], nullptr);
-  }
-  CountedSignals(const CountedSignals&) = delete;
-  CountedSignals& operator=(const CountedSignals&) = delete;
+  ::execvp(words[0], words.data());
+  ::_exit(127);
+}
 
- private:
-  struct sigaction before_[2] {};
-};
-
-/// The process of a child, in a group of its own so that a Ctrl-C reaches it once, through this program; 0 when it
-/// cannot be started.
+/// The process of a child; 0 when there can be none. Between fork and exec only what a signal handler might call.
 pid_t started(const Child& child) {
-  posix_spawn_file_actions_t files;
-  ::posix_spawn_file_actions_init(&files);
-  if (!child.log.empty()) {
-    ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, child.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    ::posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  }
-  posix_spawnattr_t attributes;
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   std::vector<char*> words;
   for (const auto& word : child.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  pid_t pid = 0;
-  const int error = ::posix_spawnp(&pid, words[0], &files, &attributes, words.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
-  ::posix_spawn_file_actions_destroy(&files);
-  return error == 0 ? pid : 0;
+  const pid_t parent = ::getpid();
+  const pid_t pid = ::fork();
+  if (pid == 0) become(words, child.log.c_str(), parent);
+  return std::max(pid, 0);
 }
 
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
@@ -73,12 +51,13 @@ int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 +
 bool run_children(const std::vector<Child>& children, int most, const std::function<void(std::size_t, int)>& ended) {
   constexpr const char* thread_counts[] = {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"};
   for (const auto* name : thread_counts) ::setenv(name, "1", 1);
-  const CountedSignals counted;
+  std::signal(SIGCHLD, SIG_DFL);  // a parent may have wanted it ignored: children are waited for
+  const StopSignals stop(false);
   std::map<pid_t, std::size_t> running;
-  std::sig_atomic_t passed_on = 0;
+  int passed_on = 0;
   std::size_t next = 0;
-  while (!running.empty() || (next < children.size() && signals == 0)) {
-    if (next < children.size() && signals == 0 && running.size() < static_cast<std::size_t>(most)) {
+  while (!running.empty() || (next < children.size() && StopSignals::count() == 0)) {
+    if (next < children.size() && StopSignals::count() == 0 && running.size() < static_cast<std::size_t>(most)) {
       const pid_t pid = started(children[next]);
       if (pid == 0) ended(next, 127);
       else running[pid] = next;
@@ -92,13 +71,13 @@ bool run_children(const std::vector<Child>& children, int most, const std::funct
       running.erase(found);
       continue;
     }
-    if (passed_on != signals)
+    if (passed_on != StopSignals::count())
       for (const auto& [child, number] : running) ::kill(child, SIGTERM);
-    passed_on = signals;
+    passed_on = StopSignals::count();
     // Asked again and again rather than waited for: no signal falls between a look and a wait.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  return signals == 0;
+  return StopSignals::count() == 0;
 }
 
 bool is_installed(const std::string& program) {

@@ -2,39 +2,33 @@
 
 #include <spdlog/spdlog.h>
 
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
 #include "base/errors.hpp"
+#include "base/printable.hpp"
 #include "checkpoints.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "output/checkpoint.hpp"
+#include "output/commit.hpp"
 #include "output/files.hpp"
 #include "output/folder.hpp"
+#include "output/folder_lock.hpp"
 #include "output/report.hpp"
 #include "output/run_writer.hpp"
-#include "output/state_archive.hpp"
 #include "output/summary.hpp"
 #include "output/text.hpp"
 #include "output/vtk_frames.hpp"
 #include "progress_line.hpp"
 #include "scene/read.hpp"
+#include "signals.hpp"
 #include "sim/run.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::apps {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// The first signal ends the run after the present increment, a second one ends the program at once.
-extern "C" void on_interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
-}
 
 std::string folder_of(const Request& request, const scene::Scene& scene) {
   return request.out.empty() ? "./" + scene.name + ".out" : request.out;
@@ -48,28 +42,23 @@ scene::Scene read(const Request& request) {
 
 /// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the run.
 void tell(const std::vector<sim::Warning>& warnings) {
-  for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", sim::in_words(warning).c_str());
+  for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", base::printable(sim::in_words(warning)).c_str());
 }
 
 /// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
 /// A fresh run keeps its start as the first checkpoint: an interruption before the first block can go on, too.
-sim::State starting_state(const Request& request, const sim::Problem& problem, output::RunWriter& writer,
-                          Checkpoints& checkpoints) {
-  if (!request.restart) {
-    writer.begin();
-    sim::State state = sim::initial_state(problem);
-    checkpoints.start(state);
-    return state;
-  }
-  const auto search = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256);
-  for (const auto& refusal : search.refusals) std::fprintf(stderr, "checkpoint: %s\n", refusal.c_str());
-  if (!search.found) {
-    std::string reasons;
-    for (const auto& refusal : search.refusals) reasons += (reasons.empty() ? "" : "; ") + refusal;
-    throw base::InputError({{"--restart", writer.dir(), "no checkpoint to go on from: " + reasons}});
-  }
-  writer.resume(search.found->info.counters);
-  return output::state_from_bytes(search.found->payload);
+sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
+  writer.begin();
+  sim::State state = sim::initial_state(problem);
+  checkpoints.start(state);
+  return state;
+}
+
+sim::State resumed(Resumption resumption, output::RunWriter& writer) {
+  for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
+  if (resumption.previous) output::restore_previous(writer.dir());
+  writer.resume(resumption.counters);
+  return std::move(resumption.state);
 }
 
 sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, ProgressLine& line) {
@@ -79,7 +68,7 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
   o.frame = [&](const sim::Frame& f) { writer.frame(f); };
   o.remesh = [&](const sim::RemeshRecord& r) { writer.remesh(r); };
   o.log = [&](const std::string& text) { writer.log(text); };
-  o.interrupted = [] { return interrupted != 0; };
+  o.interrupted = [] { return StopSignals::count() > 0; };
   o.block = [&](const sim::State& state) { checkpoints.block_end(state); };
   return o;
 }
@@ -95,9 +84,9 @@ sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State sta
     writer.finish(summary);
     return summary;
   } catch (const std::exception& error) {
-    const bool whole = output::load_checkpoint(writer.dir(), version(), problem.scene.sha256).found.has_value();
-    throw std::runtime_error(error.what() + std::string(whole ? "; the last checkpoint is whole: --restart goes on from there"
-                                                               : "; there is no checkpoint to go on from"));
+    throw std::runtime_error(error.what() + std::string(can_go_on(writer.dir(), problem)
+                                                            ? "; the last checkpoint is whole: --restart goes on from there"
+                                                            : "; there is no checkpoint to go on from"));
   }
 }
 
@@ -128,38 +117,40 @@ std::string told_life(const sim::Summary& s, const std::string& name, const std:
 void tell_result(const sim::Summary& s, const std::string& dir) {
   spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
-  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", s.reason.c_str());
+  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
   for (const auto& [name, band] : s.life_band)
     if (band.shortest_cycles)
       spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
-  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", dir);
+  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
   tell(s.warnings);
 }
 
 }  // namespace
 
-std::string version() { return output::version; }
+std::string version() { return std::string(output::version) + " (commit " + output::commit() + ")"; }
 std::string reference() { return scene::reference(); }
 
 int run(const Request& request) {
+  ignore_lost_output();
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
   if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
     throw base::InputError({{"--out", dir, *refusal}});
   sim::Cache cache;
   const sim::Problem problem = sim::prepare(scene, &cache);
-  for (const auto& text : problem.plan.lines) spdlog::info("{}", text);
+  for (const auto& text : problem.plan.lines) spdlog::info("{}", base::printable(text));
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
   for (const auto& warning : problem.warnings) writer.log("warning: " + sim::in_words(warning));
   if (!request.quiet) tell(problem.warnings);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error with a reason, not the end at once
+  const StopSignals stop(true);
   Checkpoints checkpoints(problem, writer);
-  sim::State state = starting_state(request, problem, writer, checkpoints);
+  std::optional<Resumption> resumption;
+  if (request.restart) resumption = resumption_of(dir, problem, cache);  // refused before anything is made
+  const output::FolderLock lock(dir);
+  sim::State state = resumption ? resumed(std::move(*resumption), writer) : fresh_start(problem, writer, checkpoints);
   const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
   tell_result(summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
@@ -167,8 +158,8 @@ int run(const Request& request) {
 
 int plan(const Request& request) {
   const sim::Problem problem = sim::prepare(read(request));
-  for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
-  for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", text.c_str());
+  for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
+  for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", base::printable(text).c_str());
   tell(problem.warnings);
   return 0;
 }
@@ -185,7 +176,7 @@ int check(const Request& request) {
       std::printf("  boundary %s: %.6g mm, %zu nodes\n", name.c_str(), mesh::length(mesh.X, boundary),
                   mesh::nodes_of(boundary).size());
   }
-  for (const auto& text : problem.plan.lines) std::printf("%s\n", text.c_str());
+  for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
   tell(problem.warnings);
   std::printf("ok\n");
   return 0;
@@ -204,14 +195,13 @@ int mesh(const Request& request) {
   }
   std::filesystem::create_directories(dir);
   output::atomic_write(dir + "/mesh.vtu", output::mesh_vtu(frame));
-  std::printf("%s/mesh.vtu\n", dir.c_str());
+  std::printf("%s/mesh.vtu\n", base::printable(dir).c_str());
   return 0;
 }
 
 int report(const Request& request) {
-  if (!output::read_identity(request.path)) throw base::InputError({{"dir", request.path, "holds no run of reye"}});
   output::write_report(request.path, request.animation);
-  std::printf("%s/report.html\n", request.path.c_str());
+  std::printf("%s/report.html\n", base::printable(request.path).c_str());
   return 0;
 }
 

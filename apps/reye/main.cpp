@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/errors.hpp"
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "heap.hpp"
 #include "sweep.hpp"
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
     std::cerr << error.what() << '\n';
     return 2;
   } catch (const std::exception& error) {
-    std::cerr << "reye: " << error.what() << '\n';
+    std::cerr << "reye: " << base::printable(error.what()) << '\n';
     return 1;
   }
 }

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <thread>
 
 #include "base/errors.hpp"
+#include "base/printable.hpp"
 #include "children.hpp"
 #include "output/files.hpp"
 #include "output/folder.hpp"
+#include "output/folder_lock.hpp"
 #include "output/sweep_table.hpp"
 #include "scene/read.hpp"
 #include "scene/sweep.hpp"
+#include "signals.hpp"
 
 namespace reye::apps {
 
@@ -54,7 +58,7 @@ void add_issues(const std::string& member, const std::vector<base::Issue>& found
 void check_members(Job& job, const std::string& name) {
   std::vector<base::Issue> issues;
   std::set<std::string> told;
-  if (const auto refusal = output::open_folder(job.dir, name, "", job.request.force))
+  if (const auto refusal = job.request.table ? std::nullopt : output::open_folder(job.dir, name, "", job.request.force))
     issues.push_back({"--out", job.dir, *refusal});
   for (const auto i : job.wanted) {
     auto& place = job.places[i];
@@ -64,7 +68,7 @@ void check_members(Job& job, const std::string& name) {
       add_issues(place.name, error.issues(), told, issues);
       continue;
     }
-    if (!issues.empty()) continue;
+    if (!issues.empty() || job.request.table) continue;  // a table only reads
     if (const auto refusal = output::open_folder(place.dir, place.name, place.sha256, job.request.force))
       issues.push_back({place.name, "", *refusal});
   }
@@ -89,11 +93,22 @@ Job job_of(const SweepRequest& request) {
   return job;
 }
 
+/// What a member said when it stopped, empty where that cannot be read.
+std::string said_by(const Place& place) {
+  std::error_code unreadable;
+  if (!fs::is_regular_file(errors_of(place), unreadable)) return {};
+  try {
+    return output::read_text(errors_of(place));
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 /// The end of this very member; a summary of another scene in its folder is not its own.
 output::RunEnd end_of(const Place& place) {
   auto end = output::read_end(place.dir);
-  if (end.sha256 != place.sha256) end = {};
-  if (end.status == "missing" && fs::exists(errors_of(place))) end.reason = output::read_text(errors_of(place));
+  if (end.status != "damaged" && end.sha256 != place.sha256) end = {};
+  if (end.status == "missing") end.reason = said_by(place);
   return end;
 }
 
@@ -182,8 +197,8 @@ std::size_t tell_undone(const Job& job) {
     ++undone;
     auto reason = end.reason;
     while (!reason.empty() && reason.back() == '\n') reason.pop_back();
-    std::fprintf(stderr, "%s (%s): %s%s\n", job.places[i].name.c_str(), values_of(job, i).c_str(), end.status.c_str(),
-                 reason.empty() ? "" : (": " + reason).c_str());
+    std::fprintf(stderr, "%s (%s): %s%s\n", job.places[i].name.c_str(), base::printable(values_of(job, i)).c_str(),
+                 base::printable(end.status).c_str(), reason.empty() ? "" : (": " + base::printable(reason)).c_str());
   }
   return undone;
 }
@@ -198,13 +213,16 @@ void collect(const Job& job, std::size_t undone) {
   if (job.request.quiet) return;
   for (const auto& sentence : output::life_bands(rows)) std::printf("%s\n", sentence.c_str());
   const auto count = rows.size();
-  std::printf("%zu members, %zu done; table %s/sweep.csv\n", count, count - undone, job.dir.c_str());
+  std::printf("%zu members, %zu done; table %s/sweep.csv\n", count, count - undone, base::printable(job.dir).c_str());
 }
 
 }  // namespace
 
 int sweep(const SweepRequest& request) {
+  ignore_lost_output();
   const auto job = job_of(request);
+  std::optional<output::FolderLock> lock;
+  if (!request.table && request.member < 0) lock.emplace(job.dir);
   std::vector<std::size_t> open;
   for (const auto i : job.wanted)
     if (request.force || end_of(job.places[i]).status != "done") open.push_back(i);

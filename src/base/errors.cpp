@@ -1,5 +1,7 @@
 #include "base/errors.hpp"
 
+#include "base/in_words.hpp"
+
 namespace reye::base {
 
 namespace {
@@ -7,7 +9,7 @@ std::string joined(const std::vector<Issue>& issues) {
   std::string text;
   for (const auto& issue : issues) {
     if (!text.empty()) text += '\n';
-    text += issue.key + (issue.value.empty() ? "" : " = " + issue.value) + ": " + issue.rule;
+    text += in_words(issue);
   }
   return text;
 }

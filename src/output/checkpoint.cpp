@@ -1,16 +1,18 @@
 #include "output/checkpoint.hpp"
 
-#include <cereal/archives/portable_binary.hpp>
-#include <cereal/types/map.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/vector.hpp>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
+#include "base/printable.hpp"
+#include "output/checksum.hpp"
+#include "output/commit.hpp"
 #include "output/files.hpp"
+#include "output/layout.hpp"
+#include "output/serialize.hpp"
+#include "output/state_archive.hpp"
+#include "output/tables.hpp"
+#include "output/text.hpp"
 
 namespace reye::output {
 
@@ -18,15 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "REYECKP2";
+constexpr std::string_view magic = "REYECKP3";
+constexpr std::size_t same_magic = 7;  ///< of it, in every layout of the container
 constexpr std::size_t head_size = 24;
-
-/// FNV-1a: any single altered byte alters it for certain, several almost for certain.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  return hash;
-}
 
 std::string little_endian(std::uint64_t value) {
   std::string bytes;
@@ -43,72 +39,99 @@ std::uint64_t from_little_endian(std::string_view bytes) {
 /// The body of a whole container; throws with the reason otherwise.
 std::string checked_body(const std::string& bytes) {
   if (bytes.size() < head_size) throw std::runtime_error("truncated");
-  if (bytes.compare(0, magic.size(), magic) != 0) throw std::runtime_error("altered: not a checkpoint of this program");
+  if (bytes.compare(0, same_magic, magic, 0, same_magic) != 0) throw std::runtime_error("altered: not a checkpoint of this program");
   const std::string_view view(bytes);
   const std::uint64_t length = from_little_endian(view.substr(8, 8));
   if (view.size() - head_size < length) throw std::runtime_error("truncated");
   if (view.size() - head_size > length) throw std::runtime_error("altered: longer than it was written");
   if (from_little_endian(view.substr(16, 8)) != checksum(view.substr(head_size)))
     throw std::runtime_error("altered: wrong checksum");
+  if (bytes.compare(0, magic.size(), magic) != 0)
+    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") + commit() + ", cannot read");
   return bytes.substr(head_size);
-}
-
-Checkpoint unpacked(const std::string& bytes) {
-  std::istringstream stream(checked_body(bytes), std::ios::binary);
-  Checkpoint checkpoint;
-  try {
-    cereal::PortableBinaryInputArchive archive(stream);
-    archive(checkpoint.info, checkpoint.payload);
-  } catch (const cereal::Exception&) {
-    // Whole by its checksum, so it was written like this: by a program with another layout.
-    throw std::runtime_error("of another version");
-  }
-  return checkpoint;
 }
 
 std::string file_in(const std::string& dir, const char* name) {
   return (fs::path(dir) / "checkpoint" / (std::string(name) + ".bin")).string();
 }
 
+/// What is against a table of the folder, which must hold so many rows.
+void check_rows(const std::string& dir, const std::string& file, long rows) {
+  // The name comes out of a file that may have been altered.
+  if (rows < 0 || fs::path(file).filename() != fs::path(file)) throw std::runtime_error("altered: it counts rows that no table has");
+  (void)size_of_rows((fs::path(dir) / file).string(), rows);
+}
+
+void check_tables(const std::string& dir, const Counters& counters) {
+  check_rows(dir, "history.csv", counters.history_rows);
+  if (counters.remesh_rows != 0) check_rows(dir, "remesh.csv", counters.remesh_rows);
+  for (const auto& [file, rows] : counters.surface_rows) check_rows(dir, file, rows);
+}
+
 /// One candidate, or the reason against it.
-Checkpoint candidate(const std::string& path, const std::string& version, const std::string& sha256) {
+Checkpoint candidate(const std::string& dir, const char* name, const Origin& own, const Examine& examine) {
+  const std::string path = file_in(dir, name);
   if (!fs::is_regular_file(path)) throw std::runtime_error("missing");
-  Checkpoint checkpoint = unpacked(read_text(path));
-  if (checkpoint.info.version != version)
-    throw std::runtime_error("of another version, " + checkpoint.info.version + " instead of " + version);
-  if (checkpoint.info.scene_sha256 != sha256) throw std::runtime_error("of another scene");
+  Checkpoint checkpoint = unpacked(read_text(path), own.layout);
+  if (checkpoint.origin.version != own.version)
+    throw std::runtime_error("of another version, " + base::printable(checkpoint.origin.version) + " instead of " + own.version);
+  if (checkpoint.origin.scene_sha256 != own.scene_sha256) throw std::runtime_error("of another scene");
+  check_tables(dir, checkpoint.counters);
+  if (examine) examine(checkpoint);
   return checkpoint;
 }
 
 }  // namespace
 
+Origin own_origin(const std::string& scene_sha256) { return {version, commit(), state_layout(), scene_sha256}; }
+
 std::string packed(const Checkpoint& checkpoint) {
-  std::ostringstream stream(std::ios::binary);
-  {
-    cereal::PortableBinaryOutputArchive archive(stream);
-    archive(checkpoint.info, checkpoint.payload);
-  }
-  const std::string body = stream.str();
+  const auto& o = checkpoint.origin;
+  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, checkpoint.counters, checkpoint.payload);
   return std::string(magic) + little_endian(body.size()) + little_endian(checksum(body)) + body;
+}
+
+Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
+  const std::string body = checked_body(bytes);
+  Checkpoint checkpoint;
+  auto& o = checkpoint.origin;
+  try {
+    BoundedInput archive(body);
+    archive(o.layout, o.commit);
+    if (o.layout != layout)
+      throw std::runtime_error("written by the build of commit " + base::printable(o.commit) + ", whose layout the build of commit " +
+                               commit() + " cannot read; go on with a build of that commit, or run anew");
+    archive(o.version, o.scene_sha256, checkpoint.counters, checkpoint.payload);
+    archive.end();
+  } catch (const cereal::Exception& error) {
+    throw std::runtime_error(std::string("altered: ") + error.what());
+  }
+  return checkpoint;
 }
 
 void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint) {
   const std::string current = file_in(dir, "current"), fresh = file_in(dir, "fresh");
-  fs::create_directories(fs::path(current).parent_path());
+  make_folder(fs::path(current).parent_path().string());
   atomic_write(fresh, packed(checkpoint));
   if (fs::exists(current)) fs::rename(current, file_in(dir, "previous"));
   fs::rename(fresh, current);
+  sync_folder(fs::path(current).parent_path().string());
 }
 
-CheckpointSearch load_checkpoint(const std::string& dir, const std::string& version, const std::string& scene_sha256) {
+void restore_previous(const std::string& dir) {
+  fs::rename(file_in(dir, "previous"), file_in(dir, "current"));
+  sync_folder((fs::path(dir) / "checkpoint").string());
+}
+
+CheckpointSearch load_checkpoint(const std::string& dir, const Origin& own, const Examine& examine) {
   CheckpointSearch search;
   for (const char* name : {"current", "previous"}) {
-    const std::string path = file_in(dir, name);
     try {
-      search.found = candidate(path, version, scene_sha256);
+      search.found = candidate(dir, name, own, examine);
+      search.previous = name == std::string_view("previous");
       return search;
     } catch (const std::exception& error) {
-      search.refusals.push_back(path + ": " + error.what());
+      search.refusals.push_back(file_in(dir, name) + ": " + error.what());
     }
   }
   return search;

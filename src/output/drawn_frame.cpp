@@ -13,10 +13,12 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <utility>
+
+#include "base/errors.hpp"
 
 namespace reye::output {
 
@@ -52,19 +54,40 @@ void add_cell(int type, const vtkIdList& nodes, int body, Edges& edges) {
   for (int k = 0; k < corners; ++k) edges.add({node(k), quadratic ? node(corners + k) : -1, node((k + 1) % corners), body});
 }
 
+[[noreturn]] void damaged(const std::string& path) {
+  throw base::InputError({{"dir", "", path + " is damaged: it is no frame of a run"}});
+}
+
 template <class Reader>
 vtkNew<Reader> opened(const std::string& path) {
   vtkNew<Reader> reader;
-  if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str()))
-    throw std::runtime_error("cannot read " + path + ": no frame of a run");
+  if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged(path);
+  vtkObject::GlobalWarningDisplayOff();  // what is wrong with it, is said below
   reader->SetFileName(path.c_str());
-  reader->Update();
+  try {
+    reader->Update();
+  } catch (const std::exception&) {  // sizes that no memory holds
+    damaged(path);
+  }
+  if (reader->GetErrorCode() != 0 || reader->GetOutput() == nullptr) damaged(path);
   return reader;
 }
 
-base::Points points_of(vtkDataSet& data) {
+/// The array of so many rows, all finite.
+vtkDataArray& array_of(vtkFieldData& data, const char* name, vtkIdType rows, const std::string& path) {
+  auto* array = data.GetArray(name);
+  if (!array || array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() < 1) damaged(path);
+  for (vtkIdType i = 0; i < rows; ++i)
+    if (!std::isfinite(array->GetComponent(i, 0))) damaged(path);
+  return *array;
+}
+
+base::Points points_of(vtkDataSet& data, const std::string& path) {
   base::Points x;
-  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) x.emplace_back(data.GetPoint(i)[0], data.GetPoint(i)[1]);
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    x.emplace_back(data.GetPoint(i)[0], data.GetPoint(i)[1]);
+    if (!x.back().allFinite()) damaged(path);
+  }
   return x;
 }
 
@@ -73,16 +96,16 @@ base::Points points_of(vtkDataSet& data) {
 DrawnFrame read_drawn(const std::string& path) {
   const auto reader = opened<vtkXMLUnstructuredGridReader>(path);
   auto* grid = reader->GetOutput();
-  auto* body = grid->GetCellData()->GetArray("body");
-  auto* time = grid->GetFieldData()->GetArray("TimeValue");
-  if (!body || !time) throw std::runtime_error("cannot read " + path + ": it lacks its arrays");
-  DrawnFrame frame{time->GetComponent(0, 0), {}, {}};
-  frame.x = points_of(*grid);
+  auto& body = array_of(*grid->GetCellData(), "body", grid->GetNumberOfCells(), path);
+  DrawnFrame frame{array_of(*grid->GetFieldData(), "TimeValue", 1, path).GetComponent(0, 0), {}, {}};
+  frame.x = points_of(*grid, path);
   Edges edges;
   vtkNew<vtkIdList> nodes;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
     grid->GetCellPoints(cell, nodes);
-    add_cell(grid->GetCellType(cell), *nodes, static_cast<int>(body->GetComponent(cell, 0)), edges);
+    for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k)
+      if (nodes->GetId(k) < 0 || nodes->GetId(k) >= grid->GetNumberOfPoints()) damaged(path);
+    add_cell(grid->GetCellType(cell), *nodes, static_cast<int>(body.GetComponent(cell, 0)), edges);
   }
   frame.edges = edges.take();
   return frame;
@@ -91,13 +114,12 @@ DrawnFrame read_drawn(const std::string& path) {
 DrawnSurfaces read_drawn_surfaces(const std::string& path) {
   const auto reader = opened<vtkXMLPolyDataReader>(path);
   auto* lines = reader->GetOutput();
-  auto* pressure = lines->GetPointData()->GetArray("pressure_MPa");
-  auto* depth = lines->GetPointData()->GetArray("wear_depth_mm");
-  if (!pressure || !depth) throw std::runtime_error("cannot read " + path + ": it lacks its arrays");
-  DrawnSurfaces surfaces{points_of(*lines), {}, {}};
+  auto& pressure = array_of(*lines->GetPointData(), "pressure_MPa", lines->GetNumberOfPoints(), path);
+  auto& depth = array_of(*lines->GetPointData(), "wear_depth_mm", lines->GetNumberOfPoints(), path);
+  DrawnSurfaces surfaces{points_of(*lines, path), {}, {}};
   for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i) {
-    surfaces.pressure_MPa.push_back(pressure->GetComponent(i, 0));
-    surfaces.wear_depth_mm.push_back(depth->GetComponent(i, 0));
+    surfaces.pressure_MPa.push_back(pressure.GetComponent(i, 0));
+    surfaces.wear_depth_mm.push_back(depth.GetComponent(i, 0));
   }
   return surfaces;
 }

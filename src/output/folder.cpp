@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "output/files.hpp"
-#include "output/text.hpp"
+#include "output/folder_lock.hpp"
 
 namespace reye::output {
 
@@ -32,6 +32,12 @@ bool is_result(const std::string& name) {
   return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));
 }
 
+/// Whether a kill can have left an entry of this name while a result was being written.
+bool is_left_over(const std::string& name) {
+  const auto file = becoming(name);
+  return file && (is_result(*file) || *file == marker || *file == std::string(marker) + ".new");
+}
+
 bool holds_results(const std::string& dir) {
   for (const auto& entry : fs::directory_iterator(dir))
     if (is_result(entry.path().filename().string())) return true;
@@ -53,6 +59,15 @@ std::string with_body(const scene::Scene& scene, const std::string& edge) {
   for (const auto& boundary : scene.geometry.boundaries)
     if (boundary.name == edge) return edge + " of " + boundary.body;
   return edge;
+}
+
+/// What another run has left is not removed through a link: the name does not show whose folder it is.
+std::optional<std::string> refusal_of_link(const std::string& dir) {
+  auto path = fs::path(dir).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  if (!fs::is_symlink(path)) return {};
+  return "the output folder " + dir + " is a symbolic link to " + fs::read_symlink(path).string() +
+         ", and --force removes no other run through a link; name the folder itself";
 }
 
 std::string advice() { return "; choose another folder with --out, or replace it with --force"; }
@@ -94,13 +109,11 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
   if (!fs::exists(dir, error)) return refusal_to_make(dir);
   if (!fs::is_directory(dir, error)) return "the output folder " + dir + " is a file";
   if (::access(dir.c_str(), R_OK | W_OK | X_OK) != 0) return "the output folder " + dir + " cannot be written to";
-  if (force) return {};
+  if (is_locked(dir)) return refusal_of_locked(dir);
   const auto holder = read_identity(dir);
-  if (!holder) {
-    if (!holds_results(dir)) return {};
-    return "the output folder " + dir + " holds results of an unknown run" + advice();
-  }
-  if (holder->sha256 == sha256) return {};
+  if (holder ? holder->sha256 == sha256 : !holds_results(dir)) return {};
+  if (force) return refusal_of_link(dir);
+  if (!holder) return "the output folder " + dir + " holds results of an unknown run" + advice();
   if (holder->name == name)
     return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice();
   return "the output folder " + dir + " holds the run of another scene, '" + holder->name + "'" + advice();
@@ -117,14 +130,31 @@ void claim_folder(const std::string& dir, const Identity& identity) {
   for (const auto& [name, sides] : identity.sides) json["sides"][name] = sides;
   const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
   // A full disk shows here, while the former results are still whole.
-  atomic_write(fresh.string(), json.dump(2) + '\n');
+  // A name that is no UTF-8 costs its bytes here, not the run.
+  atomic_write(fresh.string(), json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   // The summary goes first: what is left of a half-done removal must not look like a whole run.
   fs::remove(fs::path(dir) / "summary.json");
   std::vector<fs::path> former;
-  for (const auto& entry : fs::directory_iterator(dir))
-    if (is_result(entry.path().filename().string())) former.push_back(entry.path());
-  for (const auto& path : former) fs::remove_all(path);
+  for (const auto& entry : fs::directory_iterator(dir)) {
+    const std::string name = entry.path().filename().string();
+    if (is_result(name) || is_left_over(name)) former.push_back(entry.path());
+  }
+  for (const auto& path : former) fs::remove_all(path);  // of a link the link alone
   fs::rename(fresh, fs::path(dir) / marker);
+  sync_folder(dir);
+}
+
+void remove_temporaries(const std::string& dir) {
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(dir))
+    if (is_left_over(entry.path().filename().string())) left.push_back(entry.path());
+  for (const char* below : {"frames", "figures", "checkpoint"}) {
+    const auto folder = fs::path(dir) / below;
+    if (!fs::is_directory(fs::symlink_status(folder))) continue;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (becoming(entry.path().filename().string())) left.push_back(entry.path());
+  }
+  for (const auto& path : left) fs::remove(path);
 }
 
 }  // namespace reye::output

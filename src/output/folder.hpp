@@ -24,12 +24,16 @@ std::optional<Identity> read_identity(const std::string& dir);
 
 /// Asks whether a run of this scene may go to the folder, there or not; makes, removes and writes nothing.
 /// A run belongs to the same scene when scene and geometry files have the same hash.
-/// Returns why not, or nothing when it may. `force` takes over a folder that holds something else.
+/// Returns why not, or nothing when it may. `force` takes over a folder that holds something else, but not through a
+/// symbolic link, and none that is being written to.
 std::optional<std::string> open_folder(const std::string& dir, const std::string& name, const std::string& sha256,
                                        bool force);
 
 /// Takes the folder over: once the new marker is safely on disk, the results of the former run go.
 /// Files that a run does not write are left alone.
 void claim_folder(const std::string& dir, const Identity& identity);
+
+/// Removes what a killed run left half written under temporary names.
+void remove_temporaries(const std::string& dir);
 
 }  // namespace reye::output

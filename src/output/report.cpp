@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/errors.hpp"
 #include "output/animation.hpp"
 #include "output/figures.hpp"
 #include "output/files.hpp"
@@ -62,7 +63,7 @@ std::string warning_list(const RunData& run) {
   if (warnings == run.summary.end() || !warnings->is_array() || warnings->empty()) return {};
   std::string html = "<div class=\"warnings\">\n<h2>Warnings</h2>\n<ul>\n";
   for (const auto& w : *warnings) {
-    const std::string about = w["about"].is_string() ? ", " + w["about"].get<std::string>() : "";
+    const std::string about = w.contains("about") && w["about"].is_string() ? ", " + w["about"].get<std::string>() : "";
     html += "<li><strong>" + escaped(w.value("kind", "") + about) + ":</strong> " + escaped(w.value("text", "")) + "</li>\n";
   }
   return html + "</ul>\n</div>\n";
@@ -109,10 +110,19 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
   }
 }
 
+/// The page; a summary that has something else where a text should be is damaged.
+std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
+  try {
+    return page(run, all, moving);
+  } catch (const nlohmann::json::exception& error) {
+    throw base::InputError({{"dir", "", (fs::path(dir) / "summary.json").string() + " is damaged: " + error.what()}});
+  }
+}
+
 /// The folder for separate figures, without those of a former report.
 fs::path emptied_figures(const std::string& dir) {
   const auto folder = fs::path(dir) / "figures";
-  fs::create_directories(folder);
+  make_folder(folder.string());
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".svg") former.push_back(entry.path());
@@ -126,11 +136,12 @@ void write_report(const std::string& dir, bool animation) {
   const RunData run = read_run(dir);
   const auto all = figures(run);
   const auto moving = animation ? moving_figures(run, dir) : std::vector<Figure>{};
+  const std::string html = page_of(dir, run, all, moving);
   const auto folder = emptied_figures(dir);
   for (const auto* list : {&all, &moving})
     for (const auto& figure : *list) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
   write_overviews(run, all, folder);
-  atomic_write((fs::path(dir) / "report.html").string(), page(run, all, moving));
+  atomic_write((fs::path(dir) / "report.html").string(), html);
 }
 
 }  // namespace reye::output

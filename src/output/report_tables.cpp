@@ -93,7 +93,7 @@ std::string contact_table(const RunData& run) {
 std::string band_of(const RunData& run, const std::string& limit) {
   const Json& band = part(part(run.summary, "life_band"), limit);
   if (!part(band, "longest_cycles").is_number()) return {};
-  return ", " + rounded(band["shortest_cycles"].get<double>(), 6) + " to " + rounded(band["longest_cycles"].get<double>(), 6) +
+  return ", " + shown(band, "shortest_cycles", 6) + " to " + shown(band, "longest_cycles", 6) +
          " under the scatter of wear";
 }
 

@@ -1,11 +1,13 @@
 #include "output/run_data.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/errors.hpp"
+#include "output/csv.hpp"
 #include "output/files.hpp"
+#include "output/text.hpp"
 
 namespace reye::output {
 
@@ -13,28 +15,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// Splits one line of CSV (RFC 4180 quotes).
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') cells.back() += line[++i];
-    else if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else cells.back() += c;
-  }
-  return cells;
-}
-
-double number_of(const std::string& cell) {
-  double value = 0.0;
-  const char* end = cell.data() + cell.size();
-  const auto result = std::from_chars(cell.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end) throw std::runtime_error("'" + cell + "' is no number");
-  return value;
-}
 
 /// Indices of texts in the order they were met.
 class Words {
@@ -65,13 +45,58 @@ std::vector<FrameRows> frames_of(const Table& table) {
   return frames;
 }
 
-std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side) {
-  const auto path = fs::path(dir) / surface_file(contact, side);
-  if (!fs::is_regular_file(path)) return {};
-  SurfaceTable surface{side, parse_csv(read_text(path.string())), {}};
+[[noreturn]] void damaged(const std::string& file, const std::string& what) {
+  throw base::InputError({{"dir", "", file + " is damaged: " + what}});
+}
+
+/// Numbers of a run are far below this, or unknown; what is larger would only overflow in a picture.
+constexpr double most = 1e100;
+
+/// A table whose columns begin with those of `header`. What ends in half a row belongs to a run that goes on, or was killed.
+Table read_table(const std::string& file, const std::string& header, bool ended) {
+  const std::string text = read_text(file);
+  if (!text.starts_with(header.substr(0, header.size() - 1))) damaged(file, "it does not begin with the names of its columns");
+  if (ended && !text.ends_with('\n')) damaged(file, "its last row is cut");
+  Table table;
+  try {
+    table = parse_csv(text);
+  } catch (const std::runtime_error& error) {
+    damaged(file, error.what());
+  }
+  for (const auto& column : table.values)
+    for (const double value : column)
+      if (std::abs(value) > most) damaged(file, number(value) + " is no result of a run");
+  return table;
+}
+
+std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side, bool done) {
+  const auto file = (fs::path(dir) / surface_file(contact, side)).string();
+  if (!fs::exists(file)) {
+    if (done) damaged(file, "it is missing, though the run is done");
+    return {};
+  }
+  SurfaceTable surface{side, read_table(file, surface_header(), done), {}};
   surface.frames = frames_of(surface.table);
-  if (surface.frames.empty()) return {};
+  for (std::size_t k = 1; k < surface.frames.size(); ++k)
+    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles go back");
+  if (surface.frames.empty() && !done) return {};
+  if (surface.frames.empty()) damaged(file, "it holds no rows, though the run is done");
   return surface;
+}
+
+Identity identity_in(const std::string& dir) {
+  if (const auto identity = read_identity(dir)) return *identity;
+  const auto marker = fs::path(dir) / ".reye.json";
+  if (fs::exists(fs::symlink_status(marker))) damaged(marker.string(), "it does not say whose run this is");
+  throw base::InputError({{"dir", dir, "holds no run of reye"}});
+}
+
+Json read_summary(const std::string& file) {
+  if (!fs::exists(file)) return {};
+  const Json summary = Json::parse(read_text(file), nullptr, false);
+  const auto status = summary.is_object() ? summary.find("status") : summary.end();
+  if (!summary.is_object() || status == summary.end() || !status->is_string()) damaged(file, "it does not say how the run ended");
+  return summary;
 }
 
 }  // namespace
@@ -88,7 +113,7 @@ Table parse_csv(const std::string& text) {
   Words words;
   std::size_t start = 0, number = 0;
   for (auto end = text.find('\n'); end != std::string::npos; start = end + 1, end = text.find('\n', start)) {
-    const auto cells = cells_of(std::string_view(text).substr(start, end - start));
+    const auto cells = csv_cells(std::string_view(text).substr(start, end - start));
     if (number++ == 0) {
       table.columns = cells;
       table.values.resize(cells.size());
@@ -98,7 +123,7 @@ Table parse_csv(const std::string& text) {
       throw std::runtime_error("line " + std::to_string(number) + " has " + std::to_string(cells.size()) +
                                " cells, not " + std::to_string(table.columns.size()));
     for (std::size_t c = 0; c < cells.size(); ++c)
-      table.values[c].push_back(is_text(table.columns[c]) ? words.index(cells[c]) : number_of(cells[c]));
+      table.values[c].push_back(is_text(table.columns[c]) ? words.index(cells[c]) : csv_number(cells[c]));
   }
   table.words = words.take();
   return table;
@@ -106,21 +131,24 @@ Table parse_csv(const std::string& text) {
 
 RunData read_run(const std::string& dir) {
   RunData run;
-  const auto identity = read_identity(dir);
-  if (!identity) throw std::runtime_error(dir + " holds no run");
-  run.identity = *identity;
+  run.identity = identity_in(dir);
   const auto file = [&](const char* name) { return (fs::path(dir) / name).string(); };
-  if (fs::is_regular_file(file("summary.json"))) {
-    run.summary = Json::parse(read_text(file("summary.json")), nullptr, false);
-    if (!run.summary.is_object()) throw std::runtime_error(file("summary.json") + " is damaged");
-  }
-  if (fs::is_regular_file(file("history.csv"))) run.history = parse_csv(read_text(file("history.csv")));
-  if (fs::is_regular_file(file("remesh.csv"))) run.remeshes = parse_csv(read_text(file("remesh.csv")));
-  for (const auto& [name, mu] : identity->friction) {
-    ContactData contact{name, mu, {}};
-    for (const auto side : {sim::Side::secondary, sim::Side::primary})
-      if (auto surface = read_surface(dir, name, side)) contact.sides.push_back(std::move(*surface));
-    run.contacts.push_back(std::move(contact));
+  try {
+    run.summary = read_summary(file("summary.json"));
+    const bool ended = run.summary.is_object(), done = ended && run.summary["status"] == "done";
+    if (fs::exists(file("history.csv"))) run.history = read_table(file("history.csv"), history_header({}, run.identity.analysis), ended);
+    else if (ended) damaged(file("history.csv"), "it is missing, though the run has ended");
+    if (fs::exists(file("remesh.csv"))) run.remeshes = read_table(file("remesh.csv"), remesh_header(run.identity.analysis), ended);
+    for (const auto& [name, mu] : run.identity.friction) {
+      ContactData contact{name, mu, {}};
+      for (const auto side : {sim::Side::secondary, sim::Side::primary})
+        if (auto surface = read_surface(dir, name, side, done)) contact.sides.push_back(std::move(*surface));
+      run.contacts.push_back(std::move(contact));
+    }
+  } catch (const base::InputError&) {
+    throw;
+  } catch (const std::runtime_error& error) {  // what cannot be read at all
+    throw base::InputError({{"dir", "", error.what()}});
   }
   return run;
 }

@@ -55,6 +55,8 @@ struct RunData {
   std::vector<ContactData> contacts;
 };
 
+/// Each file as far as it is there, of a run that has ended all. Throws base::InputError with the file that is missing,
+/// cut or altered.
 RunData read_run(const std::string& dir);
 
 /// sum over nodes of depth times half the neighbouring lengths (times 2 pi x in axisymmetry).

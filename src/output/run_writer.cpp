@@ -4,6 +4,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "base/printable.hpp"
 #include "output/files.hpp"
 #include "output/report.hpp"
 #include "output/summary.hpp"
@@ -24,7 +25,7 @@ std::string RunWriter::path(const std::string& file) const { return (fs::path(di
 void RunWriter::begin() {
   fs::create_directories(dir_);
   claim_folder(dir_, identity_);
-  fs::create_directories(path("frames"));
+  make_folder(path("frames"));
   counters_ = {};
   atomic_write(path("history.csv"), history_header(supports_, identity_.analysis));
   started_ = true;
@@ -33,6 +34,7 @@ void RunWriter::begin() {
 
 void RunWriter::resume(const Counters& counters) {
   counters_ = counters;
+  remove_temporaries(dir_);
   keep_rows(path("history.csv"), counters_.history_rows);
   for (const auto& [file, rows] : counters_.surface_rows) keep_rows(path(file), rows);
   std::vector<fs::path> begun_later;
@@ -47,7 +49,7 @@ void RunWriter::resume(const Counters& counters) {
   for (const auto& table : begun_later) fs::remove(table);
   // They tell of the run that is being continued.
   for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
-  fs::create_directories(path("frames"));
+  make_folder(path("frames"));
   if (paraview_) write_collections();
   started_ = true;
   flush_log();
@@ -82,6 +84,12 @@ void RunWriter::frame(const sim::Frame& frame) {
   write_collections();
 }
 
+void RunWriter::sync() const {
+  sync_file(path("history.csv"));
+  if (counters_.remesh_rows > 0) sync_file(path("remesh.csv"));
+  for (const auto& [file, rows] : counters_.surface_rows) sync_file(path(file));
+}
+
 void RunWriter::write_collections() const {
   const auto times = frame_times(counters_.frame_cycles);
   atomic_write(path("series.pvd"), collection("bodies", "vtu", times));
@@ -94,7 +102,7 @@ void RunWriter::finish(const sim::Summary& summary) {
 }
 
 void RunWriter::log(const std::string& line) {
-  early_log_ += line + '\n';
+  early_log_ += base::printable(line) + '\n';
   if (started_) flush_log();
 }
 

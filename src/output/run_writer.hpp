@@ -30,7 +30,7 @@ struct Counters {
 };
 
 /// Writes the output folder of one run. Every member throws std::runtime_error when the disk refuses.
-/// Call begin() for a new run or resume() for a restarted one before anything is written.
+/// Call begin() for a new run or resume() for a restarted one before anything is written; hold the FolderLock meanwhile.
 class RunWriter {
  public:
   RunWriter(std::string dir, const scene::Scene& scene);
@@ -40,6 +40,7 @@ class RunWriter {
   void increment(const sim::IncrementRecord& record);
   void remesh(const sim::RemeshRecord& record);
   void frame(const sim::Frame& frame);
+  void sync() const;                         ///< waits until the tables would survive a power cut; before a checkpoint
   void finish(const sim::Summary& summary);  ///< summary and report
   void log(const std::string& line);         ///< may be called before begin(): kept until then
 

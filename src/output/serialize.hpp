@@ -7,7 +7,6 @@
 #include <cereal/types/set.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/utility.hpp>
-#include <cereal/types/variant.hpp>
 #include <cereal/types/vector.hpp>
 #include <cstdint>
 #include <sstream>
@@ -17,8 +16,9 @@
 #include "body/shape.hpp"
 #include "cad/drawing.hpp"
 #include "mesh/mesh.hpp"
+#include "output/bounded_input.hpp"
 
-/// cereal functions for the vocabulary of states: Eigen vectors, matrices and sparse matrices, meshes, shapes,
+/// cereal functions for the vocabulary of states: Eigen vectors and matrices, meshes, shapes,
 /// besides the std containers. Doubles go bit by bit. Found by argument-dependent look-up, so those of Eigen
 /// types stand in namespace Eigen, those of meshes in reye::mesh.
 
@@ -36,29 +36,15 @@ void load(Archive& archive, Matrix<double, Rows, Cols, Options, MaxRows, MaxCols
   if constexpr (Rows == Dynamic || Cols == Dynamic) {
     std::int64_t rows = 0, cols = 0;
     archive(rows, cols);
+    if (rows < 0 || cols < 0 || (Rows != Dynamic && rows != Rows) || (Cols != Dynamic && cols != Cols))
+      throw cereal::Exception("a matrix has a size that it cannot have");
+    if (rows > 0 && cols > 0) {
+      archive.need(static_cast<std::uint64_t>(rows), static_cast<std::uint64_t>(cols));
+      archive.need(static_cast<std::uint64_t>(rows * cols), sizeof(double));
+    }
     m.resize(rows, cols);
   }
   archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
-}
-
-template <class Archive>
-void save(Archive& archive, const SparseMatrix<double>& m) {
-  SparseMatrix<double> packed = m;
-  packed.makeCompressed();
-  const std::vector<int> outer(packed.outerIndexPtr(), packed.outerIndexPtr() + packed.outerSize() + 1);
-  const std::vector<int> inner(packed.innerIndexPtr(), packed.innerIndexPtr() + packed.nonZeros());
-  const std::vector<double> values(packed.valuePtr(), packed.valuePtr() + packed.nonZeros());
-  archive(static_cast<std::int64_t>(m.rows()), static_cast<std::int64_t>(m.cols()), outer, inner, values);
-}
-
-template <class Archive>
-void load(Archive& archive, SparseMatrix<double>& m) {
-  std::int64_t rows = 0, cols = 0;
-  std::vector<int> outer, inner;
-  std::vector<double> values;
-  archive(rows, cols, outer, inner, values);
-  m = Map<const SparseMatrix<double>>(rows, cols, static_cast<Index>(values.size()), outer.data(), inner.data(),
-                                      values.data());
 }
 
 }  // namespace Eigen
@@ -96,7 +82,7 @@ void serialize(Archive& archive, BodyOptions& options) {
 
 template <class Archive>
 void serialize(Archive& archive, FineZone& zone) {
-  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact);
+  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact, zone.turns);
 }
 
 template <class Archive>
@@ -118,7 +104,8 @@ void serialize(Archive& archive, Shape& shape) {
 
 namespace reye::output {
 
-/// The bytes of values that cereal can save, and back. from_bytes throws cereal::Exception when they end early.
+/// The bytes of values that cereal can save, and back. from_bytes throws cereal::Exception for bytes that are not of such
+/// values: a size beyond their end, a pointer to something else, more or fewer bytes.
 template <class... Values>
 std::string to_bytes(const Values&... values) {
   std::ostringstream stream(std::ios::binary);
@@ -131,9 +118,9 @@ std::string to_bytes(const Values&... values) {
 
 template <class... Values>
 void from_bytes(const std::string& bytes, Values&... values) {
-  std::istringstream stream(bytes, std::ios::binary);
-  cereal::BinaryInputArchive archive(stream);
+  BoundedInput archive(bytes);
   archive(values...);
+  archive.end();
 }
 
 }  // namespace reye::output

@@ -1,5 +1,8 @@
 #include "output/state_archive.hpp"
 
+#include "output/checksum.hpp"
+#include "output/layout.hpp"
+#include "output/run_writer.hpp"
 #include "output/serialize.hpp"
 
 namespace reye::base {
@@ -115,14 +118,26 @@ std::string state_to_bytes(const sim::State& state) {
 }
 
 sim::State state_from_bytes(const std::string& bytes) {
-  std::istringstream stream(bytes, std::ios::binary);
-  cereal::BinaryInputArchive archive(stream);
   sim::State state;
   std::vector<std::shared_ptr<body::Shape>> shapes;
-  archive(shapes);
+  try {
+    BoundedInput archive(bytes);
+    archive(shapes);
+    fields(archive, state);
+    archive.end();
+  } catch (const cereal::Exception& error) {
+    throw std::runtime_error(std::string("altered: ") + error.what());
+  }
   state.shapes.assign(shapes.begin(), shapes.end());
-  fields(archive, state);
   return state;
+}
+
+std::uint64_t state_layout() {
+  LayoutArchive archive;
+  sim::State state;
+  archive(std::vector<std::shared_ptr<body::Shape>>{}, Counters{});
+  fields(archive, state);
+  return checksum(archive.text());
 }
 
 }  // namespace reye::output

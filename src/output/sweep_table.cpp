@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "base/printable.hpp"
+#include "output/csv.hpp"
 #include "output/files.hpp"
 #include "output/text.hpp"
 
@@ -29,6 +31,7 @@ void add_figures(const Json& value, const std::string& name, RunEnd& end) {
 }
 
 std::string text_of(const Json& summary, const char* key) {
+  if (!summary.is_object()) return {};
   const auto found = summary.find(key);
   return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
 }
@@ -54,7 +57,7 @@ std::vector<std::string> columns_of(const std::vector<SweepRow>& rows) {
 /// A figure of a row; empty where it has none.
 std::optional<double> figure(const SweepRow& row, const std::string& name) {
   for (const auto& [known, value] : row.end.figures)
-    if (known == name && !value.empty()) return std::stod(value);
+    if (known == name && !value.empty()) return csv_number(value);
   return {};
 }
 
@@ -62,16 +65,22 @@ std::optional<double> figure(const SweepRow& row, const std::string& name) {
 
 RunEnd read_end(const std::string& dir) {
   const auto file = fs::path(dir) / "summary.json";
-  if (!fs::is_regular_file(file)) return {};
-  const Json summary = Json::parse(read_text(file.string()), nullptr, false);
-  if (!summary.is_object()) return {};
-  RunEnd end{text_of(summary, "status"), text_of(summary, "reason"), text_of(summary, "scene_sha256"), {}};
-  if (const auto warnings = summary.find("warnings"); warnings != summary.end() && warnings->is_array())
-    end.figures.emplace_back("warnings", std::to_string(warnings->size()));
-  for (const auto* part : parts)
-    if (const auto found = summary.find(part); found != summary.end() && !found->is_null())
-      add_figures(*found, part, end);
-  return end;
+  std::error_code unreadable;
+  if (!fs::exists(file, unreadable)) return {};
+  RunEnd damaged{"damaged", base::printable(file.string()) + " cannot be read", {}, {}};
+  try {
+    const Json summary = Json::parse(read_text(file.string()), nullptr, false);
+    RunEnd end{text_of(summary, "status"), text_of(summary, "reason"), text_of(summary, "scene_sha256"), {}};
+    if (end.status.empty()) return damaged;
+    if (const auto warnings = summary.find("warnings"); warnings != summary.end() && warnings->is_array())
+      end.figures.emplace_back("warnings", std::to_string(warnings->size()));
+    for (const auto* part : parts)
+      if (const auto found = summary.find(part); found != summary.end() && !found->is_null())
+        add_figures(*found, part, end);
+    return end;
+  } catch (const std::exception&) {
+    return damaged;
+  }
 }
 
 std::string sweep_table(const std::vector<std::string>& keys, const std::vector<SweepRow>& rows) {
@@ -84,7 +93,7 @@ std::string sweep_table(const std::vector<std::string>& keys, const std::vector<
   for (const auto& row : rows) {
     text += row.member;
     for (const auto& value : row.values) text += ',' + csv_field(plain(value));
-    text += ',' + row.end.status + ',' + csv_field(row.end.reason);
+    text += ',' + csv_field(row.end.status) + ',' + csv_field(row.end.reason);
     for (const auto& column : columns) {
       const auto found = std::find_if(row.end.figures.begin(), row.end.figures.end(),
                                       [&](const auto& figure) { return figure.first == column; });

@@ -1,10 +1,12 @@
 #include "output/tables.hpp"
 
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 
+#include "base/printable.hpp"
+#include "output/csv.hpp"
+#include "output/files.hpp"
 #include "output/text.hpp"
 
 namespace reye::output {
@@ -73,14 +75,14 @@ std::string surface_file(const std::string& contact, sim::Side side) {
   return "surface_" + file_part(contact) + '_' + side_name(side) + ".csv";
 }
 
-void keep_rows(const std::string& path, long rows) {
+std::uintmax_t size_of_rows(const std::string& path, long rows) {
   std::ifstream file(path, std::ios::binary);
   for (long line = 0; line <= rows && file; ++line) file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   // Reading past the last line break sets eof: the row asked for is missing or only half there.
-  if (!file || file.eof()) throw std::runtime_error(path + " holds fewer than " + std::to_string(rows) + " rows");
-  const auto size = static_cast<std::uintmax_t>(file.tellg());
-  file.close();
-  std::filesystem::resize_file(path, size);
+  if (!file || file.eof()) throw std::runtime_error(base::printable(path) + " holds fewer than " + std::to_string(rows) + " rows");
+  return static_cast<std::uintmax_t>(file.tellg());
 }
+
+void keep_rows(const std::string& path, long rows) { cut_file(path, size_of_rows(path, rows)); }
 
 }  // namespace reye::output

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ std::string surface_rows(std::size_t index, const sim::Frame& frame, const sim::
 /// surface_<contact>_<side>.csv
 std::string surface_file(const std::string& contact, sim::Side side);
 const char* side_name(sim::Side side);
+
+/// Bytes of the header and the first `rows` rows. Throws std::runtime_error when the table holds fewer whole ones.
+std::uintmax_t size_of_rows(const std::string& path, long rows);
 
 /// Cuts the table to its header and the first `rows` rows, dropping also half a row that a kill left.
 /// Throws std::runtime_error when it holds fewer.

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/printable.hpp"
+
 namespace reye::output {
 
 std::string number(double value) {
@@ -37,18 +39,6 @@ std::string rounded(double value, int digits) {
   return text.substr(0, e) + " · " + power_of_ten(std::stoi(text.substr(e + 1)));
 }
 
-std::string csv_field(std::string_view text) {
-  std::string field;
-  bool quoted = false;
-  for (char c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-    if (c == '"') field += '"';
-    quoted = quoted || c == '"' || c == ',';
-    field += c;
-  }
-  return quoted ? '"' + field + '"' : field;
-}
-
 std::string file_part(std::string_view name) {
   std::string part(name);
   for (char& c : part) {
@@ -61,12 +51,16 @@ std::string file_part(std::string_view name) {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
-    if (c == '&') result += "&amp;";
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = base::utf8_length(text, i);
+    const char c = text[i];
+    if (length == 0) result += "\xef\xbf\xbd";  // the sign for a character that is none
+    else if (c == '&') result += "&amp;";
     else if (c == '<') result += "&lt;";
     else if (c == '>') result += "&gt;";
     else if (c == '"') result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += c;
+    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += text.substr(i, length);
+    i += length == 0 ? 1 : length;
   }
   return result;
 }

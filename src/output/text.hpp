@@ -16,13 +16,10 @@ std::string power_of_ten(int exponent);
 /// For readers: a few significant digits; powers of ten outside 1e-3 .. 1e6.
 std::string rounded(double value, int digits = 4);
 
-/// A CSV field: quoted where it must be, line breaks turned into blanks (one record is one line).
-std::string csv_field(std::string_view text);
-
 /// A name as part of a file name: everything but letters, digits, '.', '-' and '_' becomes '_'.
 std::string file_part(std::string_view name);
 
-/// Text inside XML or HTML; characters that XML forbids are dropped.
+/// Text inside XML or HTML; characters that XML forbids are dropped, bytes that are no UTF-8 replaced by U+FFFD.
 std::string escaped(std::string_view text);
 
 }  // namespace reye::output

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/in_words.hpp"
+#include "base/printable.hpp"
 #include "scene/build.hpp"
 #include "scene/choose_elements.hpp"
 #include "scene/geometry_files.hpp"
@@ -32,9 +34,7 @@ int line_of(std::string key, const Lines& lines) {
 }
 
 std::string in_words(const base::Issue& issue, int line, const std::string& path) {
-  auto text = path + ':' + std::to_string(line) + ": ";
-  if (!issue.key.empty()) text += issue.key + (issue.value.empty() ? "" : " = " + issue.value) + ": ";
-  return text + issue.rule;
+  return base::printable(path) + ':' + std::to_string(line) + ": " + base::in_words(issue);
 }
 
 std::vector<std::string> in_words(Issues& issues, const Lines& lines, const std::string& path) {
@@ -118,7 +118,7 @@ std::string text_of(const std::string& path) {
   std::string text;
   if (!fs::is_regular_file(path, error) || !read_bytes(path, text)) {
     const base::Issue issue{"", "", fs::exists(path, error) ? "cannot be read" : "no such file"};
-    throw base::InputError({issue}, path + ": " + issue.rule);
+    throw base::InputError({issue}, base::printable(path) + ": " + issue.rule);
   }
   return text;
 }

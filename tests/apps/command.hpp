@@ -89,9 +89,10 @@ class Place {
     std::ofstream(work() / file, std::ios::binary) << text;
   }
 
-  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows.
-  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0) const {
-    const auto out = root_ / "out", err = root_ / "err";
+  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows. `beside`: another name where
+  /// what is printed is kept while another command runs.
+  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, const std::string& beside = "") const {
+    const auto out = root_ / ("out" + beside), err = root_ / ("err" + beside);
     const pid_t pid = ::fork();
     if (pid == 0) {
       const rlimit limit{file_bytes, file_bytes};

@@ -5,6 +5,9 @@
 #include "apps/command.hpp"
 #include "apps/same_results.hpp"
 #include "apps/scenes.hpp"
+#include "output/checkpoint.hpp"
+#include "output/state_archive.hpp"
+#include "output/tables.hpp"
 
 /// A run that is killed again and again.
 namespace reye::test {
@@ -21,8 +24,31 @@ inline std::string yielding() {
          "[remesh]\nevery_blocks = 6\n";
 }
 
+/// Rows that a checkpoint tells of, by table; empty where it is not there.
+inline std::map<std::string, long> rows_in(const fs::path& checkpoint) {
+  if (!fs::exists(checkpoint)) return {};
+  const auto counters = output::unpacked(read(checkpoint), output::state_layout()).counters;
+  auto rows = counters.surface_rows;
+  rows["history.csv"] = counters.history_rows;
+  if (counters.remesh_rows > 0) rows["remesh.csv"] = counters.remesh_rows;
+  return rows;
+}
+
+/// Ends every table at any byte behind the rows that the older checkpoint tells of, as a power cut may that a disk has
+/// survived worse than it promised.
+inline void cut_tables(const fs::path& folder, std::mt19937& random) {
+  auto safe = rows_in(folder / "checkpoint/previous.bin");
+  if (safe.empty()) safe = rows_in(folder / "checkpoint/current.bin");
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".csv") continue;
+    const auto found = safe.find(entry.path().filename().string());
+    const auto least = found == safe.end() ? 0 : output::size_of_rows(entry.path().string(), found->second);
+    fs::resize_file(entry.path(), least + random() % (fs::file_size(entry.path()) - least + 1));
+  }
+}
+
 /// Kills a run at random moments, every other time just after a frame was begun, when much is being written; restarts it
-/// each time, until it ends; and so on until so many kills have been survived. Each must end as the unbroken run does.
+/// each time, until it ends; and so on until so many kills have been survived. With `power_cuts` each kill cuts the tables, too. Each must end as the unbroken run does.
 inline void expect_survival(int kills) {
   using clock = std::chrono::steady_clock;
   const Place place;
@@ -63,6 +89,7 @@ inline void expect_survival(int kills) {
       const auto told = run.wait();
       ended = told.code != 128 + SIGKILL;
       killed += !ended;
+      if (!ended && power_cuts && fs::exists(place / "broken/checkpoint")) cut_tables(place / "broken", random);
       ASSERT_TRUE(!ended || told.code == 0) << told.err;
     }
     expect_same(place, "whole", "broken");

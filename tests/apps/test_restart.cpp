@@ -2,7 +2,6 @@
 
 #include "command.hpp"
 #include "output/checkpoint.hpp"
-#include "output/text.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 
@@ -114,8 +113,8 @@ TEST(Restart, RareCheckpoints) {
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto rows = [&](const std::string& folder) {
     const auto file = nlohmann::json::parse(test::read(place / (folder + "/.reye.json")));
-    const auto search = output::load_checkpoint((place / folder).string(), output::version, file.at("scene_sha256"));
-    return search.found ? search.found->info.counters.history_rows : -1;
+    const auto search = output::load_checkpoint((place / folder).string(), output::own_origin(file.at("scene_sha256")));
+    return search.found ? search.found->counters.history_rows : -1;
   };
   EXPECT_EQ(rows("whole"), 66);
   for (const int signal : {SIGINT, SIGKILL}) {

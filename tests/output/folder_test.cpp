@@ -2,6 +2,7 @@
 
 #include "output/files.hpp"
 #include "output/folder.hpp"
+#include "output/report.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
@@ -66,4 +67,90 @@ TEST(Folder, IdentityReadsBack) {
   EXPECT_EQ(identity.title, sample::scene().title);
   EXPECT_EQ(identity.analysis, sample::Analysis::axisymmetric);
   EXPECT_EQ(identity.friction.at("pad"), 0.9);
+}
+
+// Nothing is removed or written through a symbolic link in the folder: a new run removes the link alone, a resumed one and a
+// report refuse it.
+TEST(Folder, FollowsNoLinkInside) {
+  sample::TemporaryFolder dir, other;
+  atomic_write(other / "precious.svg", "mine");
+  atomic_write(other / "table.csv", "mine");
+  const auto plant = [&](const char* name, const std::string& target) {
+    sample::fs::remove_all(dir / name);
+    sample::fs::create_symlink(target, dir / name);
+  };
+  const auto untouched = [&] {
+    return read_text(other / "precious.svg") == "mine" && read_text(other / "table.csv") == "mine" &&
+           std::distance(sample::fs::directory_iterator(other.str()), {}) == 2;
+  };
+  sample::write_run(dir.str(), 4);
+  for (const char* name : {"frames", "figures", "checkpoint"}) plant(name, other.str());
+  for (const char* name : {"log.txt", "summary.json", "surface_pad_primary.csv", "report.html", "series.pvd"}) plant(name, other / "table.csv");
+  sample::write_run(dir.str(), 4);
+  EXPECT_TRUE(untouched());
+  EXPECT_FALSE(sample::fs::is_symlink(dir / "frames"));
+
+  for (const char* name : {"log.txt", "history.csv"}) {
+    plant(name, other / "table.csv");
+    RunWriter writer(dir.str(), sample::scene());
+    EXPECT_THROW(
+        {
+          writer.resume({});
+          writer.log("a line");
+        },
+        std::runtime_error)
+        << name;
+    EXPECT_TRUE(untouched()) << name;
+    sample::fs::remove(dir / name);
+    sample::write_run(dir.str(), 4);
+  }
+  plant("frames", other.str());
+  EXPECT_THROW(RunWriter(dir.str(), sample::scene()).resume({}), std::runtime_error);
+  sample::fs::remove(dir / "frames");
+  sample::write_run(dir.str(), 4);
+  plant("figures", other.str());
+  plant("report.html", other / "table.csv");
+  EXPECT_THROW(write_report(dir.str()), std::runtime_error);
+  EXPECT_TRUE(untouched());
+  sample::fs::remove(dir / "figures");
+  write_report(dir.str());
+  EXPECT_TRUE(untouched());
+  EXPECT_FALSE(sample::fs::is_symlink(dir / "report.html"));
+}
+
+// A link to a folder may be given as the output folder, but another run behind it is not removed.
+TEST(Folder, ForceRemovesNoRunThroughALink) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir / "run", 4);
+  sample::fs::create_directory_symlink(dir / "run", dir / "link");
+  EXPECT_FALSE(open_folder(dir / "link", "fretting", "abc123", true));
+  EXPECT_FALSE(open_folder(dir / "run", "hertz", "2", true));
+  for (const char* link : {"link", "link/"}) {
+    const auto refusal = open_folder(dir / link, "hertz", "2", true).value_or("");
+    EXPECT_TRUE(holds(refusal, "is a symbolic link to ")) << refusal;
+  }
+}
+
+// What a kill has left under a temporary name goes when the folder is used again; a file of the user's stays.
+TEST(Folder, LeftOversGo) {
+  sample::TemporaryFolder dir;
+  const std::vector<std::string> left = {"summary.json.4711.tmp", ".reye.json.new.1.tmp", "frames/bodies_000000.vtu.12.tmp"};
+  const std::vector<std::string> kept = {"notes.txt.4711.tmp", "summary.json.tmp", "my.tmp"};
+  for (const bool resumed : {false, true}) {
+    sample::write_run(dir.str(), 4);
+    for (const auto* names : {&left, &kept})
+      for (const auto& name : *names) atomic_write(dir / name, "half");
+    RunWriter writer(dir.str(), sample::scene());
+    resumed ? writer.resume({}) : writer.begin();
+    for (const auto& name : left) EXPECT_FALSE(exists(dir / name)) << name;
+    for (const auto& name : kept) EXPECT_TRUE(exists(dir / name)) << name;
+  }
+}
+
+// A name may have any bytes: the marker stays JSON and is read again.
+TEST(Folder, NamesOfAnyBytes) {
+  sample::TemporaryFolder dir;
+  claim_folder(dir.str(), {"a\n\"\xff\x1b", "t", "1", {}, {}});
+  ASSERT_TRUE(read_identity(dir.str()));
+  EXPECT_FALSE(open_folder(dir.str(), "other", "1", false));
 }

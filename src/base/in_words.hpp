@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "base/errors.hpp"
+
+namespace reye::base {
+
+/// "key = value: rule" as one printable line, without what is empty.
+std::string in_words(const Issue& issue);
+
+}  // namespace reye::base
