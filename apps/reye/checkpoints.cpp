@@ -9,7 +9,6 @@
 namespace reye::apps {
 
 void Checkpoints::keep(const sim::State& state, const output::Counters& counters) {
-  writer_.sync();
   output::save_checkpoint(writer_.dir(), {output::own_origin(problem_.scene.sha256), counters, output::state_to_bytes(state)});
   kept_at_ = clock::now();
   waiting_.reset();

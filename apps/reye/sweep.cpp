@@ -69,7 +69,9 @@ void check_members(Job& job, const std::string& name) {
       continue;
     }
     if (!issues.empty() || job.request.table) continue;  // a table only reads
-    if (const auto refusal = output::open_folder(place.dir, place.name, place.sha256, job.request.force))
+    if (fs::is_symlink(place.dir))
+      issues.push_back({place.name, "", place.dir + " is a symbolic link, which a sweep does not follow"});
+    else if (const auto refusal = output::open_folder(place.dir, place.name, place.sha256, job.request.force))
       issues.push_back({place.name, "", *refusal});
   }
   if (!issues.empty()) throw base::InputError(std::move(issues));

@@ -1,7 +1,6 @@
 #include "output/checkpoint.hpp"
 
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 #include "base/printable.hpp"
@@ -62,10 +61,12 @@ void check_rows(const std::string& dir, const std::string& file, long rows) {
   (void)size_of_rows((fs::path(dir) / file).string(), rows);
 }
 
-void check_tables(const std::string& dir, const Counters& counters) {
-  check_rows(dir, "history.csv", counters.history_rows);
-  if (counters.remesh_rows != 0) check_rows(dir, "remesh.csv", counters.remesh_rows);
-  for (const auto& [file, rows] : counters.surface_rows) check_rows(dir, file, rows);
+/// Every table that the counters tell of, with its rows.
+std::map<std::string, long> tables_of(const Counters& counters) {
+  auto tables = counters.surface_rows;
+  tables["history.csv"] = counters.history_rows;
+  if (counters.remesh_rows != 0) tables["remesh.csv"] = counters.remesh_rows;
+  return tables;
 }
 
 /// One candidate, or the reason against it.
@@ -76,7 +77,7 @@ Checkpoint candidate(const std::string& dir, const char* name, const Origin& own
   if (checkpoint.origin.version != own.version)
     throw std::runtime_error("of another version, " + base::printable(checkpoint.origin.version) + " instead of " + own.version);
   if (checkpoint.origin.scene_sha256 != own.scene_sha256) throw std::runtime_error("of another scene");
-  check_tables(dir, checkpoint.counters);
+  for (const auto& [file, rows] : tables_of(checkpoint.counters)) check_rows(dir, file, rows);
   if (examine) examine(checkpoint);
   return checkpoint;
 }
@@ -111,6 +112,7 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
 
 void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint) {
   const std::string current = file_in(dir, "current"), fresh = file_in(dir, "fresh");
+  for (const auto& [file, rows] : tables_of(checkpoint.counters)) sync_file((fs::path(dir) / file).string());
   make_folder(fs::path(current).parent_path().string());
   atomic_write(fresh, packed(checkpoint));
   if (fs::exists(current)) fs::rename(current, file_in(dir, "previous"));

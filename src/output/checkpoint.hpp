@@ -28,8 +28,8 @@ struct Checkpoint {
   std::string payload;
 };
 
-/// Writes the new checkpoint beside the old, then renames: at any moment one whole checkpoint is there, after a power cut, too.
-/// What the tables held when `counters` was taken must have been synced before (RunWriter::sync).
+/// Syncs the tables that it tells of, writes the new checkpoint beside the old, then renames: at any moment one whole
+/// checkpoint is there with its tables, after a power cut, too.
 void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint);
 
 struct CheckpointSearch {

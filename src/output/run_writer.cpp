@@ -84,12 +84,6 @@ void RunWriter::frame(const sim::Frame& frame) {
   write_collections();
 }
 
-void RunWriter::sync() const {
-  sync_file(path("history.csv"));
-  if (counters_.remesh_rows > 0) sync_file(path("remesh.csv"));
-  for (const auto& [file, rows] : counters_.surface_rows) sync_file(path(file));
-}
-
 void RunWriter::write_collections() const {
   const auto times = frame_times(counters_.frame_cycles);
   atomic_write(path("series.pvd"), collection("bodies", "vtu", times));

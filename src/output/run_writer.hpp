@@ -40,7 +40,6 @@ class RunWriter {
   void increment(const sim::IncrementRecord& record);
   void remesh(const sim::RemeshRecord& record);
   void frame(const sim::Frame& frame);
-  void sync() const;                         ///< waits until the tables would survive a power cut; before a checkpoint
   void finish(const sim::Summary& summary);  ///< summary and report
   void log(const std::string& line);         ///< may be called before begin(): kept until then
 

@@ -48,8 +48,9 @@ inline void cut_tables(const fs::path& folder, std::mt19937& random) {
 }
 
 /// Kills a run at random moments, every other time just after a frame was begun, when much is being written; restarts it
-/// each time, until it ends; and so on until so many kills have been survived. With `power_cuts` each kill cuts the tables, too. Each must end as the unbroken run does.
-inline void expect_survival(int kills) {
+/// each time, until it ends; and so on until so many kills have been survived. Each must end as the unbroken run does. With
+/// `power_cuts` each kill cuts the tables, too.
+inline void expect_survival(int kills, bool power_cuts = false) {
   using clock = std::chrono::steady_clock;
   const Place place;
   place.write("wearing.geo", wearing_geo);

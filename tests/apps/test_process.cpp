@@ -133,6 +133,55 @@ TEST(Process, TableOfABrokenMember) {
   EXPECT_EQ(place.reye(table).code, 1) << "a file in the place of a member";
 }
 
+// Neither a run with --force nor a sweep may remove or write anything through a link that was planted where it works.
+TEST(Process, PlantedLinks) {
+  const WithWearing place;
+  place.write("blocks.geo", test::blocks_geo);
+  place.write("blocks.toml", test::blocks);
+  place.write("mine/history.csv", "mine");
+  place.write("mine/frames/bodies_000000.vtu", "mine");
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
+  const auto mine = place.files("mine");
+  for (const char* folder : {"frames", "figures", "checkpoint"}) {
+    test::fs::remove_all(place / "o" / folder);
+    test::fs::create_directory_symlink(place / "mine", place / "o" / folder);
+  }
+  for (const char* file : {"history.csv", "summary.json", "log.txt", "report.html", "surface_pad_primary.csv"}) {
+    test::fs::remove(place / "o" / file);
+    test::fs::create_symlink(place / "mine/history.csv", place / "o" / file);
+  }
+  EXPECT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--restart", "--quiet"}).code, 2);
+  EXPECT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--force", "--quiet"}).code, 0);
+  EXPECT_EQ(place.files("mine"), mine);
+  EXPECT_FALSE(test::fs::is_symlink(place / "o/history.csv"));
+  test::fs::create_directory_symlink(place / "mine", place / "link");
+  const auto forced = place.reye({"run", "blocks.toml", "--out", "link", "--force"});
+  EXPECT_EQ(forced.code, 2);
+  EXPECT_TRUE(forced.err.starts_with("--out = link: the output folder link is a symbolic link to /")) << forced.err;
+  test::fs::create_directories(place / "s");
+  test::fs::create_directory_symlink(place / "mine", place / "s/member_000");
+  const auto sweep = place.reye({"sweep", "blocks.toml", "--vary", "contact.pad.friction=0.4", "--out", "s", "--force"});
+  EXPECT_EQ(sweep.code, 2);
+  EXPECT_EQ(sweep.err, "member_000: s/member_000 is a symbolic link, which a sweep does not follow\n");
+  EXPECT_EQ(place.files("mine"), mine);
+}
+
+// A damaged folder must be refused by `report` with 2 and a sentence that names the file.
+TEST(Process, ReportOfADamagedFolder) {
+  const WithWearing place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
+  for (const char* file : {".reye.json", "summary.json", "history.csv", "surface_pad_secondary.csv", "frames/bodies_000001.vtu"}) {
+    const auto whole = test::read(place / "o" / file);
+    place.write(std::string("o/") + file, whole.substr(0, whole.size() / 2));
+    const auto told = place.reye({"report", "o", "--animation"});
+    EXPECT_EQ(told.code, 2);
+    EXPECT_TRUE(told.err.starts_with(std::string("dir: o/") + file + " is damaged: ")) << told.err;
+    EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
+    place.write(std::string("o/") + file, whole);
+  }
+  EXPECT_EQ(place.reye({"report", "o", "--animation"}).code, 0);
+}
+
 // A folder and a scene may be called by any bytes: everything works, JSON and page stay valid, messages stay in their lines.
 TEST(Process, NamesOfAnyBytes) {
   const WithWearing place;

@@ -52,7 +52,6 @@ void play(RunWriter& writer, int first, int writes) {
     if (block % 2 == 1) count(), writer.remesh(sample::remesh(100.0 * block));
     if (block % 3 == 0) count(), writer.frame(sample::frame(100.0 * block, 4));
     count();
-    writer.sync();
     save_checkpoint(writer.dir(), checkpoint_of(writer, block + 1));
   }
 }
