@@ -45,8 +45,8 @@ void tell(const std::vector<sim::Warning>& warnings) {
   for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", base::printable(sim::in_words(warning)).c_str());
 }
 
-/// The state to start from, the folder made ready for it; throws base::InputError when a restart is refused.
-/// A fresh run keeps its start as the first checkpoint: an interruption before the first block can go on, too.
+/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before the
+/// first block can go on, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
   sim::State state = sim::initial_state(problem);
@@ -54,6 +54,7 @@ sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, C
   return state;
 }
 
+/// The state to go on from, the folder cut back to it.
 sim::State resumed(Resumption resumption, output::RunWriter& writer) {
   for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
   if (resumption.previous) output::restore_previous(writer.dir());

@@ -118,7 +118,8 @@ output::RunEnd end_of(const Place& place) {
 bool can_go_on(const Place& place, const output::RunEnd& end) {
   const auto holder = output::read_identity(place.dir);
   const bool its_own = holder && holder->sha256 == place.sha256;
-  return its_own && end.status != "failed" && fs::exists(place.dir + "/checkpoint/current.bin");
+  const auto kept = [&](const char* name) { return fs::exists(place.dir + "/checkpoint/" + name); };
+  return its_own && end.status != "failed" && (kept("current.bin") || kept("previous.bin"));
 }
 
 void write_scene(const Job& job, std::size_t i) {

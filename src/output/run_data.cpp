@@ -65,7 +65,7 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   }
   for (const auto& column : table.values)
     for (const double value : column)
-      if (std::abs(value) > most) damaged(file, number(value) + " is no result of a run");
+      if (std::isfinite(value) && std::abs(value) > most) damaged(file, number(value) + " is no result of a run");
   return table;
 }
 
