@@ -195,7 +195,7 @@ TEST(Process, NamesOfAnyBytes) {
     EXPECT_EQ((told.out + told.err + test::read(place / (out + "/log.txt"))).find('\x1b'), std::string::npos);
     EXPECT_FALSE(test::holds(told.out, "two\nlines"));
     for (const char* file : {"/summary.json", "/.reye.json"})
-      EXPECT_NO_THROW((void)nlohmann::json::parse(test::read(place / (out + file)))) << name;
+      EXPECT_TRUE(nlohmann::json::accept(test::read(place / (out + file)))) << name;
     const auto page = test::read(place / (out + "/report.html"));
     EXPECT_FALSE(test::holds(page, "<b>"));
     for (std::size_t i = 0; i < page.size();) {
