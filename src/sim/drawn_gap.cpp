@@ -201,7 +201,8 @@ std::string why_out_of_reach(const Problem& problem, const PlacedContact& contac
 std::string in_words(const Problem& problem, const PlacedContact& contact) {
   const auto& drawn = contact.drawn;
   const std::string about = "contact " + contact.options.name + ": ";
-  if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0) return {};
+  if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0)
+    return about + text("its sides touch as drawn, at (%.6g, %.6g) mm", drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   const bool overlaps = drawn.overlap_mm > 0.0;
   const std::string size = about + text("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
                                         overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);
