@@ -72,7 +72,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   const bool spread = late && wear_spreads();
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
-    const double D = rows_[j].D, stiffness = setup_->stiffness[j], faint = setup_->faint(node);
+    const double D = rows_[j].D, stiffness = setup_->stiffness[j], faint = setup_->faint;
     if (setup_->cut[j] || !touching(node)) {
       status_[j] = ContactStatus::inactive;
       continue;

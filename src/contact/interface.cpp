@@ -285,7 +285,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   next.reference = rows_;
   next.friction = friction_;
   for (std::size_t j = 0; j < lambda.size(); ++j)
-    if (lambda[j].norm() <= setup_->faint(static_cast<int>(j))) next.lambda[j].setZero();
+    if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
   if (options_.held) return next;
   const auto& law = setup_->options.wear;
   for (std::size_t j = 0; j < rows_.size(); ++j) {

@@ -13,7 +13,7 @@ constexpr double cutting_mm3_per_J = 1.0;    ///< a lathe takes 0.3 mm^3 of stee
 constexpr double smallest_mm3_per_J = 1e-12;
 constexpr double largest_per_MPa = 1e-2;     ///< of Archard's law: chalk has less
 constexpr double smallest_per_MPa = 1e-14;   ///< diamond-like coatings have 1e-11
-constexpr double smallest_motion_mm = 1e-4;
+constexpr double least_motion_mm = 1e-6, smallest_motion_mm = 1e-4;  ///< between them a way is one in metres; a smaller one is meant
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -56,7 +56,7 @@ void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
     const auto motion = support.at(name);
     if (!motion.is_table() || !motion.given("motion_mm")) continue;
     const double way = motion.number("motion_mm"), most = std::abs(way) * largest_factor(scene, motion.text("history"));
-    if (most == 0.0 || most >= smallest_motion_mm) continue;
+    if (most < least_motion_mm || most >= smallest_motion_mm) continue;
     found.push_back({motion.key("motion_mm"), motion.written("motion_mm"),
                      text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g", most, way * 1e3)});
   }

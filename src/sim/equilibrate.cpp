@@ -2,6 +2,7 @@
 
 #include "sim/drive.hpp"
 #include "sim/shape.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/timer.hpp"
 #include "sim/why_failed.hpp"
 
@@ -107,8 +108,8 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   auto result = held_equilibrium(problem, state, system, cache, span, held, false);
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged)
-    return "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
-           why_failed(problem, state, {span.step, 1.0, 1.0, 1.0, result.report.reason}, system);
+    return scene_line(problem.scene, "step " + span.step->name) + "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
+           why_failed(problem, state, {span.step, span.jump, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)
     for (std::size_t j = 0; j < status[c].size(); ++j)

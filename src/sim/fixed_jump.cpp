@@ -18,7 +18,7 @@ void tell(const BlockSpan& span, double wanted, const std::string& failure, Stat
   char text[240];
   std::snprintf(text, sizeof text, "A block of %g cycles failed at cycle %g; from there on blocks have %g (the log says why). Write jump = %g, or "
                 "jump = { tolerance = 0.01 }.", wanted, state.cycle - span.jump, span.jump, span.jump);
-  warn(state, observer, {"jump", "step " + span.step->name, text, wanted / span.jump});
+  warn(state, observer, {"jump", "step " + span.step->name, text, span.step->jump / span.jump});
 }
 
 }  // namespace

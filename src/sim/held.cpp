@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "body/operator.hpp"
+#include "sim/held_by_contact.hpp"
 
 namespace reye::sim {
 
@@ -20,7 +21,8 @@ void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
       friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
     }
     for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
-      issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
+      if (!held_by_contact(p, b, motion))
+        issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "body/turning.hpp"
 #include "fem/frame.hpp"
 #include "sim/run.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/shape.hpp"
 #include "sim/warnings.hpp"
 
@@ -115,7 +116,7 @@ std::string check_small_strain(const Problem& problem, State& state, const solve
                   input.name.c_str(), 200.0 * strain, strain > crushed ? ", and check loads, motions and E_MPa" : "");
     const auto found = problem.scene.body_material.find(input.name);
     const bool asked = found != problem.scene.body_material.end() && found->second.kinematics_given;
-    if (strain > strain_refused && !asked) return text;
+    if (strain > strain_refused && !asked) return scene_line(problem.scene, "body " + input.name) + text;
     warn(state, observer, {"strain", "body " + input.name, text, strain});
   }
   return {};

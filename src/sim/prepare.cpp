@@ -17,6 +17,7 @@
 #include "sim/plan.hpp"
 #include "sim/points.hpp"
 #include "sim/problem.hpp"
+#include "sim/profiles.hpp"
 #include "sim/sizes.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_setup.hpp"
@@ -249,6 +250,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
   refuse(resolve.issues);
   warn_of_sizes(p);
+  warn_of_profiles(p);
   widen_zones(p);
   warn_of_points(p);
   std::vector<Issue> issues;

@@ -48,18 +48,18 @@ struct Seen {
   }
 };
 
-/// How far the sides slide along one another in a part of the step: as supports move them, or as is imposed.
-double way_between(const Seen& c, const Attempt& attempt) {
-  const auto& scene = c.problem.scene;
-  if (c.placed.options.imposed) return std::abs(c.placed.options.imposed_sliding_mm) * (attempt.to - attempt.from);
+/// The way that the sides slide along one another in one play of the step: as supports move them, or as is imposed.
+double way_of_play(const Seen& c, const scene::Step& step) {
+  if (c.placed.options.imposed) return std::abs(c.placed.options.imposed_sliding_mm);
   double way = 0.0;
   const auto look = [&](int body) {
     for (const auto& support : c.problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y}) {
-        const auto& play = attempt.step->play;
-        if (motion->drive != body::Drive::moved || std::find(play.begin(), play.end(), motion->history) == play.end()) continue;
-        const auto& history = scene.histories.at(motion->history);
-        way = std::max(way, std::abs(motion->amplitude * (factor_at(history, attempt.to) - factor_at(history, attempt.from))));
+        if (motion->drive != body::Drive::moved || std::find(step.play.begin(), step.play.end(), motion->history) == step.play.end()) continue;
+        const auto& history = c.problem.scene.histories.at(motion->history);
+        double path = 0.0;
+        for (std::size_t i = 1; i < history.size(); ++i) path += std::abs(history[i][1] - history[i - 1][1]);
+        way = std::max(way, std::abs(motion->amplitude) * path);
       }
   };
   look(c.placed.secondary.body);
@@ -69,12 +69,12 @@ double way_between(const Seen& c, const Attempt& attempt) {
 
 std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
   const auto& law = c.placed.options.wear;
-  if (!law.wears() || !attempt.step->wear || attempt.to <= attempt.from) return {};
+  if (!law.wears() || !attempt.step->wear) return {};
   const double traction = c.pressure() * (law.kind == wear::LawKind::energy ? c.state.friction : 1.0);
-  const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_between(c, attempt);
+  const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_of_play(c, *attempt.step);
   if (depth <= c.facet()) return {};
-  return text("contact %s would wear by some %.2g mm in this increment of %g cycles, more than its elements of %.3g mm are long; check its wear "
-              "coefficients, or make jump smaller", c.name(), depth, attempt.jump, c.facet());
+  return text("contact %s would wear by some %.2g mm in a block of %g cycle%s, more than its elements of %.3g mm are long; check its wear "
+              "coefficients, or write a smaller jump", c.name(), depth, attempt.jump, attempt.jump == 1.0 ? "" : "s", c.facet());
 }
 
 double thickness_of(const body::Shape& shape) {

@@ -3,12 +3,11 @@
 
 namespace reye::sim {
 
-/// What led to no state: an increment, or the equilibrium on a new shape (no part of the step, nothing wears).
+/// What led to no state: an increment of a block, or the equilibrium on its new shape.
 struct Attempt {
   const scene::Step* step = nullptr;
-  double from = 0.0, to = 0.0;  ///< its part of the step, by progress
-  double jump = 1.0;            ///< cycles that it stands for
-  std::string reason;           ///< of the solver
+  double jump = 1.0;   ///< cycles of the block
+  std::string reason;  ///< of the solver
 };
 
 /// The cause of a failure in the words of the scene, with what to change: a load, a wear or a gap out of all proportion, a worn

@@ -102,7 +102,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
     for (std::size_t j = 0; j < lambda_[c].size(); ++j) {
       const int node = static_cast<int>(j);
       if (!face.active(node)) continue;
-      multiplier = std::max({multiplier, lambda_[c][j].norm(), face.setup().faint(node)});
+      multiplier = std::max({multiplier, lambda_[c][j].norm(), face.setup().faint});
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
       // What rounding of positions leaves of a gap can not be asked to vanish.
       const double rounding = digits * extent_of(nodes[j], q.high) * D;
