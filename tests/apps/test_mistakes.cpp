@@ -75,11 +75,11 @@ probes = { side = { body = "base", at_mm = [4.0, -0.5] } }
 )";
 
 struct Mistake {
-  std::string name, command;
+  std::string name, command;  ///< "check" or "run"
   std::vector<std::pair<std::string, std::string>> changes;
   std::string more;  ///< put at the end of the scene
   int code;
-  std::string told;  ///< on the error stream
+  std::string told;  ///< on the error stream; of a run that fails the last line
 };
 
 /// A zigzag of 5 um on points 0.012 mm apart.
@@ -112,7 +112,10 @@ void expect_told(const std::vector<Mistake>& mistakes) {
     place.write("scene.toml", test::changed(good_scene, mistake.changes) + mistake.more);
     const auto told = mistake.command == "run" ? place.reye({"run", "scene.toml", "--out", "out", "--force", "--quiet"}) : place.reye({"check", "scene.toml"});
     EXPECT_EQ(told.code, mistake.code) << mistake.name;
-    EXPECT_EQ(told.err, mistake.told) << mistake.name;
+    if (told.code == 1)  // the cause comes last
+      EXPECT_TRUE(told.err.ends_with("\n" + mistake.told) || told.err == mistake.told) << mistake.name << ": " << told.err;
+    else
+      EXPECT_EQ(told.err, mistake.told) << mistake.name;
   }
 }
 
@@ -331,7 +334,6 @@ edge = "base_bottom"
       {"a force that pulls", "run",
        {{R"(-20.0)", R"(20.0)"}},
        "", 1,
-       R"(warning: scene.toml:11: never_closed, contact pad: No node of it ever carried a force; check gap, direction and size of what presses the sides together.)" "\n"
        R"(reye: scene.toml:28: step "press", cycle 0, progress 0 to 0.003906: body slider has come away from contact pad, and no support holds its translation along y; check the direction of its loads, and that they press it on throughout the step)" "\n"},
       {"a force that lifts in the middle", "run",
        {{R"(press = [[0.0, 0.0], [1.0, 1.0]])", R"(press = [[0.0, 0.0], [0.5, 1.0], [1.0, -1.0]])"}},
@@ -436,43 +438,61 @@ friction)"}},
   });
 }
 
+// A body that is worn away must be named with what is gone of it.
+TEST(Mistakes, WornAway) {
+  expect_told({
+      {"a body worn away", "run",
+       {{R"(friction = 0.3
+)", R"(imposed_sliding_mm = 1000.0
+)"}, {R"(wear = { law = "energy", secondary_mm3_per_J = 3e-5, primary_mm3_per_J = 2e-5 })", R"(wear = { law = "archard", secondary_per_MPa = 1e-5 })"}, {R"(cycles = 20
+jump = 10)", R"(cycles = 50)"}, {R"(depth_mm = 1.0)", R"(depth_mm = 2.0)"}},
+       "", 1,
+       R"(reye: scene.toml:32: body slider is worn by 0.7 mm of the 1 mm that it measured at cycle 0 (cycle 7); end the run before with a limit with stop = true, or check the wear coefficients)" "\n"},
+  });
+}
+
+// Wear that waits in the gap beyond the search must be named as the cause, with the key that leaves it there.
+TEST(Mistakes, WaitingWear) {
+  expect_told({
+      {"wear that stays in the gap", "run",
+       {{R"(geometry)", R"(shape = "off"
+geometry)"}, {R"(friction = 0.3
+)", R"(imposed_sliding_mm = 1000.0
+)"}, {R"(wear = { law = "energy", secondary_mm3_per_J = 3e-5, primary_mm3_per_J = 2e-5 })", R"(wear = { law = "archard", secondary_per_MPa = 1e-5 })"}, {R"(cycles = 20
+jump = 10)", R"(cycles = 50)"}, {R"(depth_mm = 1.0)", R"(depth_mm = 2.0)"}},
+       "", 1,
+       R"(reye: scene.toml:33: step "wear", cycle 3, progress 0.9995 to 1: wear of 0.4 mm waits in the gap of contact pad, as shape = "off" asks, and facets are paired no farther than search_mm = 0.4; write shape = "on", or a longer search_mm)" "\n"},
+  });
+}
+
 // A run that fails must say what led there, in its last line, and what to change.
 TEST(Mistakes, Failures) {
   expect_told({
-      {"a body worn away", "run",
-       {{R"(secondary_mm3_per_J = 3e-5)", R"(secondary_mm3_per_J = 0.9)"}, {R"(force_N_per_mm = -20.0)", R"(force_N_per_mm = -200.0)"}, {R"(cycles = 20
-jump = 10)", R"(cycles = 2000
-jump = 20)"}},
-       "", 1,
-       R"(warning: scene.toml:32: jump, step wear: A block of 5 cycles failed at cycle 970; from there on blocks have 1 (the log says why). Write jump = 1, or jump = { tolerance = 0.01 }.)" "\n"
-       R"(reye: scene.toml:32: body slider is worn by 1 mm of the 1 mm that it measured at cycle 0 (cycle 978); end the run before with a limit with stop = true, or check the wear coefficients)" "\n"},
-      {"wear that stays in the gap", "run",
-       {{R"(geometry)", R"(shape = "off"
-geometry)"}, {R"(secondary_mm3_per_J = 3e-5)", R"(secondary_mm3_per_J = 0.9)"}, {R"(force_N_per_mm = -20.0)", R"(force_N_per_mm = -200.0)"}, {R"(cycles = 20
-jump = 10)", R"(cycles = 2000
-jump = 1)"}},
-       "", 1,
-       R"(warning: overlap, bodies base and slider: body base lies up to 0.256 mm inside body slider, at (2.751, -0.001325) mm, where no contact keeps them apart; define one there, or name all of the boundaries that can touch)" "\n"
-       R"(warning: scene.toml:12: resolution, contact pad: 0 elements lie across the contact (0.25 mm of it touch at cycle 401): its pressure and what wears first are those of the mesh. Make elements there 0.031 mm long or shorter, for at least 8 across.)" "\n"
-       R"(reye: scene.toml:33: step "wear", cycle 401, progress 0.1675 to 0.168: wear of 0.402 mm waits in the gap of contact pad, as shape = "off" asks, and facets are paired no farther than search_mm = 0.4; write shape = "on", or a longer search_mm)" "\n"},
       {"a jump that is too long", "run",
        {{R"(secondary_mm3_per_J = 3e-5)", R"(secondary_mm3_per_J = 0.9)"}, {R"(force_N_per_mm = -20.0)", R"(force_N_per_mm = -200.0)"}, {R"(cycles = 20
 jump = 10)", R"(cycles = 500
 jump = 500)"}},
        "", 0,
        R"(warning: scene.toml:32: jump, step wear: A block of 125 cycles failed at cycle 375; from there on blocks have 31 (the log says why). Write jump = 31, or jump = { tolerance = 0.01 }.)" "\n"},
+      {"small strain for a squeezed block", "run",
+       {{R"(force_N_per_mm = -20.0)", R"(motion_mm = -0.6)"}, {R"(motion_mm = 0.01)", R"(motion_mm = 0.0)"}},
+       "", 1,
+       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: small strain gets that wrong by about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)" "\n"},
+  });
+}
+
+// A body that is driven through the other must be named with its strain.
+TEST(Mistakes, DrivenThrough) {
+  expect_told({
       {"a body driven through the other", "run",
        {{R"([body.slider])", R"([body.slider]
 kinematics = "finite")"}, {R"([body.base])", R"([body.base]
 kinematics = "finite")"}, {R"(nu = 0.3)", R"(nu = 0.3
 law = "hencky")"}, {R"(force_N_per_mm = -20.0)", R"(motion_mm = -1.5)"}},
-       "", 1,
-       R"(warning: overlap, bodies base and slider: body slider lies up to 0.184 mm inside body base, at (0.7781, -0.3889) mm, where no contact keeps them apart; define one there, or name all of the boundaries that can touch)" "\n"
-       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.6211 to 0.625: body slider is strained by 54 % on average already: more than it bears; check loads, motions and E_MPa)" "\n"},
-      {"small strain for a squeezed block", "run",
-       {{R"(force_N_per_mm = -20.0)", R"(motion_mm = -0.6)"}, {R"(motion_mm = 0.01)", R"(motion_mm = 0.0)"}},
-       "", 1,
-       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: small strain gets that wrong by about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)" "\n"},
+       R"([solver]
+max_cutbacks = 3
+)", 1,
+       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.5 to 0.625: body slider is strained by 41 % on average already: more than it bears; check loads, motions and E_MPa)" "\n"},
   });
 }
 
