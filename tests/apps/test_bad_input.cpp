@@ -21,7 +21,9 @@ rotation = "fixed")",
          R"(y        = { force_N_per_mm = -20.0, history = "press" })"},
         {test::rough, R"()"}},
        "",
-       R"(scene.toml:7: body.slider: translation along x is free: no support holds it and no load drives it)"},
+       R"(scene.toml:7: body.slider: translation along x is free: no support holds it and no load drives it)"
+       "\n"
+       R"(scene.toml:7: body.slider: rotation is free: no support holds it and no load drives it)"},
       {"one motion free",
        {{R"(x        = "fixed"
 y        = "fixed"

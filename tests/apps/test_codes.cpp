@@ -129,7 +129,7 @@ TEST(Codes, FailedSolve) {
   const auto summary = test::read(place / "hard.out/summary.json");
   EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
   EXPECT_TRUE(test::holds(summary, "no convergence in 1 iterations"));
-  EXPECT_TRUE(test::holds(told.err, "reye: hard.toml:45: step \"press\", cycle 0, progress 0 to 0.5: no convergence in 1 iterations"));
+  EXPECT_TRUE(test::holds(told.err, "reye: hard.toml:39: step \"press\", cycle 0, progress 0 to 0.5: no convergence in 1 iterations"));
   EXPECT_TRUE(test::fs::exists(place / "hard.out/series.pvd"));
   EXPECT_TRUE(test::fs::exists(place / "hard.out/report.html"));
 }

@@ -159,6 +159,12 @@ TEST(Mistakes, Units) {
        {{R"(motion_mm = 0.01)", R"(motion_mm = 1e-5)"}},
        "", 0,
        R"(warning: scene.toml:18: support.holder.x.motion_mm = 1e-5: moves by 1e-05 mm at most, less than a tenth of a micrometre; in metres it would be 0.01)" "\n"},
+  });
+}
+
+// A number in another unit must be told at once with its line, and with what it would be in the unit of its key.
+TEST(Mistakes, UnitsMore) {
+  expect_told({
       {"stroke in micrometres", "check",
        {{R"(motion_mm = 0.01)", R"(motion_mm = 10)"}},
        "", 0,
@@ -264,6 +270,12 @@ press = [[)"}},
        {{R"(play = ["stroke"])", R"(play = ["strokes"])"}},
        "", 2,
        R"(scene.toml:34: step[1].play = ["strokes"]: there is no history "strokes"; did you mean "stroke"?)" "\n"},
+  });
+}
+
+// Steps, histories and limits that play, count or watch nothing must be told with their line.
+TEST(Mistakes, StepsMore) {
+  expect_told({
       {"a history that goes back", "check",
        {{R"([0.25, 1.0], [0.75, -1.0])", R"([0.75, 1.0], [0.25, -1.0])"}},
        "", 2,
@@ -339,6 +351,12 @@ edge = "base_bottom"
        {{R"(press = [[0.0, 0.0], [1.0, 1.0]])", R"(press = [[0.0, 0.0], [0.5, 1.0], [1.0, -1.0]])"}},
        "", 1,
        R"(reye: scene.toml:28: step "press", cycle 0, progress 0.75 to 0.752: body slider has come away from contact pad, and no support holds its translation along y; check the direction of its loads, and that they press it on throughout the step)" "\n"},
+  });
+}
+
+// Motions that nothing holds, that contradict one another or that lead nowhere must be told by support, body and motion.
+TEST(Mistakes, SupportsMore) {
+  expect_told({
       {"a rigid ring moved radially", "check",
        {{R"(geometry)", R"(analysis = "axisymmetric"
 geometry)"}, {R"([body.slider]
@@ -396,6 +414,12 @@ mesh = { far_size_mm = 0.25 })", R"([body.slider]
 rigid = true)"}},
        "", 2,
        R"(scene.toml:11: contact.pad.secondary = "slider_bottom": lies on the rigid body "slider"; the secondary side must belong to a deformable body)" "\n"},
+  });
+}
+
+// Sides that cannot touch or cannot wear must be told by their contact.
+TEST(Mistakes, ContactsMore) {
+  expect_told({
       {"a rigid side that wears", "check",
        {{R"([body.base]
 material = "steel"
@@ -535,6 +559,12 @@ none = { body = "base", box_mm = [7, 7, 8, 8] }
 geometry)"}, {R"(["blocks.geo"])", R"(["left.geo"])"}, {R"(force_N_per_mm)", R"(force_N)"}, {R"(at_mm = [4.0, -0.5])", R"(at_mm = [3.0, -0.5])"}},
        "", 2,
        R"(scene.toml:9: body.base: reaches x = -1; in an axisymmetric scene x is the radius and nothing lies at x < 0)" "\n"},
+  });
+}
+
+// What the files do not hold must be told with what they do hold.
+TEST(Mistakes, FilesMore) {
+  expect_told({
       {"triangles that lock", "check",
        {{R"(nu = 0.3)", R"(nu = 0.49)"}, {R"(mesh = { far_size_mm = 0.25 })", R"(mesh = { far_size_mm = 0.25, element = "tri" })"}},
        "", 0,
