@@ -24,6 +24,7 @@
 #include "scene/read.hpp"
 #include "signals.hpp"
 #include "sim/run.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::apps {
@@ -41,8 +42,11 @@ scene::Scene read(const Request& request) {
 }
 
 /// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the run.
-void tell(const std::vector<sim::Warning>& warnings) {
-  for (const auto& warning : warnings) std::fprintf(stderr, "warning: %s\n", base::printable(sim::in_words(warning)).c_str());
+void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) {
+  for (const auto& warning : warnings) {
+    const std::string text = sim::scene_line(scene, warning.about) + sim::in_words(warning);
+    std::fprintf(stderr, "warning: %s\n", base::printable(text).c_str());
+  }
 }
 
 /// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before the
@@ -95,13 +99,13 @@ sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State sta
 std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
 
 void tell_contact(const sim::ContactSummary& c, bool ring) {
-  spdlog::info("contact {}: peak pressure {} MPa, half width {} mm, normal force {:.6g} N{}", c.name,
+  spdlog::info("contact {}: peak pressure {} MPa, half width {} mm, normal force {:.4g} N{}", c.name,
                shown(c.peak_pressure_MPa), shown(c.contact_half_width_mm), c.normal_force, ring ? "" : "/mm");
   if (!c.ledger_relative_error) return;
   spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]",
                ring ? "volume [mm^3]" : "area [mm^2]");
   const auto row = [](const char* side, const sim::SideSummary& v) {
-    spdlog::info("  {:<10} {:>16.4f} {:>16.4f} {:>16.6g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
+    spdlog::info("  {:<10} {:>16.4g} {:>16.4g} {:>16.4g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
   };
   row("secondary", c.secondary);
   row("primary", c.primary);
@@ -115,17 +119,17 @@ std::string told_life(const sim::Summary& s, const std::string& name, const std:
          (error == s.life_error.end() ? "" : fmt::format(", +- {:.2g} by the cycle jump", error->second));
 }
 
-void tell_result(const sim::Summary& s, const std::string& dir) {
+void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::string& dir) {
   spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
-  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
   for (const auto& [name, band] : s.life_band)
     if (band.shortest_cycles)
       spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
-  tell(s.warnings);
+  tell(scene, s.warnings);
+  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
 }
 
 }  // namespace
@@ -145,7 +149,7 @@ int run(const Request& request) {
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
   for (const auto& warning : problem.warnings) writer.log("warning: " + sim::in_words(warning));
-  if (!request.quiet) tell(problem.warnings);
+  if (!request.quiet) tell(problem.scene, problem.warnings);
   const StopSignals stop(true);
   Checkpoints checkpoints(problem, writer);
   std::optional<Resumption> resumption;
@@ -153,7 +157,7 @@ int run(const Request& request) {
   const output::FolderLock lock(dir);
   sim::State state = resumption ? resumed(std::move(*resumption), writer) : fresh_start(problem, writer, checkpoints);
   const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
-  tell_result(summary, dir);
+  tell_result(scene, summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
 }
 
@@ -161,7 +165,7 @@ int plan(const Request& request) {
   const sim::Problem problem = sim::prepare(read(request));
   for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
   for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", base::printable(text).c_str());
-  tell(problem.warnings);
+  tell(problem.scene, problem.warnings);
   return 0;
 }
 
@@ -178,7 +182,7 @@ int check(const Request& request) {
                   mesh::nodes_of(boundary).size());
   }
   for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
-  tell(problem.warnings);
+  tell(problem.scene, problem.warnings);
   std::printf("ok\n");
   return 0;
 }

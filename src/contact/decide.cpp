@@ -72,7 +72,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   const bool spread = late && wear_spreads();
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
-    const double D = rows_[j].D, stiffness = setup_->stiffness[j];
+    const double D = rows_[j].D, stiffness = setup_->stiffness[j], faint = setup_->faint;
     if (setup_->cut[j] || !touching(node)) {
       status_[j] = ContactStatus::inactive;
       continue;
@@ -88,7 +88,8 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
       continue;
     }
     // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
-    if (!start && !pressed && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= 0.0) {
+    // What neither presses nor gapes stays as it was: either status holds there.
+    if (!start && !pressed && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= (was ? -faint : faint)) {
       status_[j] = ContactStatus::inactive;
       continue;
     }
@@ -112,7 +113,8 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
       const double sign = trial < 0.0 ? -1.0 : 1.0;
       // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
       const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;
-      status_[j] = reverses || std::abs(trial) < bound ? ContactStatus::stick : ContactStatus::slip;
+      const double yields = status_last_[j] == ContactStatus::stick ? bound + faint : bound;
+      status_[j] = reverses || std::abs(trial) < yields ? ContactStatus::stick : ContactStatus::slip;
       sign_[j] = sign;
     }
   }

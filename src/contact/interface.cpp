@@ -284,11 +284,13 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   next.status = status_;
   next.reference = rows_;
   next.friction = friction_;
+  for (std::size_t j = 0; j < lambda.size(); ++j)
+    if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
   if (options_.held) return next;
   const auto& law = setup_->options.wear;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const auto& c = condition_[j];
-    if (!active(static_cast<int>(j)) || status_[j] != ContactStatus::slip) continue;
+    if (status_[j] != ContactStatus::slip || next.lambda[j].isZero(0.0)) continue;
     next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(static_cast<int>(j)));
     const double friction_work = options_.jump * std::abs(c.drag * c.slip);
     next.frictional_work += friction_work;

@@ -66,6 +66,7 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
   }
   setup.primary = mortar::joined(parts);
   setup.search = options.search_mm > 0.0 ? options.search_mm : chosen_search(setup.secondary, options.drawn_mm);
+  setup.faint = 1e-30 * modulus_MPa;
   cut_down(setup, operators);
   const auto& s = setup.secondary;
   for (int j = 0; j < s.node_count(); ++j) {

@@ -27,6 +27,9 @@ struct Setup {
   std::vector<double> length;             ///< per secondary node: of a facet, the mean of those beside it [mm]
   std::vector<double> stiffness;          ///< c_n = c_t per secondary node: E / h [MPa/mm]
   double search = 0.0;
+  /// A traction that is none [MPa]: 1e-30 of the pair's modulus, far below what rounding leaves of any other. Bodies at rest
+  /// without load press so, and neither sign nor status follows from it.
+  double faint = 0.0;
 
   int secondary_count() const { return secondary.node_count(); }
   int primary_count() const { return primary.node_count(); }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "cad/profile.hpp"
 #include "scene/build.hpp"
@@ -65,6 +67,20 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues) {
 
 namespace {
 
+/// A profile that rises like a wall is none: heights in another unit than arc lengths do.
+std::string too_steep(const cad::Profile& profile) {
+  constexpr double steepest = 5.0;
+  for (std::size_t i = 1; i < profile.arc_mm.size(); ++i) {
+    const double rise = std::abs(profile.height_mm[i] - profile.height_mm[i - 1]), along = profile.arc_mm[i] - profile.arc_mm[i - 1];
+    if (rise <= steepest * along) continue;
+    char rule[200];
+    std::snprintf(rule, sizeof rule, "its height changes by %.4g mm over %.4g mm at arc length %.4g mm, more steeply than %g : 1; heights in um "
+                  "must be divided by 1000", rise, along, profile.arc_mm[i - 1], steepest);
+    return rule;
+  }
+  return {};
+}
+
 std::optional<cad::Profile> profile_of(const Entry& entry, const std::string& path, Issues& issues) {
   const std::string name = entry.text("profile");
   if (name.empty()) return std::nullopt;
@@ -75,7 +91,8 @@ std::optional<cad::Profile> profile_of(const Entry& entry, const std::string& pa
     if (rule.empty() && read_bytes(file, bytes)) {
       cad::Profile profile = cad::parse_profile(bytes);
       profile.file = name;
-      return profile;
+      rule = too_steep(profile);
+      if (rule.empty()) return profile;
     }
   } catch (const base::InputError& error) {
     rule = error.issues().front().rule;

@@ -104,6 +104,12 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
   return node;
 }
 
+/// The parser's words; of a text that goes on beyond its line it only sees the line's end.
+std::string in_words(const std::string& description) {
+  const bool open = description.find("parsing string") != std::string::npos && description.find("control characters") != std::string::npos;
+  return open ? "a text lacks its closing quotation mark" : description;
+}
+
 }  // namespace
 
 const Node* Node::find(std::string_view child) const {
@@ -117,7 +123,7 @@ Node parse(const std::string& toml) {
     root.line = 1;
     return root;
   } catch (const toml::parse_error& error) {
-    throw SyntaxError(std::string(error.description()), static_cast<int>(error.source().begin.line));
+    throw SyntaxError(in_words(std::string(error.description())), static_cast<int>(error.source().begin.line));
   }
 }
 

@@ -123,7 +123,7 @@ constexpr Key table[] = {
     {"contact.*.fine_zone.angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
 
     {"support.*.edge", Type::text, "", "", any, "boundary that is held or moved; or"},
-    {"support.*.point_mm", Type::pair, "mm", "", any, "a point of the body: a node of each of its meshes"},
+    {"support.*.point_mm", Type::pair, "mm", "", any, "a point of the body, at most a quarter of an element beside it: a node of each of its meshes"},
     {"support.*.body", Type::text, "", "", any, "body of the point; without it the body whose node is nearest"},
     {"support.*.angle_deg", Type::number, "degree", "0.0", any, "x and y of the support turned by this angle"},
     {"support.*.rigid", Type::flag, "", "", any,
@@ -147,7 +147,7 @@ constexpr Key table[] = {
     {"load.*.traction_MPa", Type::pair, "MPa", "", any, "traction in x and y, added to the pressure"},
     {"load.*.interval_mm", Type::pair, "mm", "", at_least(0.0),
      "only on this arc length, from the end with smaller x (then smaller y)"},
-    {"load.*.point_mm", Type::pair, "mm", "", any, "a point of the body: a node of each of its meshes; or"},
+    {"load.*.point_mm", Type::pair, "mm", "", any, "a point of the body, at most a quarter of an element beside it: a node of each of its meshes; or"},
     {"load.*.force_N_per_mm", Type::pair, "N/mm", "", any, "force at the point, plane problems"},
     {"load.*.force_N", Type::pair, "N", "", any, "force on the whole ring, axisymmetric problems"},
     {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},
@@ -198,7 +198,7 @@ constexpr Key table[] = {
     {"output.estimate_error", Type::flag, "", "", any,
      "without it true with `accuracy`, else false; true: the run is played again on elements twice as long, which tells the error of the mesh; takes some 0.4 of a long run's time"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
-    {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported"},
+    {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported; on the body, or at most a quarter of an element beside it"},
 
     {"remesh.automatic", Type::flag, "", "true", any,
      "a worn body is meshed anew when one of the bounds below is passed; false: the run ends there"},

@@ -226,6 +226,7 @@ void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
 Issues suspicious(const Entry& root, const Scene& scene) {
   Issues found;
   warn_of_locking(root, scene, found);
+  suspicious_values(root, scene, found);
   std::set<std::string> played;
   for (const auto& step : scene.steps) played.insert(step.play.begin(), step.play.end());
   const auto named = used(scene);

@@ -9,7 +9,9 @@
 #include "sim/rules.hpp"
 #include "sim/thickness.hpp"
 #include "sim/timer.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/warn_contact.hpp"
+#include "sim/why_failed.hpp"
 
 namespace reye::sim {
 
@@ -82,11 +84,15 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   }
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged) {
-    const std::string where = "step \"" + span.step->name + "\", cycle " + std::to_string(state.cycle) + ", progress " +
-                              std::to_string(from) + " to " + std::to_string(to) + in_words_of_overlap(factors) + ": " +
-                              result.report.reason;
-    if (depth == 0) return where;
-    note_cutback(state, where, observer);
+    char progress[120];
+    std::snprintf(progress, sizeof progress, "\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
+    const std::string where = "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
+    if (depth == 0) {
+      if (observer.log) observer.log("no state: " + where + result.report.reason);
+      const Attempt attempt{span.step, span.jump, result.report.reason};
+      return scene_line(problem.scene, "step " + span.step->name) + where + why_failed(problem, state, attempt, system);
+    }
+    note_cutback(state, where + result.report.reason, observer);
     const double middle = 0.5 * (from + to);
     block.last_length = 0.0;
     const std::string first = play(problem, state, cache, block, from, middle, depth - 1);

@@ -9,6 +9,7 @@
 
 #include "mesh/measure.hpp"
 #include "sim/drive.hpp"
+#include "sim/warnings.hpp"
 
 namespace reye::sim {
 
@@ -148,6 +149,20 @@ bool closes(const Problem& problem, const PlacedContact& contact) {
          farthest_way(problem, contact) >= contact.drawn.gap_mm;
 }
 
+/// The farthest that any support moves its body; endless where a force drives one.
+double farthest_way_of_all(const Problem& problem) {
+  double way = 0.0;
+  for (const auto& input : problem.inputs) {
+    if (driven_by_force(input)) return std::numeric_limits<double>::infinity();
+    for (const auto& support : input.supports)
+      for (const auto* motion : {&support.x, &support.y, &support.rotation})
+        if (motion->drive == body::Drive::moved)
+          way = motion == &support.rotation ? std::numeric_limits<double>::infinity()
+                                            : std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
+  }
+  return way;
+}
+
 }  // namespace
 
 DrawnGap drawn_gap(const PlacedContact& contact, const std::vector<body::ShapePtr>& shapes) {
@@ -185,6 +200,10 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
     drawn = drawn_gap(contact, problem.shapes);
     if (closes(problem, contact)) options.drawn_mm = drawn.gap_mm;
     let_in = let_in || drawn.let_in;
+    if (drawn.gap_mm > farthest_way_of_all(problem))
+      warn(problem.warnings, {"gap", "contact " + options.name,
+                              text("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g mm, nor does a force: they never "
+                                   "touch. Draw them closer, or move them farther.", drawn.gap_mm, farthest_way_of_all(problem))});
     if (const auto why = why_no_fit(problem, contact); !why.empty()) issues.push_back({"contact." + options.name, "", why});
   }
   if (let_in) add_to_steps(problem.scene);
@@ -192,16 +211,17 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
 }
 
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm) {
-  if (contact.drawn.gap_mm <= search_mm) return {};
+  if (contact.drawn.gap_mm <= search_mm) return ": they do not look at one another; name boundaries that face each other";
   std::string why = text("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
-  if (!closes(problem, contact)) return why + text(", and supports move these bodies by %.4g mm at most", farthest_way(problem, contact));
+  if (!closes(problem, contact)) return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther", farthest_way(problem, contact));
   return why + (contact.options.search_mm > 0.0 ? ": leave search_mm out" : "");
 }
 
 std::string in_words(const Problem& problem, const PlacedContact& contact) {
   const auto& drawn = contact.drawn;
   const std::string about = "contact " + contact.options.name + ": ";
-  if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0) return {};
+  if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0)
+    return about + text("its sides touch as drawn, at (%.6g, %.6g) mm", drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   const bool overlaps = drawn.overlap_mm > 0.0;
   const std::string size = about + text("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
                                         overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);

@@ -18,7 +18,7 @@ double farthest_way(const Problem& problem, const PlacedContact& contact);
 /// Where sides are drawn farther apart than the search: how far, and by how much what drives them brings them together.
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm);
 
-/// "contact fit: drawn overlap of 0.02 mm ...", for the plan; of sides that touch nothing.
+/// "contact fit: drawn overlap of 0.02 mm ...", for the plan: gap or overlap of the drawing, or that its sides touch.
 std::string in_words(const Problem& problem, const PlacedContact& contact);
 
 }  // namespace reye::sim

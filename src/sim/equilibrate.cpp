@@ -1,6 +1,10 @@
+#include <cstdio>
+
 #include "sim/drive.hpp"
 #include "sim/shape.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/timer.hpp"
+#include "sim/why_failed.hpp"
 
 namespace reye::sim {
 
@@ -64,6 +68,12 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
   return cache.newton.solve(system, state.solution, controls);
 }
 
+std::string cycle_in_words(double cycle) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", cycle);
+  return text;
+}
+
 }  // namespace
 
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state) {
@@ -97,7 +107,9 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   for (const auto& contact : state.solution.contacts) status.push_back(contact.status);
   auto result = held_equilibrium(problem, state, system, cache, span, held, false);
   state.counts.newton_iterations += result.report.solves;
-  if (!result.report.converged) return "re-equilibration after the shape moved: " + result.report.reason;
+  if (!result.report.converged)
+    return scene_line(problem.scene, "step " + span.step->name) + "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
+           why_failed(problem, state, {span.step, span.jump, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)
     for (std::size_t j = 0; j < status[c].size(); ++j)

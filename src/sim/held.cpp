@@ -4,12 +4,21 @@
 #include <utility>
 
 #include "body/operator.hpp"
+#include "sim/held_by_contact.hpp"
 
 namespace reye::sim {
 
 namespace {
 
 using base::Issue;
+
+/// Contacts hold a rotation only where the body cannot lift off them while it turns: where they or supports hold it in place.
+bool contacts_hold(const Problem& p, int b, const std::string& motion) {
+  if (!held_by_contact(p, b, motion)) return false;
+  if (motion != "rotation") return true;
+  const auto left = body::unheld_together({{&p.shapes[b]->mesh, &p.inputs[b].supports}}, p.scene.analysis == base::Analysis::axisymmetric);
+  return std::all_of(left.begin(), left.end(), [&](const std::string& other) { return other == motion || held_by_contact(p, b, other); });
+}
 
 void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
   for (int b = 0; b < p.body_count(); ++b) {
@@ -20,7 +29,8 @@ void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
       friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
     }
     for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
-      issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
+      if (!contacts_hold(p, b, motion))
+        issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "body/turning.hpp"
 #include "fem/frame.hpp"
 #include "sim/run.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/shape.hpp"
 #include "sim/warnings.hpp"
 
@@ -45,11 +46,6 @@ void keep_largest(KinematicsChoice& choice, const fem::Distortion& now) {
   if (now.error() > choice.largest.error()) choice.largest = now;
 }
 
-/// Of a body from its frame, which has turned with it.
-fem::Distortion distortion_of(const Problem& problem, const State& state, const solver::System& system, int b) {
-  return fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, recovered_in_frame(problem, state, system, b));
-}
-
 bool turns(const solver::System& system, int b) {
   const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
   return linear && linear->turning();
@@ -62,6 +58,10 @@ void take_finite(body::BodyInput& input) {
 }
 
 }  // namespace
+
+fem::Distortion distortion_of(const Problem& problem, const State& state, const solver::System& system, int b) {
+  return fem::distortion(state.shapes[b]->mesh, problem.scene.analysis, recovered_in_frame(problem, state, system, b));
+}
 
 void choose_kinematics(Problem& problem, Cache& cache) {
   auto& choices = problem.kinematics;
@@ -109,13 +109,14 @@ std::string check_small_strain(const Problem& problem, State& state, const solve
     if (problem.rigid[b] || problem.kinematics[b] || !small(input)) continue;
     const double strain = distortion_of(problem, state, system, b).strain_and_rotation();
     if (strain <= strain_warned_of) continue;
-    char text[240];
-    std::snprintf(text, sizeof text, "%s %.2g %% where body %s stores its energy, which small strain gets wrong by about "
-                  "%.2g %%: kinematics = \"finite\" does not",
-                  turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain, input.name.c_str(), 200.0 * strain);
+    constexpr double crushed = 0.3;
+    char text[300];
+    std::snprintf(text, sizeof text, "%s %.2g %% where body %s stores its energy: small strain gets that wrong by about %.2g %%; write "
+                  "kinematics = \"finite\"%s", turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain,
+                  input.name.c_str(), 200.0 * strain, strain > crushed ? ", and check loads, motions and E_MPa" : "");
     const auto found = problem.scene.body_material.find(input.name);
     const bool asked = found != problem.scene.body_material.end() && found->second.kinematics_given;
-    if (strain > strain_refused && !asked) return text;
+    if (strain > strain_refused && !asked) return scene_line(problem.scene, "body " + input.name) + text;
     warn(state, observer, {"strain", "body " + input.name, text, strain});
   }
   return {};

@@ -22,6 +22,9 @@ std::optional<double> chosen_small_error(const Problem& problem);
 /// The same at a state, in place of in the trial.
 std::optional<double> small_strain_error(const Problem& problem, const State& state, const solver::System& system);
 
+/// Mean strain and rotation of a body, seen from its frame, which has turned with it.
+fem::Distortion distortion_of(const Problem& problem, const State& state, const solver::System& system, int body);
+
 /// Looks at the bodies whose small strain no trial chose: warns, or returns why the run ends.
 std::string check_small_strain(const Problem& problem, State& state, const solver::System& system, const Observer& observer);
 

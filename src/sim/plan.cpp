@@ -203,7 +203,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   for (const auto& choice : scene::element_choices(p.scene)) plan.lines.push_back(scene::in_words(p.scene, choice));
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     tell_contact(p, system.contacts[c], plan);
-    if (auto drawn = in_words(p, p.contacts[c]); !drawn.empty()) plan.lines.push_back(std::move(drawn));
+    plan.lines.push_back(in_words(p, p.contacts[c]));
   }
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());

@@ -17,6 +17,8 @@
 #include "sim/plan.hpp"
 #include "sim/points.hpp"
 #include "sim/problem.hpp"
+#include "sim/profiles.hpp"
+#include "sim/sizes.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_setup.hpp"
 #include "sim/warnings.hpp"
@@ -227,7 +229,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   const auto sizes = choose_sizes(scene, cache);
   Problem p;
   p.scene = scene;
-  for (const auto& text : scene.warnings) warn(p.warnings, {"scene", "", text});
+  for (const auto& text : scene.warnings) p.warnings.push_back({"scene", "", text});
   warn_of_steps(scene, p.warnings);
   cad::Geometry geometry = cad::build(scene.geometry);
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
@@ -240,13 +242,15 @@ Problem built(scene::Scene scene, Cache& cache) {
     const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
     p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
   }
-  warn_of_values(scene, p.shapes, p.warnings);
   p.support_of.resize(p.inputs.size());
   Resolver resolve(scene, p.shapes);
   place_supports(p, resolve);
   place_loads(p, resolve);
   place_contacts(p, resolve);
+  for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
   refuse(resolve.issues);
+  warn_of_sizes(p);
+  warn_of_profiles(p);
   widen_zones(p);
   warn_of_points(p);
   std::vector<Issue> issues;

@@ -81,6 +81,7 @@ struct State {
   long step_blocks = 0;                          ///< blocks done of this step
   double jump = 0.0;                             ///< cycles that the next block is tried with under a tolerance; 0: the first
   double jump_rate = 0.0;                        ///< error of the last block under a tolerance over its share of all wear; 0: none
+  double block_cycles = 0.0;                     ///< of a fixed jump that was too long in this step, what worked; 0: none was
   std::optional<double> jump_error;              ///< what the blocks under a tolerance have left, as far as is known
   std::map<std::string, double> factors;         ///< of every history
   std::vector<body::ShapePtr> shapes;

@@ -10,6 +10,7 @@
 #include "sim/block.hpp"
 #include "sim/corners.hpp"
 #include "sim/discretisation.hpp"
+#include "sim/fixed_jump.hpp"
 #include "sim/held_row.hpp"
 #include "sim/jump.hpp"
 #include "sim/kinematics.hpp"
@@ -62,7 +63,7 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   span.last = true;
   if (!span.cycles) return span;
   const double left = remaining(step, state);
-  span.jump = std::min(step.jump, left);
+  span.jump = std::min(state.block_cycles > 0.0 ? state.block_cycles : step.jump, left);
   if (controlled(step))
     span.jump = fitted(scene.output.frames, state.cycle, std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   span.last = left - span.jump <= 1e-9 * step.cycles;
@@ -118,6 +119,7 @@ class Runner {
           ++state_.step;
           state_.step_cycles = 0.0;
           state_.step_blocks = 0;
+          state_.block_cycles = 0.0;
           continue;
         }
         if (!next_block(step)) return;
@@ -131,7 +133,7 @@ class Runner {
 
   Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {
     return controlled(*span.step) ? play_controlled(p_, from, cache_, span, observer)
-                                  : play_block(p_, from, cache_, span, observer);
+                                  : play_fixed(p_, from, cache_, span, observer);
   }
 
   /// A block; where it passes a limit that ends the run it is played again, as far as the limit.

@@ -8,8 +8,10 @@
 #include "adapt/shape_step.hpp"
 #include "sim/drive.hpp"
 #include "sim/gap.hpp"
+#include "sim/scene_line.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
+#include "sim/why_failed.hpp"
 
 namespace reye::sim {
 
@@ -125,8 +127,10 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   const auto& system = timed_system(problem, state, cache);
   std::vector<double> ratio(state.shapes.size(), 1.0);
   std::vector<Moved> moved;
-  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
-    return {std::move(state), failure, false};
+  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty()) {
+    if (observer.log) observer.log("no shape: " + failure);
+    return {state, scene_line(problem.scene, "step " + span.step->name) + why_failed(problem, state, {span.step, span.jump, failure}, system), false};
+  }
   std::vector<RemeshReason> reasons(moved.size());
   if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
   const bool due = !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });

@@ -143,7 +143,7 @@ void warn_of_run(const Problem& problem, State& state, const Summary& summary, c
     const auto& options = problem.contacts[c].options;
     const auto& watch = state.watch[c];
     if (watch.force_most == 0.0) {
-      warn(state, observer, {"never_closed", "contact " + options.name, "No node of it ever touched; check gap, direction and size of what "
+      warn(state, observer, {"never_closed", "contact " + options.name, "No node of it ever carried a force; check gap, direction and size of what "
                              "presses the sides together."});
       continue;
     }

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <set>
 #include <tuple>
 
 #include "body/conflicts.hpp"
-#include "material/parameters.hpp"
-#include "mesh/measure.hpp"
 #include "sim/drive.hpp"
 #include "sim/warnings.hpp"
 
@@ -92,29 +89,6 @@ void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
       warn(warnings, {"increments", about, text});
     }
   }
-}
-
-void warn_of_values(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes, std::vector<Warning>& warnings) {
-  constexpr double stiffest_MPa = 1e9;  // diamond has 1.2e6; a thousand times steel stands for a rigid body in some scenes
-  constexpr double far = 0.1;           // of the body's diagonal
-  char text[240];
-  for (const auto& [name, material] : scene.materials)
-    if (const double E = material::young(material); E > stiffest_MPa) {
-      std::snprintf(text, sizeof text, "E_MPa = %.4g is a modulus in Pa (steel has 2.1e5 MPa, diamond 1.2e6); for a body that does not deform write rigid = true.", E);
-      warn(warnings, {"units", "material " + name, text});
-    }
-  for (const auto& probe : scene.output.probes)
-    for (std::size_t b = 0; b < shapes.size(); ++b) {
-      if (scene.geometry.bodies[b].name != probe.body) continue;
-      const auto& X = shapes[b]->mesh.X;
-      const auto box = mesh::bounding_box(X);
-      double distance = std::numeric_limits<double>::infinity();
-      for (const Vec2& node : X) distance = std::min(distance, (node - probe.at_mm).norm());
-      if (distance <= far * std::hypot(box[2] - box[0], box[3] - box[1])) continue;
-      std::snprintf(text, sizeof text, "(%.4g, %.4g) lies %.3g mm from the nearest node of body %s, whose motion it tells; set at_mm.",
-                    probe.at_mm.x(), probe.at_mm.y(), distance, probe.body.c_str());
-      warn(warnings, {"probe", "probe " + probe.name, text});
-    }
 }
 
 }  // namespace reye::sim

@@ -11,9 +11,6 @@ std::vector<base::Issue> support_conflicts(Problem& problem);
 /// Steps whose cycles do not count, play nothing or are too coarse in time; limits without cycles.
 void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings);
 
-/// A modulus that no solid has, in MPa; a probe that lies far outside of its body.
-void warn_of_values(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes, std::vector<Warning>& warnings);
-
 /// On the drawing: a fine zone beside the place where the sides are nearest; by Hertz' closed form, where load and radii
 /// are known there, fewer elements across than tell a pressure; facets whose sagitta the load does not press flat.
 void warn_of_meshes(Problem& problem, const solver::System& system);

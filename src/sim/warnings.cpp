@@ -21,6 +21,7 @@ void warn(State& state, const Observer& observer, Warning warning) {
 }
 
 std::string in_words(const Warning& warning) {
+  if (warning.about.empty() && warning.kind == "scene") return warning.text;  // begins with its line
   return warning.kind + (warning.about.empty() ? "" : ", " + warning.about) + ": " + warning.text;
 }
 

@@ -10,6 +10,7 @@ namespace reye::solver {
 namespace {
 
 constexpr double tiny = std::numeric_limits<double>::min();
+constexpr double nothing = 1e-30;  ///< of a stiffness times a length: what is not asked to be in balance where nothing acts
 constexpr double digits = 64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of what is summed up from many terms
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
@@ -77,7 +78,7 @@ Increment::Rounding Increment::rounding(const System& system, const base::TwoPar
     double moved = largest_of(v[b].cwiseProduct(arm));
     if (nonlinear_.tangent(body)) moved = std::max(moved, nonlinear_.deformation(body));
     result.inside = std::max(result.inside, digits * stiffness * moved);
-    result.scale = std::max(result.scale, digits * stiffness * way);
+    result.scale = std::max({result.scale, digits * stiffness * way, nothing * stiffness * system.extent});
   }
   return result;
 }
@@ -101,7 +102,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
     for (std::size_t j = 0; j < lambda_[c].size(); ++j) {
       const int node = static_cast<int>(j);
       if (!face.active(node)) continue;
-      multiplier = std::max(multiplier, lambda_[c][j].norm());
+      multiplier = std::max({multiplier, lambda_[c][j].norm(), face.setup().faint});
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
       // What rounding of positions leaves of a gap can not be asked to vanish.
       const double rounding = digits * extent_of(nodes[j], q.high) * D;

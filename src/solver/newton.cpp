@@ -168,7 +168,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
-      if (!increment_.touching()) report.reason = "nothing is in contact, and a body has lost the contact that holds it; " + report.reason;
+      if (!increment_.touching()) report.reason = "nothing is in contact, and a body has lost the contact that holds it";
       return result;
     }
   }

@@ -172,3 +172,13 @@ TEST(DrawnGap, ThatNothingClosesIsRefused) {
   const auto text = refusal_of([] { test::problem_of(test::with(test::block_scene, moved_by("-0.5")), 1.0); });
   EXPECT_TRUE(has(text, "the sides are 1 mm apart as drawn, and supports move these bodies by 0.5 mm at most")) << text;
 }
+
+// A gap that nothing in the scene can close must be told before the run, with both lengths.
+TEST(DrawnGap, ThatNothingClosesIsTold) {
+  const auto problem = test::problem_of(test::with(test::block_scene, moved_by("-0.05")), 0.1);
+  ASSERT_EQ(problem.warnings.size(), 1U);
+  EXPECT_EQ(problem.warnings[0].kind, "gap");
+  EXPECT_EQ(problem.warnings[0].text, "Its sides are 0.1 mm apart as drawn, and supports move no body by more than 0.05 mm, nor does a force: they never "
+                                      "touch. Draw them closer, or move them farther.");
+  EXPECT_TRUE(test::problem_of(test::with(test::block_scene, moved_by("-0.2")), 0.1).warnings.empty());
+}

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/errors.hpp"
 #include "mesh/arc.hpp"
 #include "problem_of.hpp"
 #include "sim/run.hpp"
@@ -31,10 +32,19 @@ TEST(Points, ALoadStaysWhereItIsThroughRemeshes) {
   }
 }
 
-// A point beside its body must be named: it acts on the nearest node, which is another place.
-TEST(Points, APointBesideTheBodyIsNamed) {
-  const auto problem = test::problem_of(worn_under_a_point("[1.87, 1.6]"));
-  ASSERT_EQ(problem.warnings.size(), 1U);
-  EXPECT_EQ(problem.warnings[0].kind, "point");
-  EXPECT_EQ(problem.warnings[0].about, "load weight");
+// A point outside of its body must be refused with its line and the nearest place of the body; one within a quarter of an element
+// of its outline is taken to it.
+TEST(Points, OutsideOfTheBodyIsRefused) {
+  const auto refusal = [](const std::string& at) -> std::string {
+    try {
+      test::problem_of(worn_under_a_point(at));
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string told = refusal("[1.87, 1.6]");
+  EXPECT_NE(told.find("scene.toml:28: load.weight.point_mm = [1.87, 1.6]: lies outside of body slider, whose nearest place is (1.87, 1), 0.6 mm away; "
+                      "put the point on the body"), std::string::npos) << told;
+  EXPECT_EQ(refusal("[1.87, 1.1]"), "");
 }

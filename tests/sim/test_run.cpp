@@ -37,6 +37,7 @@ TEST(Run, Plan) {
           "body slider: linear elastic, small strain, 8 quads, 23 dofs condensed to 13",
           "body base: linear elastic, small strain, 20 quads, 47 dofs condensed to 25",
           "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction 0.3, wear by dissipated energy",
+          "contact pad: its sides touch as drawn, at (1, 0) mm",
           "step \"press\": 1 increments, no wear",
           "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
       }));

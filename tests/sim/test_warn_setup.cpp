@@ -100,14 +100,6 @@ TEST(WarnSetup, OneIncrementAStroke) {
   EXPECT_EQ(of_blocks({{"increments = 8", "increments = 5"}}), Kinds{});
 }
 
-// A modulus typed in Pa, and a probe beside its body, must be told.
-TEST(WarnSetup, UnitsAndProbes) {
-  EXPECT_EQ(of_blocks({{"200e3", "200e9"}}), Kinds{"units, material steel"});
-  const auto probed = [](const std::string& at) { return of_blocks({{"[history]", "[output.probes]\np = { body = \"base\", at_mm = " + at + " }\n[history]"}}); };
-  EXPECT_EQ(probed("[50.0, 0.0]"), Kinds{"probe, probe p"});
-  EXPECT_EQ(probed("[4.0, 0.05]"), Kinds{});
-}
-
 // A fine zone that lies beside the place where the sides touch must be told before the run.
 TEST(WarnSetup, FineZoneBesideTheContact) {
   const auto found = test::disc_problem({{"centre_mm = [0.0, 0.0]", "centre_mm = [0.4, 0.0]"}}, "0.9").warnings;

@@ -188,7 +188,7 @@ void separation(Table& t) {
   // Pulled off by a force nothing holds the slider.
   t.push_back(flat("separation", "flat_pulled_off")
                   .set("history.press", "[[0.0, 0.0], [0.5, 1.0], [1.0, -1.0]]")
-                  .refused("a body has lost the contact that holds it"));
+                  .refused("body slider has come away from contact pad"));
 }
 
 void tiny_gaps(Table& t) {

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "scene/validate.hpp"
+
+namespace reye::scene {
+
+namespace {
+
+constexpr double most_friction = 3.0;        ///< dry rubber and clean metals stay below it
+constexpr double cutting_mm3_per_J = 1.0;    ///< a lathe takes 0.3 mm^3 of steel off per joule
+constexpr double smallest_mm3_per_J = 1e-12;
+constexpr double largest_per_MPa = 1e-2;     ///< of Archard's law: chalk has less
+constexpr double smallest_per_MPa = 1e-14;   ///< diamond-like coatings have 1e-11
+constexpr double least_motion_mm = 1e-6, smallest_motion_mm = 1e-4;  ///< between them a way is one in metres; a smaller one is meant
+
+template <class... Args>
+std::string text(const char* format, Args... args) {
+  char line[240];
+  std::snprintf(line, sizeof line, format, args...);
+  return line;
+}
+
+void look_at_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& found) {
+  if (contact.friction <= most_friction) return;
+  found.push_back({entry.key("friction"), entry.written("friction"),
+                   text("no dry contact has a coefficient of friction above %g; in per cent it would be %.4g", most_friction, contact.friction / 100.0)});
+}
+
+void look_at_coefficients(const Entry& wear, Issues& found) {
+  if (!wear.is_table()) return;
+  const auto look = [&](const char* name, double least, double most, const std::string& much, double by, const std::string& small, double up) {
+    const double value = wear.maybe_number(name).value_or(0.0);
+    if (value > most) found.push_back({wear.key(name), wear.written(name), much + text("%.4g", value * by)});
+    if (value > 0.0 && value < least) found.push_back({wear.key(name), wear.written(name), small + text("%.4g", value * up)});
+  };
+  for (const char* name : {"secondary_mm3_per_J", "primary_mm3_per_J"})
+    look(name, smallest_mm3_per_J, cutting_mm3_per_J, "no wear takes off more than 1 mm^3/J, as metal cutting hardly does; in um^3/mJ it would be ", 1e-6,
+         "no wear is measured below 1e-12 mm^3/J; in m^3/J it would be ", 1e9);
+  for (const char* name : {"secondary_per_MPa", "primary_per_MPa"})
+    look(name, smallest_per_MPa, largest_per_MPa, "no wear takes off more than 0.01 of the sliding distance per MPa; in 1e-6 mm^3/(N m) it would be ", 1e-9,
+         "no wear is measured below 1e-14 1/MPa; in 1/Pa it would be ", 1e6);
+}
+
+double largest_factor(const Scene& scene, const std::string& history) {
+  const auto found = scene.histories.find(history);
+  if (found == scene.histories.end()) return 1.0;
+  double most = 0.0;
+  for (const auto& corner : found->second) most = std::max(most, std::abs(corner[1]));
+  return most;
+}
+
+void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
+  for (const char* name : {"x", "y", "tangent", "normal"}) {
+    const auto motion = support.at(name);
+    if (!motion.is_table() || !motion.given("motion_mm")) continue;
+    const double way = motion.number("motion_mm"), most = std::abs(way) * largest_factor(scene, motion.text("history"));
+    if (most < least_motion_mm || most >= smallest_motion_mm) continue;
+    found.push_back({motion.key("motion_mm"), motion.written("motion_mm"),
+                     text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g", most, way * 1e3)});
+  }
+}
+
+void look_at_jump(const Entry& step, Issues& found) {
+  const double cycles = step.number("cycles"), jump = step.maybe_number("jump").value_or(1.0);
+  if (cycles == 0.0 || jump <= cycles) return;
+  found.push_back({step.key("jump"), step.written("jump"), text("is more than cycles = %g: the step is one block of %g cycles", cycles, cycles)});
+}
+
+}  // namespace
+
+void suspicious_values(const Entry& root, const Scene& scene, Issues& found) {
+  const auto contacts = root.all("contact");
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    look_at_friction(contacts[i], scene.contacts[i], found);
+    look_at_coefficients(contacts[i].at("wear"), found);
+  }
+  for (const auto& support : root.all("support")) look_at_motions(support, scene, found);
+  for (const auto& step : root.all("step")) look_at_jump(step, found);
+}
+
+}  // namespace reye::scene
