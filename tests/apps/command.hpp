@@ -89,13 +89,15 @@ class Place {
     std::ofstream(work() / file, std::ios::binary) << text;
   }
 
-  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows.
-  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0) const {
+  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows. `before` is called in the new
+  /// process, for limits of another kind.
+  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, void (*before)() = nullptr) const {
     const auto out = root_ / "out", err = root_ / "err";
     const pid_t pid = ::fork();
     if (pid == 0) {
       const rlimit limit{file_bytes, file_bytes};
       if (file_bytes > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
+      if (before) before();
       become(words, out, err);
     }
     return {pid, out, err};
