@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -64,16 +65,17 @@ void take(Answer answer, const std::string& file, Imported& all, std::vector<bas
 }  // namespace
 
 Imported import_files(const GeometryOptions& options) {
+  const double most_s = options.trusted ? std::numeric_limits<double>::infinity() : waiting_s;
   Imported all;
   std::vector<base::Issue> issues;
   for (std::size_t k = 0; k < options.files.size();) {
     ImporterProcess importer(words_for(options, k));
     std::jthread loading;
     if (extension(options.files[k]) != ".vtu") loading = std::jthread(load_kernel);
-    const auto guarded = importer.message();
+    const auto guarded = importer.message(most_s);
     all.guarded = all.guarded && guarded && *guarded == "guarded";
     for (; guarded && k < options.files.size(); ++k) {
-      const auto bytes = importer.message();
+      const auto bytes = importer.message(most_s);
       if (!bytes) break;
       take(answer_about(options.files[k], *bytes), options.files[k], all, issues);
     }

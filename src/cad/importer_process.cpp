@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -79,7 +80,8 @@ bool ImporterProcess::read_all(char* to, std::size_t bytes, double deadline) {
   while (bytes > 0) {
     pollfd waited{pipe_, POLLIN, 0};
     const double left = deadline - now();
-    const int ready = left > 0.0 ? ::poll(&waited, 1, static_cast<int>(1e3 * left) + 1) : 0;
+    constexpr double longest_s = 1e6;  // poll counts milliseconds as int
+    const int ready = left > 0.0 ? ::poll(&waited, 1, static_cast<int>(1e3 * std::min(left, longest_s)) + 1) : 0;
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0) {
       too_long_ = ready == 0;
@@ -94,9 +96,9 @@ bool ImporterProcess::read_all(char* to, std::size_t bytes, double deadline) {
   return true;
 }
 
-std::optional<std::string> ImporterProcess::message() {
+std::optional<std::string> ImporterProcess::message(double most_s) {
   constexpr std::uint64_t most = std::uint64_t{1} << 30;
-  const double deadline = now() + waiting_s;
+  const double deadline = now() + most_s;
   std::uint64_t size = 0;
   if (!read_all(reinterpret_cast<char*>(&size), sizeof size, deadline)) return std::nullopt;
   too_large_ = size > most;

@@ -17,8 +17,8 @@ class ImporterProcess {
   ImporterProcess(const ImporterProcess&) = delete;
   ImporterProcess& operator=(const ImporterProcess&) = delete;
 
-  /// Its next message; nothing when it has ended, does not answer in time or says too much: then it is ended.
-  std::optional<std::string> message();
+  /// Its next message; nothing when it has ended, does not answer within so many seconds or says too much.
+  std::optional<std::string> message(double most_s);
 
   /// Why there is no further message, as the rule of an issue.
   std::string end_in_words();
@@ -31,7 +31,7 @@ class ImporterProcess {
   bool too_long_ = false, too_large_ = false;
 };
 
-/// Seconds that the importer may compute on one file, and may keep this program waiting.
+/// Seconds that the importer may compute on one file that is not trusted, and may keep this program waiting for it.
 inline constexpr int computing_s = 20;
 inline constexpr double waiting_s = 40.0;
 
