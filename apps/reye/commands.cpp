@@ -38,7 +38,9 @@ std::string folder_of(const Request& request, const scene::Scene& scene) {
 scene::Scene read(const Request& request) {
   spdlog::set_pattern("%v");
   if (request.quiet) spdlog::set_level(spdlog::level::err);
-  return scene::read(request.path);
+  auto scene = scene::read(request.path);
+  scene.geometry.trusted = request.trust_geometry;
+  return scene;
 }
 
 /// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the run.

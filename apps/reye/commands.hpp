@@ -8,6 +8,7 @@ struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
   bool restart = false, force = false, quiet = false, animation = false;
+  bool trust_geometry = false;  ///< geometry scripts may hold whatever gmsh understands
 };
 
 std::string version();

@@ -10,6 +10,11 @@
 
 namespace {
 
+void add_trust(CLI::App& command, bool& trust) {
+  command.add_flag("--trust-geometry", trust,
+                   "let the scene's geometry files do whatever gmsh can, and take what time and memory they take");
+}
+
 CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   auto* sweep = app.add_subcommand("sweep", "run a scene many times with other values, and collect one table");
   sweep->add_option("scene", request.path, "scene file (.toml)")->required();
@@ -26,6 +31,7 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   slurm->excludes(table);
   sweep->add_flag("--force", request.force, "run every member anew, whatever its folder holds");
   sweep->add_flag("--quiet", request.quiet, "reasons only");
+  add_trust(*sweep, request.trust_geometry);
   return sweep;
 }
 
@@ -42,6 +48,7 @@ int main(int argc, char** argv) {
   const auto with_scene = [&](const char* name, const char* what) {
     auto* command = app.add_subcommand(name, what);
     command->add_option("scene", request.path, "scene file (.toml)")->required();
+    add_trust(*command, request.trust_geometry);
     return command;
   };
   auto* run = with_scene("run", "run a scene and write its results");

@@ -134,6 +134,7 @@ std::string this_program() { return fs::read_symlink("/proc/self/exe"); }
 Child child_of(const Job& job, std::size_t i) {
   const auto& place = job.places[i];
   Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--quiet"}, errors_of(place)};
+  if (job.request.trust_geometry) child.words.push_back("--trust-geometry");
   if (job.request.force) child.words.push_back("--force");
   else if (can_go_on(place, end_of(place))) child.words.push_back("--restart");
   return child;
@@ -172,7 +173,8 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
                      "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --output=/dev/null\n";
   text += "exec " + shell_quoted(this_program()) + " sweep " + shell_quoted(fs::absolute(job.request.path));
   for (const auto& words : job.request.vary) text += " --vary " + shell_quoted(words);
-  text += " --out " + shell_quoted(fs::absolute(job.dir)) + (job.request.force ? " --force" : "");
+  text += " --out " + shell_quoted(fs::absolute(job.dir)) + (job.request.force ? " --force" : "") +
+          (job.request.trust_geometry ? " --trust-geometry" : "");
   return text + " --quiet --member \"$SLURM_ARRAY_TASK_ID\"\n";
 }
 

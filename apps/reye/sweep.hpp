@@ -12,6 +12,7 @@ struct SweepRequest {
   int jobs = 0;     ///< members at once; 0: as many as there are cores, or as Slurm allows
   int member = -1;  ///< the only one to run: what a job of an array calls
   bool slurm = false, table = false, force = false, quiet = false;
+  bool trust_geometry = false;  ///< passed on to every member
 };
 
 /// 0 when every member is done, 1 when one is not, 130 when interrupted; bad input is thrown as base::InputError.

@@ -17,13 +17,14 @@ struct Geometry {
   std::vector<mesh::Mesh> bodies;  ///< in the order of the options; a rigid body has outline and boundaries, no cells
   std::vector<Drawing> drawings;   ///< what each was made from
   std::vector<BodyFacts> facts;
+  bool guarded = true;  ///< false: nothing but their own limits kept the files' readers from harm
 };
 
 /// Imports the files, finds bodies and boundaries by their selectors, meshes and checks every body.
 /// A planar face in any plane is mapped to x-y. Boundaries named by physical curves are added under their
 /// physical names. Bodies are never merged: nodes of two bodies are distinct even where their CAD coincides.
 /// Throws base::InputError (all issues together; keys "geometry", "body.<name>.at", "boundary.<name>.box_mm" ...)
-/// for what the user can mend, base::MeshError where gmsh gave something unusable.
+/// for files and bodies that cannot be used: key "geometry" with the file, "body.<name>" for a face that cannot be meshed.
 Geometry build(const GeometryOptions& options);
 
 }  // namespace reye::cad

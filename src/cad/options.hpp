@@ -70,6 +70,8 @@ struct FineZone {
 
 struct GeometryOptions {
   std::vector<std::string> files;  ///< absolute paths
+  std::string folder{};            ///< of the scene, absolute: scripts may include what lies in it or below
+  bool trusted = false;            ///< scripts may hold whatever gmsh understands, and files take what they take
   std::vector<BodyOptions> bodies;
   std::vector<BoundaryOptions> boundaries;
   std::vector<FineZone> fine_zones;

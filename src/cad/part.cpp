@@ -36,7 +36,7 @@ Edge take_next(std::vector<Edge>& loose, const Vec2& end, double tolerance) {
     nearest = distance;
     best = edge;
   }
-  if (best == loose.end()) throw base::MeshError("the outline of a face stays open at " + text(end));
+  if (best == loose.end()) throw base::MeshError("the outline stays open at " + text(end));
   Edge next = std::move(*best);
   loose.erase(best);
   return (next.first() - end).norm() <= (next.last() - end).norm() ? next : reversed(std::move(next));

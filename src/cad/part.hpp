@@ -17,6 +17,7 @@ struct Part {
   std::string label;               ///< STEP product or physical surface; empty when the file names none
   std::vector<Loop> loops;         ///< outer loop first
   std::optional<mesh::Mesh> mesh;  ///< when the file brought its own; one edge knot per outline node, then
+  std::string file{};              ///< that holds it
 };
 
 double area(const Part& part);

@@ -34,14 +34,24 @@ void check_zone(const FineZone& zone, const std::vector<BodyPlan>& plans, std::v
                       "no edge of a body passes through the fine zone"});
 }
 
+/// Nodes of a rigid body, which is its outline, about.
+double outline_nodes(const BodyPlan& plan) {
+  double length = 0.0;
+  for (const Loop& loop : plan.part->loops)
+    for (const Edge& edge : loop) length += edge.length();
+  double nodes = length / far_size(plan);
+  for (const ZoneOutline& zone : plan.zones) nodes += zone.length() / zone.size;
+  return nodes;
+}
+
 void check_body(const BodyPlan& plan, bool axisymmetric, std::vector<Issue>& issues) {
   const std::string key = "body." + plan.options->name;
   if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9)
     issues.push_back({key, "",
                       "reaches x = " + text(bounding_box(*plan.part)[0]) +
                           "; in an axisymmetric scene x is the radius and nothing lies at x < 0"});
-  if (plan.options->rigid || plan.part->mesh) return;
-  const double nodes = estimated_nodes(plan);
+  if (plan.part->mesh) return;
+  const double nodes = plan.options->rigid ? outline_nodes(plan) : estimated_nodes(plan);
   if (nodes > most_nodes)
     issues.push_back({key, "",
                       "would need about " + text(nodes) + " nodes (at most " + text(most_nodes) +

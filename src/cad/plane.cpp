@@ -45,11 +45,23 @@ Part mapped(const RawPart& raw, const Plane& plane) {
     edges.push_back(make_edge(curve.type, std::move(knots), std::move(directions)));
     edges.back().names = curve.names;
   }
+  if (edges.empty()) throw base::MeshError("the face has no outline");
   return {raw.label, make_loops(std::move(edges)), {}};
 }
 
-std::string named(const RawPart& raw, std::size_t k) {
-  return raw.label.empty() ? "face " + std::to_string(k + 1) : "face '" + raw.label + "'";
+/// What is wrong with the k-th face of a scene.
+base::Issue issue_of(const RawPart& raw, std::size_t k, const std::string& rule) {
+  const std::string face = raw.label.empty() ? "face " + std::to_string(k + 1) : "face '" + raw.label + "'";
+  return {"geometry", "\"" + raw.file + "\"", face + ": " + rule};
+}
+
+/// The rule that keeps a part from being mapped; empty when it can be.
+std::string broken_rule(const RawPart& raw, const Plane& plane, bool cut) {
+  constexpr double tolerance = 1e-6;
+  const std::vector<Vec3> points = all_points(raw);
+  if (unevenness(points, plane_of(points)) > tolerance) return "a body must be a planar face";
+  if (unevenness(points, plane) <= tolerance) return "";
+  return cut ? "lies in a plane that is not parallel to the section" : "all faces of a scene must lie in parallel planes";
 }
 
 }  // namespace
@@ -71,29 +83,33 @@ Plane plane_across(Vec3 normal) {
 }
 
 Plane plane_of(const std::vector<Vec3>& points) {
+  if (points.empty()) throw base::MeshError("the face has no outline");
   const Vec3 origin = points.front();
   const Vec3 far = farthest(points, [&](const Vec3& p) { return (p - origin).squaredNorm(); }) - origin;
   const Vec3 wide = farthest(points, [&](const Vec3& p) { return far.cross(p - origin).squaredNorm(); }) - origin;
   const Vec3 normal = far.cross(wide);
-  if (!(normal.norm() > 1e-12 * far.squaredNorm())) throw base::MeshError("a face has no area");
+  if (!(normal.norm() > 1e-12 * far.squaredNorm())) throw base::MeshError("the face has no area");
   return plane_across(normal.normalized());
 }
 
 std::vector<Part> map_to_plane(const std::vector<RawPart>& raw, const std::optional<Section>& section) {
-  constexpr double tolerance = 1e-6;
   std::vector<base::Issue> issues;
   std::vector<Part> parts;
-  const Plane plane =
-      section ? plane_across(section->normal.stableNormalized()) : plane_of(all_points(raw.front()));
+  std::optional<Plane> plane;
+  if (section) plane = plane_across(section->normal.stableNormalized());
   for (std::size_t k = 0; k < raw.size(); ++k) {
-    const std::vector<Vec3> points = all_points(raw[k]);
-    if (unevenness(points, plane_of(points)) > tolerance)
-      issues.push_back({"geometry", named(raw[k], k), "a body must be a planar face"});
-    else if (unevenness(points, plane) > tolerance)
-      issues.push_back({"geometry", named(raw[k], k), section ? "lies in a plane that is not parallel to the section"
-                                                           : "all faces of a scene must lie in parallel planes"});
-    else
-      parts.push_back(mapped(raw[k], plane));
+    try {
+      if (!plane) plane = plane_of(all_points(raw[k]));
+      const std::string rule = broken_rule(raw[k], *plane, section.has_value());
+      if (!rule.empty()) {
+        issues.push_back(issue_of(raw[k], k, rule));
+        continue;
+      }
+      parts.push_back(mapped(raw[k], *plane));
+      parts.back().file = raw[k].file;
+    } catch (const base::MeshError& error) {
+      issues.push_back(issue_of(raw[k], k, error.what()));
+    }
   }
   if (!issues.empty()) throw base::InputError(issues);
   return parts;

@@ -29,6 +29,7 @@ struct RawMesh {
 };
 
 struct RawPart {
+  std::string file;  ///< that holds it, as the options name it
   std::string label;
   bool group = false;  ///< the label is a physical group: its faces are one body
   std::vector<RawCurve> curves;
@@ -39,17 +40,10 @@ struct RawPart {
 /// What a file is by its name's end: STEP, IGES, BREP; .geo; .msh; .vtu.
 enum class Format { shapes, script, mesh, vtu };
 
+/// The end of a file's name from its last point, in small letters.
+std::string extension(const std::string& path);
+
 /// Throws base::InputError, key "geometry".
 [[noreturn]] void refuse(const std::string& path, const std::string& rule);
-
-/// The meshes of a .vtu as `reye mesh` writes it: one part per body, named boundaries from its lines. Frames of a run serve,
-/// too: their bodies on X, without names of boundaries.
-std::vector<RawPart> read_vtu(const std::string& path);
-
-/// Reads one file: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, .vtu, lengths in mm. Its solids are
-/// cut by the section.
-/// Throws base::InputError (key "geometry", value the path) for what cannot be used; key "section.point_mm" where the
-/// section misses all its solids.
-std::vector<RawPart> read_file(const std::string& path, const std::optional<Section>& section);
 
 }  // namespace reye::cad

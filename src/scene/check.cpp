@@ -109,6 +109,9 @@ std::string broken_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   if (key.type == Type::refused) return std::string(key.doc);
   if (!has_type(node, key.type)) return type_rule(key.type) + or_a_table(place);
+  constexpr std::size_t most_pairs = 10'000;  // each corner of a history ends an increment
+  if ((key.type == Type::curve || key.type == Type::history) && node.children.size() > most_pairs)
+    return "has " + std::to_string(node.children.size()) + " pairs; 10000 are the most";
   if (!all_finite(node)) return "must be finite";
   if (key.type == Type::text && node.text.empty()) return "must not be empty";
   if (!key.range.choices.empty()) return choice_rule(node, place);

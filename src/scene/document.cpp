@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace reye::scene {
@@ -13,6 +14,7 @@ namespace {
 struct Source {
   std::vector<std::string> lines;
   std::vector<std::size_t> starts;  ///< byte at which each begins
+  std::map<unsigned, std::vector<std::size_t>> characters;  ///< where they begin, and the end, in lines of more than ASCII
 
   explicit Source(const std::string& toml) : lines(1), starts{0} {
     for (std::size_t i = 0; i < toml.size(); ++i) {
@@ -23,29 +25,34 @@ struct Source {
         lines.back() += toml[i];
       }
     }
+    for (unsigned i = 0; i < lines.size(); ++i) note_characters(i);
+  }
+
+  void note_characters(unsigned i) {
+    const auto& line = lines[i];
+    if (std::none_of(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; })) return;
+    for (std::size_t at = 0; at <= line.size(); ++at)
+      if (at == line.size() || (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U) characters[i + 1].push_back(at);
   }
 
   /// Offset in bytes of a column, which counts characters.
-  static std::size_t offset(const std::string& line, unsigned column) {
-    std::size_t at = 0;
-    for (unsigned seen = 1; at < line.size(); ++at) {
-      const bool starts_character = (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U;
-      if (starts_character && seen++ == column) break;
-    }
-    return at;
+  std::size_t offset(const toml::source_position& place) const {
+    const auto found = characters.find(place.line);
+    if (found == characters.end()) return std::min<std::size_t>(place.column - 1, lines.at(place.line - 1).size());
+    return found->second.at(std::clamp<std::size_t>(place.column, 1, found->second.size()) - 1);
   }
 
   /// Byte of a place in the whole text.
   std::size_t byte(const toml::source_position& place) const {
-    return starts.at(place.line - 1) + offset(lines.at(place.line - 1), place.column);
+    return starts.at(place.line - 1) + offset(place);
   }
 
   /// A value on one line; long or broken values are shortened, they help nobody in a message.
   std::string slice(const toml::source_region& region) const {
     const auto& line = lines.at(region.begin.line - 1);
-    const auto from = offset(line, region.begin.column);
+    const auto from = offset(region.begin);
     const bool one_line = region.end.line == region.begin.line;
-    auto value = line.substr(from, one_line ? offset(line, region.end.column) - from : std::string::npos);
+    auto value = line.substr(from, one_line ? offset(region.end) - from : std::string::npos);
     while (!value.empty() && (value.back() == '\r' || value.back() == ' ')) value.pop_back();
     constexpr std::size_t longest = 60;
     if (value.size() > longest) value.resize(longest);
@@ -110,6 +117,24 @@ std::string in_words(const std::string& description) {
   return open ? "a text lacks its closing quotation mark" : description;
 }
 
+/// The parser goes one call deeper for each part of a dotted key, and knows no end of it.
+void check_depth(const std::vector<std::string>& lines) {
+  constexpr int most = 32;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    int parts = 1;
+    char quote = '\0';
+    for (char c : lines[i]) {
+      if (c == quote) quote = '\0';
+      else if (quote != '\0') continue;
+      else if (c == '"' || c == '\'') quote = c;
+      else if (c == '#') break;
+      else if (c == '.') ++parts;
+      else if (std::string_view(",=[]{}").find(c) != std::string_view::npos) parts = 1;
+      if (parts > most) throw SyntaxError("a key of more than 32 parts", static_cast<int>(i) + 1);
+    }
+  }
+}
+
 }  // namespace
 
 const Node* Node::find(std::string_view child) const {
@@ -118,8 +143,10 @@ const Node* Node::find(std::string_view child) const {
 }
 
 Node parse(const std::string& toml) {
+  const Source source(toml);
+  check_depth(source.lines);
   try {
-    auto root = convert(toml::parse(toml), Source(toml), "", "");
+    auto root = convert(toml::parse(toml), source, "", "");
     root.line = 1;
     return root;
   } catch (const toml::parse_error& error) {

@@ -7,6 +7,7 @@ namespace {
 constexpr Range any{};
 constexpr Range positive{.low = 0.0, .low_open = true};
 constexpr Range at_least(double low) { return {.low = low}; }
+constexpr Range from_to(double low, double high) { return {.low = low, .high = high}; }
 constexpr Range one_of(std::string_view choices) { return {.choices = choices}; }
 
 constexpr Key table[] = {
@@ -158,7 +159,7 @@ constexpr Key table[] = {
 
     {"step[].name", Type::text, "", "", any, "name in messages; without it its number"},
     {"step[].play", Type::texts, "", "[]", any, "histories played; the others hold their last factor"},
-    {"step[].increments", Type::whole, "", "1", at_least(1.0), "equal parts of the step; corners are always ends"},
+    {"step[].increments", Type::whole, "", "1", from_to(1.0, 1e5), "equal parts of the step; corners are always ends"},
     {"step[].wear", Type::flag, "", "true", any, "false: nothing wears in this step"},
     {"step[].cycles", Type::number, "", "0", at_least(0.0), "how often it is repeated; 0: a load step, no cycle"},
     {"step[].jump", Type::number, "", "1", at_least(1.0), "cycles per block, the same for all; with `accuracy` a tolerance is the default; or"},
@@ -170,7 +171,7 @@ constexpr Key table[] = {
      "how long one play of the step lasts; only a speed exponent asks for it"},
 
     {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played again and again in this order"},
-    {"spectrum.times", Type::whole, "", "required", at_least(1.0), "how often"},
+    {"spectrum.times", Type::whole, "", "required", from_to(1.0, 1e5), "how often"},
 
     {"limit.*.contact", Type::text, "", "required", any, "contact that is watched"},
     {"limit.*.side", Type::text, "", "secondary", one_of("secondary|primary|sum"), "side that is watched"},

@@ -87,6 +87,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.body_material = body_materials_of(root);
   scene.geometry.axisymmetric = scene.analysis == base::Analysis::axisymmetric;
   scene.geometry.files = geometry_files(root, scene.path, issues);
+  scene.geometry.folder = fs::absolute(scene.path).parent_path().lexically_normal().string();
   scene.geometry.bodies = bodies_of(root, issues);
   scene.geometry.section = section_of(root, issues);
   scene.geometry.boundaries = boundaries_of(root, scene.path, issues);
@@ -119,6 +120,11 @@ std::string text_of(const std::string& path) {
   if (!fs::is_regular_file(path, error) || !read_bytes(path, text)) {
     const base::Issue issue{"", "", fs::exists(path, error) ? "cannot be read" : "no such file"};
     throw base::InputError({issue}, base::printable(path) + ": " + issue.rule);
+  }
+  constexpr std::size_t most_bytes = 8 << 20;
+  if (text.size() > most_bytes) {
+    const base::Issue issue{"", "", "is larger than 8 MB"};
+    throw base::InputError({issue}, path + ": " + issue.rule);
   }
   return text;
 }

@@ -232,6 +232,9 @@ Problem built(scene::Scene scene, Cache& cache) {
   for (const auto& text : scene.warnings) p.warnings.push_back({"scene", "", text});
   warn_of_steps(scene, p.warnings);
   cad::Geometry geometry = cad::build(scene.geometry);
+  if (!geometry.guarded)
+    warn(p.warnings, {"geometry", "", "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
+                                      "it is held by what scripts may say and by limits of time and memory alone"});
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
     p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
@@ -281,6 +284,10 @@ Problem prepare(const scene::Scene& scene, Cache* cache) {
     return built(scene, cache ? *cache : own);
   } catch (const base::InputError& error) {
     throw scene::located(scene, as_written(scene, error.issues()));
+  } catch (const base::MeshError& error) {
+    throw scene::located(scene, {{"geometry", "", error.what()}});
+  } catch (const base::SolveError& error) {
+    throw scene::located(scene, {{"", "", std::string("the scene has no equilibrium that can be computed: ") + error.what()}});
   }
 }
 

@@ -33,6 +33,7 @@ inline void add_geometry(const Place& place) {
   place.write("empty.geo", "");
   place.write("comment.geo", "// nothing\n");
   place.write("garbage.geo", "garbage(\n");
+  place.write("syntax.geo", "Point = (\n");
   place.write("garbage.step", "garbage(\n");
   place.write("part.stl", "solid");
   place.write("long.csv", "arc_length_mm,height_mm\n0,0\n1,0.1\n3,0\n");

@@ -90,13 +90,15 @@ class Place {
   }
 
   /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows. `beside`: another name where
-  /// what is printed is kept while another command runs.
-  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, const std::string& beside = "") const {
+  /// what is printed is kept while another command runs. `before` is called in the new process, for limits of another kind.
+  Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, const std::string& beside = "",
+                void (*before)() = nullptr) const {
     const auto out = root_ / ("out" + beside), err = root_ / ("err" + beside);
     const pid_t pid = ::fork();
     if (pid == 0) {
       const rlimit limit{file_bytes, file_bytes};
       if (file_bytes > 0) ::setrlimit(RLIMIT_FSIZE, &limit);
+      if (before) before();
       become(words, out, err);
     }
     return {pid, out, err};

@@ -25,17 +25,21 @@ TEST(BadInput, Files) {
       {"no STEP file at all",
        {{R"("blocks.geo")", R"("garbage.step")"}},
        "",
-       R"(scene.toml:1: geometry = "garbage.step": gmsh cannot read it: Could not read file 'FOLDER/garbage.step')"},
-      {"syntax error",
+       R"(scene.toml:1: geometry = "garbage.step": is not a STEP file: it must begin with ISO-10303-21)"},
+      {"unknown word",
        {{R"("blocks.geo")", R"("garbage.geo")"}},
        "",
-       R"(scene.toml:1: geometry = "garbage.geo": gmsh cannot read it: 'FOLDER/garbage.geo', line 1: syntax error ())"},
+       R"(scene.toml:1: geometry = "garbage.geo": line 1: garbage is neither a command that Reye lets a script use nor a variable that it sets; take it out, or run with --trust-geometry if you trust the file)"},
+      {"syntax error in known words",
+       {{R"("blocks.geo")", R"("syntax.geo")"}},
+       "",
+       R"(scene.toml:1: geometry = "syntax.geo": gmsh cannot read it: 'FOLDER/syntax.geo', line 1: syntax error (=))"},
       {"two bad files",
        {{R"("blocks.geo")", R"("comment.geo", "garbage.step")"}},
        "",
        R"(scene.toml:1: geometry = "comment.geo": holds no face)"
        "\n"
-       R"(scene.toml:1: geometry = "garbage.step": gmsh cannot read it: Could not read file 'FOLDER/garbage.step')"},
+       R"(scene.toml:1: geometry = "garbage.step": is not a STEP file: it must begin with ISO-10303-21)"},
       {"a solid",
        {{R"("blocks.geo")", R"("solid.step")"}},
        "",
@@ -49,9 +53,9 @@ section = { point_mm = [0.0, 0.0, 3.0], normal = [0.0, 0.0, -2.0] })"}},
        {{R"("blocks.geo"])", R"("blocks.geo"]
 section = { point_mm = [0.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] })"}},
        "",
-       R"(scene.toml:1: geometry = face 'slider': lies in a plane that is not parallel to the section)"
+       R"(scene.toml:1: geometry = "blocks.geo": face 'slider': lies in a plane that is not parallel to the section)"
        "\n"
-       R"(scene.toml:1: geometry = face 'base': lies in a plane that is not parallel to the section)"},
+       R"(scene.toml:1: geometry = "blocks.geo": face 'base': lies in a plane that is not parallel to the section)"},
       {"mixed cells",
        {{R"("blocks.geo")", R"("mixed.msh")"}},
        "",
@@ -59,7 +63,7 @@ section = { point_mm = [0.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] })"}},
       {"curved face",
        {{R"("blocks.geo")", R"("ball.geo")"}},
        "",
-       R"(scene.toml:1: geometry = face 1: a body must be a planar face)"},
+       R"(scene.toml:1: geometry = "ball.geo": face 1: a body must be a planar face)"},
   };
   for (const auto& bad : scenes) test::expect_refused(bad);
 }

@@ -101,8 +101,8 @@ TEST(section, refusals) {
   GeometryOptions options = cut({0, -3, 0}, {0, 1, 0});
   options.files.push_back(data("named.step"));
   EXPECT_EQ(issues_of(options),
-            "geometry = face 'punch': lies in a plane that is not parallel to the section\n"
-            "geometry = face 'block': lies in a plane that is not parallel to the section");
+            "geometry = \"" + data("named.step") + "\": face 'punch': lies in a plane that is not parallel to the section\n"
+            "geometry = \"" + data("named.step") + "\": face 'block': lies in a plane that is not parallel to the section");
   const std::string own = temporary_file("own.geo",
                                          "Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0};\nLine(1) = {1, 2};\n"
                                          "s[] = Extrude {0, 1, 0} { Curve{1}; };\nExtrude {0, 0, 1} { Surface{s[1]}; }\n");

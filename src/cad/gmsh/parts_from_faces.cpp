@@ -137,7 +137,7 @@ std::vector<RawPart> parts_from_faces(const std::vector<Face>& faces) {
   for (const Face& face : faces) {
     auto part = std::find_if(parts.begin(), parts.end(),
                              [&](const RawPart& p) { return face.group && p.group && p.label == face.label; });
-    if (part == parts.end()) part = parts.insert(parts.end(), RawPart{face.label, face.group, {}, {}, {}});
+    if (part == parts.end()) part = parts.insert(parts.end(), RawPart{{}, face.label, face.group, {}, {}, {}});
     add_face(*part, face.tag);
   }
   return parts;

@@ -93,7 +93,7 @@ std::vector<RawPart> parts_from_mesh() {
     std::size_t k = 0;
     while (k < parts.size() && !(face.group && parts[k].group && parts[k].label == face.label)) ++k;
     if (k == parts.size()) {
-      parts.push_back({face.label, face.group, {}, {}, {}});
+      parts.push_back({{}, face.label, face.group, {}, {}, {}});
       elements.push_back({own.nodes_each, {}});
     }
     elements[k].nodes.insert(elements[k].nodes.end(), own.nodes.begin(), own.nodes.end());

@@ -1,3 +1,4 @@
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
@@ -5,14 +6,16 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
-#include "cad/raw.hpp"
+#include "cad/import/read_vtu.hpp"
 
 namespace reye::cad {
 
@@ -40,32 +43,58 @@ std::vector<int> values_in(vtkUnstructuredGrid& grid, const char* array, int oth
   std::vector<int> values(static_cast<std::size_t>(grid.GetNumberOfCells()), otherwise);
   if (auto* list = grid.GetCellData()->GetArray(array); list && list->GetNumberOfTuples() == grid.GetNumberOfCells())
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = static_cast<int>(list->GetComponent(static_cast<vtkIdType>(i), 0));
+      if (const double value = list->GetComponent(static_cast<vtkIdType>(i), 0); std::abs(value) < 1e9)
+        values[i] = static_cast<int>(value);
   return values;
 }
 
-/// Nodes of every cell, by number in the file.
+/// Nodes of every cell, by number in the file. What VTK took over unseen is looked at before it is used.
 std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
+  constexpr vtkIdType most = 50'000'000;
+  const vtkIdType count = grid.GetNumberOfCells(), points = grid.GetNumberOfPoints();
+  if (count > most || points > most) refuse(path, "holds more than 5e7 points or cells");
+  vtkCellArray& all = *grid.GetCells();
+  vtkDataArray& offsets = *all.GetOffsetsArray();
+  const auto offset = [&](vtkIdType c) { return offsets.GetComponent(c, 0); };
+  if (all.GetNumberOfCells() != count || offsets.GetNumberOfTuples() != count + 1 || offset(0) != 0.0)
+    refuse(path, "the offsets do not fit the cells");
+  for (vtkIdType c = 0; c < count; ++c)
+    if (!(offset(c + 1) > offset(c))) refuse(path, "cell " + std::to_string(c) + " has no points, by its offset");
+  if (offset(count) != static_cast<double>(all.GetNumberOfConnectivityIds())) refuse(path, "the offsets do not fit the connectivity");
   std::vector<std::vector<int>> cells;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+  for (vtkIdType c = 0; c < count; ++c) {
     grid.GetCellPoints(c, ids);
     auto& nodes = cells.emplace_back();
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) nodes.push_back(static_cast<int>(ids->GetId(k)));
-    if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return node < 0 || node >= grid.GetNumberOfPoints(); }))
-      refuse(path, "a cell names a point that there is not");
+    for (vtkIdType node : *ids) {
+      if (node < 0 || node >= points)
+        refuse(path, "cell " + std::to_string(c) + " names point " + std::to_string(node) + ", which there is not");
+      nodes.push_back(static_cast<int>(node));
+    }
+    if (const auto kind = kind_of(grid.GetCellType(c)); kind && static_cast<int>(nodes.size()) != mesh::nodes_per_cell(*kind))
+      refuse(path, "cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) + " points, its kind " +
+                       std::to_string(mesh::nodes_per_cell(*kind)));
   }
   return cells;
 }
 
+/// Where the points are: on X where the file says that, else as drawn; three components each.
+vtkDataArray& positions_in(vtkUnstructuredGrid& grid, const std::string& path) {
+  vtkDataArray* positions = grid.GetPointData()->GetArray("reference_position");
+  if (!positions) positions = grid.GetPoints()->GetData();
+  if (positions->GetNumberOfComponents() != 3 || positions->GetNumberOfTuples() != grid.GetNumberOfPoints())
+    refuse(path, "the positions of points must have three components each");
+  return *positions;
+}
+
 /// A part being read, with the place of each of its nodes.
-struct Reading {
+struct BodyBeingRead {
   RawPart part;
   bool begun = false;
   std::map<int, int> place;
 };
 
-void add_cell(Reading& body, mesh::CellKind kind, const std::vector<int>& nodes, const std::string& path) {
+void add_cell(BodyBeingRead& body, mesh::CellKind kind, const std::vector<int>& nodes, const std::string& path) {
   RawMesh& mesh = body.part.mesh;
   if (body.begun && mesh.kind != kind) refuse(path, "the cells of a body must be of one kind");
   body.begun = true;
@@ -77,15 +106,11 @@ void add_cell(Reading& body, mesh::CellKind kind, const std::vector<int>& nodes,
 }
 
 /// Nodes in the order of the file, and cells by their places.
-void place_nodes(Reading& body, vtkUnstructuredGrid& grid) {
-  auto* const on_X = grid.GetPointData()->GetArray("reference_position");
+void place_nodes(BodyBeingRead& body, vtkDataArray& positions) {
   for (auto& [node, place] : body.place) {
     place = static_cast<int>(body.part.mesh.nodes.size());
     double x[3];
-    if (on_X)
-      on_X->GetTuple(node, x);
-    else
-      grid.GetPoint(node, x);
+    positions.GetTuple(node, x);
     body.part.mesh.nodes.emplace_back(x[0], x[1], x[2]);
   }
   for (mesh::Cell& cell : body.part.mesh.cells)
@@ -106,16 +131,18 @@ std::vector<RawPart> read_vtu(const std::string& path) {
   const auto body_names = names_in(grid, "body_names"), boundary_names = names_in(grid, "boundary_names");
   const auto body = values_in(grid, "body", 0), boundary = values_in(grid, "boundary", -1);
   const auto cells = nodes_of_cells(grid, path);
-  std::map<int, Reading> bodies;
+  vtkDataArray& positions = positions_in(grid, path);
+  std::map<int, BodyBeingRead> bodies;
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (const auto kind = kind_of(grid.GetCellType(static_cast<vtkIdType>(c)))) add_cell(bodies[body[c]], *kind, cells[c], path);
   std::vector<RawPart> parts;
   for (auto& [index, reading] : bodies) {
-    place_nodes(reading, grid);
+    place_nodes(reading, positions);
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto name = static_cast<std::size_t>(boundary[c]);
       if (boundary[c] < 0 || name >= boundary_names.size() || body[c] != index) continue;
-      const auto a = reading.place.find(cells[c].front()), b = reading.place.find(cells[c].at(1));
+      if (cells[c].size() < 2) continue;
+      const auto a = reading.place.find(cells[c][0]), b = reading.place.find(cells[c][1]);
       if (a != reading.place.end() && b != reading.place.end())
         reading.part.mesh.names[std::minmax(a->second, b->second)].insert(boundary_names[name]);
     }

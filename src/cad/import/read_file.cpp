@@ -1,9 +1,13 @@
+#include "cad/import/read_file.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
 #include "base/errors.hpp"
+#include "cad/import/content.hpp"
+#include "cad/import/read_vtu.hpp"
+#include "cad/import/script.hpp"
 #include "cad/kernel.hpp"
 
 namespace reye::cad {
@@ -11,12 +15,6 @@ namespace reye::cad {
 namespace {
 
 constexpr const char* formats = ".step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu";
-
-std::string extension(const std::string& path) {
-  std::string ext = std::filesystem::path(path).extension().string();
-  std::transform(ext.begin(), ext.end(), ext.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ext;
-}
 
 /// gmsh opens missing and empty files without complaint, so they are looked at first.
 void check_readable(const std::string& path) {
@@ -48,16 +46,17 @@ void check_last_line(const std::string& path) {
 
 }  // namespace
 
-void refuse(const std::string& path, const std::string& rule) {
-  throw base::InputError({{"geometry", "\"" + path + "\"", rule}});
-}
-
-std::vector<RawPart> read_file(const std::string& path, const std::optional<Section>& section) {
+std::vector<RawPart> read_file(const std::string& path, const Reading& how) {
   const Format format = format_of(path);
   check_readable(path);
+  check_content(path, format);
   if (format == Format::vtu) return read_vtu(path);
-  if (format == Format::script) check_last_line(path);
-  return kernel().read_file(path, format, section);
+  if (format == Format::script) {
+    check_last_line(path);
+    if (!how.trusted)
+      if (auto issues = unsafe_commands(path, how.folder); !issues.empty()) throw base::InputError(std::move(issues));
+  }
+  return kernel().read_file(path, format, how.section);
 }
 
 }  // namespace reye::cad

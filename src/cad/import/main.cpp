@@ -1,0 +1,88 @@
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+
+#include "cad/import/guard.hpp"
+#include "cad/import/read_file.hpp"
+#include "cad/importer_process.hpp"
+#include "cad/kernel.hpp"
+#include "cad/raw_bytes.hpp"
+
+/// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
+///   reye-import guarded|trusted FOLDER SECTION FILE...
+/// SECTION: six numbers, point and normal, or "-". What it has to say goes to descriptor 3, each message behind its size: first
+/// whether the system keeps it from anything but reading, then an answer for each file.
+namespace {
+
+using namespace reye;
+
+void say(const std::string& bytes) {
+  constexpr int pipe = 3;
+  const std::uint64_t size = bytes.size();
+  std::string all(reinterpret_cast<const char*>(&size), sizeof size);
+  all += bytes;
+  for (std::size_t at = 0; at < all.size();) {
+    const ssize_t n = ::write(pipe, all.data() + at, all.size() - at);
+    if (n <= 0) std::_Exit(1);
+    at += static_cast<std::size_t>(n);
+  }
+}
+
+std::optional<cad::Section> section_of(const char* text) {
+  cad::Section section;
+  char* rest = const_cast<char*>(text);
+  for (cad::Vec3* v : {&section.point_mm, &section.normal})
+    for (double& x : *v) {
+      char* const begin = rest;
+      x = std::strtod(begin, &rest);
+      if (rest == begin) return std::nullopt;
+    }
+  return section;
+}
+
+cad::Answer answer_about(const std::string& file, const cad::Reading& how) {
+  const auto refused = [&](const std::string& rule) {
+    return cad::Answer{{}, {{"geometry", "\"" + file + "\"", rule}}};
+  };
+  try {
+    return {cad::read_file(file, how), {}};
+  } catch (const base::InputError& error) {
+    return {{}, error.issues()};
+  } catch (const std::bad_alloc&) {
+    return refused("reading it takes more than 3 GB of memory");
+  } catch (const std::exception& error) {
+    return refused(std::string("cannot be read: ") + error.what());
+  } catch (...) {
+    return refused("cannot be read");
+  }
+}
+
+bool needs_gmsh(const std::string& file) { return cad::extension(file) != ".vtu"; }
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count < 5) {
+    std::fputs("reye-import is started by reye\n", stderr);
+    return 2;
+  }
+  const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
+  const std::vector<std::string> files(words + 4, words + count);
+  std::vector<std::string> folders{how.folder};
+  for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path().string());
+  cad::end_with_parent();
+  if (!how.trusted) cad::limit_memory();
+  for (const std::string& file : files)
+    if (needs_gmsh(file)) cad::kernel();  // loaded before reading is all it may do
+  const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
+  say(guarded ? "guarded" : "open");
+  for (const std::string& file : files) {
+    if (!how.trusted) cad::limit_computing(cad::computing_s);
+    say(cad::to_bytes(answer_about(file, how)));
+  }
+  std::_Exit(0);  // nothing to tidy up, and libraries that stumbled may stumble again
+}

@@ -1,0 +1,19 @@
+#pragma once
+#include "cad/raw.hpp"
+
+namespace reye::cad {
+
+/// How files are read.
+struct Reading {
+  std::optional<Section> section;
+  std::string folder;    ///< scripts may include what lies below it
+  bool trusted = false;  ///< scripts may hold whatever gmsh understands
+};
+
+/// Reads one file: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, .vtu, lengths in mm. Its solids are
+/// cut by the section.
+/// Throws base::InputError (key "geometry", value the path) for what cannot be used; key "section.point_mm" where the
+/// section misses all its solids.
+std::vector<RawPart> read_file(const std::string& path, const Reading& how);
+
+}  // namespace reye::cad

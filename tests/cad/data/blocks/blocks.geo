@@ -1,0 +1,11 @@
+SetFactory("OpenCASCADE");
+Rectangle(1) = {1, 0, 0, 2, 1};
+Rectangle(2) = {0, -1, 0, 4, 1};
+Physical Surface("slider") = {1};
+Physical Surface("base") = {2};
+Physical Curve("slider_bottom") = {1};
+Physical Curve("slider_right") = {2};
+Physical Curve("slider_top") = {3};
+Physical Curve("base_bottom") = {5};
+Physical Curve("base_top") = {7};
+Physical Curve("left") = {4, 8};
