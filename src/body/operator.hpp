@@ -77,6 +77,7 @@ struct BodyInput {
   std::vector<fem::PointLoad> point_loads;
   std::vector<fem::BodyForce> body_forces;
   std::vector<std::string> contact_boundaries;  ///< their nodes are retained
+  bool keeps_direction = false;  ///< bonded to a body that does: together they are one of small strain
   Vec2 centre{0.0, 0.0};  ///< what a linear body turns about where no support says it; does not change with the shape
 };
 

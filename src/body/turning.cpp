@@ -59,7 +59,9 @@ Candidate examine(const mesh::Mesh& mesh, const BodyInput& input) {
 
 }  // namespace
 
-std::optional<Pivot> pivot_of(const mesh::Mesh& mesh, const BodyInput& input) { return examine(mesh, input).pivot; }
+std::optional<Pivot> pivot_of(const mesh::Mesh& mesh, const BodyInput& input) {
+  return input.keeps_direction ? std::nullopt : examine(mesh, input).pivot;
+}
 
 std::string keeps_direction(const mesh::Mesh& mesh, const BodyInput& input) { return examine(mesh, input).obstacle; }
 

@@ -77,6 +77,11 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
       status_[j] = ContactStatus::inactive;
       continue;
     }
+    if (o.bonded) {
+      status_[j] = ContactStatus::stick;
+      unmoved_[j] = support_slip(node).has_value();
+      continue;
+    }
     const double lambda_n = lambda[j].dot(normal_[j]);
     const double opened = (gap_[j] + worn_before_[j] + (spread ? others_wear(node) : 0.0)) / D;
     const bool was = status_last_[j] != ContactStatus::inactive;

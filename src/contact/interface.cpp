@@ -32,6 +32,7 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   placement_.secondary = &setup.secondary;
   placement_.primary = &setup.primary;
   placement_.xs = placement_.xs_before = std::move(xs);
+  drawn_offset_.clear();
   inset_.clear();
   if (options.inset > 0.0) {
     inset_ = mortar::inset(setup.primary, xm, options.inset);
@@ -66,8 +67,13 @@ void Interface::expect(const std::vector<ContactStatus>& status, const std::vect
 }
 
 void Interface::integrate(const Points& xs, const Points& xm) {
+  if (setup_->options.bonded) return integrate_bond(xs, xm);
   placement_.xs = xs;
   place_primary(xm);
+  integrate_here();
+}
+
+void Interface::integrate_here() {
   placement_.cut = setup_->cut;
   records_ = &integrator_.values(placement_);
   differentiated_.assign(records_->size(), 0);
@@ -243,6 +249,7 @@ NodeConstants Interface::constants(int node) const {
 }
 
 void Interface::evaluate(const std::vector<Vec2>& lambda) {
+  if (setup_->options.bonded) return evaluate_bond(lambda);
   const auto at = [&](std::size_t j) {
     const int node = static_cast<int>(j);
     NodeScalars<double> s;
@@ -286,7 +293,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   next.friction = friction_;
   for (std::size_t j = 0; j < lambda.size(); ++j)
     if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
-  if (options_.held) return next;
+  if (options_.held || setup_->options.bonded) return next;
   const auto& law = setup_->options.wear;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const auto& c = condition_[j];

@@ -72,7 +72,9 @@ class Interface {
   void expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda);
 
   /// Limits the integrals to the facets between marked nodes; empty marks: all.
+  /// A bond keeps all of its own.
   void limit_to(std::vector<char> secondary, std::vector<char> primary) {
+    if (setup_->options.bonded) return;
     placement_.secondary_near = std::move(secondary);
     placement_.primary_near = std::move(primary);
   }
@@ -117,6 +119,7 @@ class Interface {
   int dofs() const { return placement_.dofs(); }
   /// Whether the tangential condition of a node is one of tractions, not of slip.
   bool shear_is_given(int node) const {
+    if (setup_->options.bonded) return unmoved_[node];
     return options_.held || status_[node] == ContactStatus::slip || unmoved_[node];
   }
   bool touching(int node) const { return rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
@@ -130,6 +133,13 @@ class Interface {
     double value = 0.0;
   };
   void place_primary(const Points& xm);
+  void integrate_here();
+  void integrate_bond(const Points& xs, const Points& xm);
+  void evaluate_bond(const std::vector<Vec2>& lambda);
+  void linearise_bond(Linearised& out) const;
+  mortar::Facet carrier(int node) const;
+  Vec2 turned_offset(int node) const;
+  std::array<Vec2, 2> directions(int node) const;
   NodeConstants constants(int node) const;
   Vec2 motion(int node) const;
   bool uses_drift(int node) const;
@@ -182,6 +192,7 @@ class Interface {
   std::vector<double> worn_length_;                 ///< A_j, and half of it from each control point that wears with j
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
   std::vector<Vec2> offset_, drift_, normal_;
+  std::vector<Vec2> drawn_offset_;  ///< of a bond, on X; empty until it is integrated
   std::vector<ContactStatus> status_, status_last_;
   /// Per node: keeps its shear, because both sides are held along the surface and nothing slides, or as a `sheared` start.
   std::vector<char> unmoved_;

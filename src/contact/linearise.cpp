@@ -200,6 +200,7 @@ void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) co
 void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   out.force.clear();
   out.rows.clear();
+  if (setup_->options.bonded) return linearise_bond(out);
   primary_slope_.resize(setup_->primary.X.size());
   secondary_slope_.resize(setup_->secondary.X.size());
   for (auto* side : {&primary_slope_, &secondary_slope_})

@@ -23,6 +23,7 @@ struct ContactOptions {
   bool imposed = false;                 ///< slip is a number, along the contact or out of the plane
   bool out_of_plane = false;            ///< slip is imposed out of the plane: friction acts there and leaves no shear in it
   double imposed_turn_rad = 0.0;        ///< of it, by an angle about the axis per play of a step: slip = angle x r
+  bool bonded = false;                  ///< a bond: it neither opens nor slips, and nothing of it wears
   bool implicit_wear = true;            ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;
   double search_mm = 0.0;               ///< facing facets farther apart than this are not paired; 0: chosen from the bodies

@@ -71,13 +71,14 @@ void RunWriter::frame(const sim::Frame& frame) {
   assert(started_);
   const std::size_t index = counters_.frame_cycles.size();
   counters_.frame_cycles.push_back(frame.cycle);
-  for (const auto& surface : frame.surfaces) {
-    const std::string file = surface_file(surface.contact, surface.side);
-    long& rows = counters_.surface_rows[file];
-    if (rows == 0) atomic_write(path(file), surface_header());
-    append_text(path(file), surface_rows(index, frame, surface));
-    rows += static_cast<long>(surface.arc_length_mm.size());
-  }
+  for (const auto* surfaces : {&frame.surfaces, &frame.bonds})
+    for (const auto& surface : *surfaces) {
+      const std::string file = surface_file(surface.contact, surface.side);
+      long& rows = counters_.surface_rows[file];
+      if (rows == 0) atomic_write(path(file), surface_header());
+      append_text(path(file), surface_rows(index, frame, surface));
+      rows += static_cast<long>(surface.arc_length_mm.size());
+    }
   if (!paraview_) return;
   atomic_write(path(frame_file("bodies", "vtu", index)), bodies_vtu(frame));
   atomic_write(path(frame_file("surface", "vtp", index)), surfaces_vtp(frame));

@@ -15,6 +15,7 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
 std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, const std::string& path, Issues& issues);
 std::optional<cad::Section> section_of(const Entry& root, Issues& issues);
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues);
+std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues);
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues);
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);

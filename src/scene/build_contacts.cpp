@@ -140,10 +140,29 @@ std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issu
   return contacts;
 }
 
+std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues) {
+  std::vector<contact::ContactOptions> bonds;
+  const auto contacts = root.all("contact");
+  for (const auto& entry : root.all("bond")) {
+    contact::ContactOptions bond;
+    bond.name = entry.name();
+    bond.secondary = entry.text("secondary");
+    bond.primary = entry.texts("primary");
+    bond.bonded = true;
+    check_sides(entry, bond, issues);
+    if (std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.name() == bond.name; }))
+      issues.push_back({entry.key(), "", "a contact has this name, too"});
+    bonds.push_back(std::move(bond));
+  }
+  return bonds;
+}
+
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues) {
   std::vector<cad::FineZone> zones;
-  for (const auto& entry : root.all("contact")) {
+  auto joints = root.all("contact");
+  for (auto& bond : root.all("bond")) joints.push_back(bond);
+  for (const auto& entry : joints) {
     const auto place = entry.at("fine_zone");
     if (!place.is_table()) continue;
     if (!place.given("size_mm") && !root.given("accuracy"))

@@ -93,6 +93,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.geometry.boundaries = boundaries_of(root, scene.path, issues);
   scene.geometry.fine_zones = fine_zones_of(root, scene.geometry.boundaries, issues);
   scene.contacts = contacts_of(root, issues);
+  scene.bonds = bonds_of(root, issues);
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);
   note_points(scene);

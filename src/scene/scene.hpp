@@ -94,6 +94,7 @@ struct Scene {
   std::map<std::string, material::Material> materials;
   std::map<std::string, BodyMaterial> body_material;   ///< by body name
   std::vector<contact::ContactOptions> contacts;
+  std::vector<contact::ContactOptions> bonds;          ///< what is joined for good: name and sides alone count
   std::vector<body::Support> supports;
   std::vector<fem::BoundaryLoad> boundary_loads;
   std::vector<fem::PointLoad> point_loads;

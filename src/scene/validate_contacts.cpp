@@ -43,15 +43,23 @@ void check_secondary_once(const std::vector<Entry>& entries, Issues& issues) {
       const auto edge = entries[i].text("secondary");
       if (edge.empty() || edge != entries[j].text("secondary")) continue;
       issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
-                        "is already the secondary side of contact \"" + entries[j].name() +
-                            "\"; give one contact all its primary boundaries"});
+                        "is already the secondary side of " + entries[j].key().substr(0, entries[j].key().find('.')) + " \"" +
+                            entries[j].name() + "\"; give one " + entries[i].key().substr(0, entries[i].key().find('.')) +
+                            " all its primary boundaries"});
       break;
     }
 }
 
+/// Contacts, then bonds.
+std::vector<contact::ContactOptions> joints_of(const Scene& scene) {
+  auto joints = scene.contacts;
+  joints.insert(joints.end(), scene.bonds.begin(), scene.bonds.end());
+  return joints;
+}
+
 /// Multipliers are eliminated contact by contact, a primary side after the contact in which it is secondary.
 void check_ring(const std::vector<Entry>& entries, const Scene& scene, Issues& issues) {
-  auto left = scene.contacts;
+  auto left = joints_of(scene);
   const auto waits = [&](const contact::ContactOptions& contact) {
     return std::any_of(left.begin(), left.end(), [&](const auto& other) {
       return other.name != contact.name &&
@@ -71,10 +79,12 @@ void check_ring(const std::vector<Entry>& entries, const Scene& scene, Issues& i
 }  // namespace
 
 void validate_contacts(const Entry& root, const Scene& scene, Issues& issues) {
-  const auto entries = root.all("contact");
+  auto entries = root.all("contact");
+  for (auto& bond : root.all("bond")) entries.push_back(bond);
+  const auto joints = joints_of(scene);
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    check_secondary(entries[i], scene, scene.contacts[i].secondary, issues);
-    check_bodies(entries[i], scene, scene.contacts[i], issues);
+    check_secondary(entries[i], scene, joints[i].secondary, issues);
+    check_bodies(entries[i], scene, joints[i], issues);
   }
   const auto before = issues.size();
   check_secondary_once(entries, issues);

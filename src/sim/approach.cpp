@@ -90,7 +90,7 @@ Vector interior_of(const body::Operator& op, const Vector& t) {
 /// Distance that body b can move along d until the first covered secondary node of its contacts meets.
 std::optional<double> free_way(const Problem& problem, const solver::System& system, const State& state, int b, const Vec2& d) {
   std::optional<double> way;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const bool on_secondary = problem.contacts[c].secondary.body == b;
     bool on_primary = false;

@@ -147,7 +147,7 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
 IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,
                            const solver::Controls& controls) {
   IncrementRecord r = wear_of(system, state);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
     r.pressure_max_MPa = std::max(r.pressure_max_MPa, peak_pressure(system.contacts[c], state.solution.contacts[c]));
   r.support_forces = support_forces(problem, system, solver::reactions(system, state.solution, controls));
   return r;

@@ -60,7 +60,7 @@ std::string advice(const Problem& problem, const PlacedContact& contact) {
 
 std::vector<base::Issue> corner_issues(const Problem& problem, const solver::System& system) {
   std::vector<base::Issue> issues;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& s = setup.secondary;
     if (!has_corners(s)) continue;
@@ -111,7 +111,7 @@ std::vector<Warning> corner_warnings(const solver::System& system, const State& 
   std::vector<Warning> warnings;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    if (!has_corners(setup.secondary)) continue;
+    if (setup.options.bonded || !has_corners(setup.secondary)) continue;
     auto warning = corner_warning(setup, state.solution.contacts[c], solver::positions(system, setup, state.solution.q));
     if (warning) warnings.push_back(std::move(*warning));
   }

@@ -41,7 +41,7 @@ double far_size(const cad::BodyOptions& body, const mesh::Mesh& mesh) {
 std::vector<SurfaceRecord> surfaces_of(const Problem& problem, const State& state, Cache& cache) {
   const auto& system = system_of(problem, state, cache);
   std::vector<SurfaceRecord> all;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
     for (auto& s : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
       all.push_back(std::move(s));
   return all;

@@ -126,11 +126,15 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
     controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
     controls.contacts.back().inset = inset_at(contact, factors);
   }
+  for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
+    controls.contacts.emplace_back();
+    controls.contacts.back().wear = false;
+  }
   return controls;
 }
 
 void set_friction(solver::Controls& controls, const Problem& problem, double cycle) {
-  for (std::size_t c = 0; c < controls.contacts.size(); ++c)
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
     if (const auto& table = problem.contacts[c].options.friction_over_cycles; !table.empty())
       controls.contacts[c].friction = factor_at(table, cycle);
 }

@@ -55,7 +55,7 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
                                      const BlockSpan& span, const std::vector<HeldTraction>& held, bool on_springs) {
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     auto& o = controls.contacts[c];
     o.held = true;
     o.friction = state.solution.contacts[c].friction;

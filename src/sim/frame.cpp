@@ -104,9 +104,13 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
   const auto& output = problem.scene.output;
   if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
   count_from_start(state, frame);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
     for (auto& surface : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
       frame.surfaces.push_back(std::move(surface));
+  for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
+    const auto c = problem.contacts.size() + b;
+    frame.bonds.push_back(surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.bonds[b]).front());
+  }
   return frame;
 }
 

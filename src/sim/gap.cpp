@@ -104,7 +104,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
 double largest_jump(const solver::System& system, const State& state, const std::vector<HeldTraction>& held) {
   double largest = 0.0;
   for (std::size_t c = 0; c < held.size(); ++c)
-    if (keeps_pressure(system.contacts[c].options))
+    if (!system.contacts[c].options.bonded && keeps_pressure(system.contacts[c].options))
       largest = std::max(largest, pressure_jump(system.contacts[c], state.solution.contacts[c], held[c]));
   return largest;
 }

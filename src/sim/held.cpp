@@ -28,13 +28,17 @@ void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
       for (const auto& ref : contact.primary) here = here || ref.body == b;
       friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
     }
+    for (const auto& bond : p.bonds) {
+      friction = friction || bond.secondary.body == b;
+      for (const auto& ref : bond.primary) friction = friction || ref.body == b;
+    }
     for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
       if (!contacts_hold(p, b, motion))
         issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
   }
 }
 
-/// Bodies that contacts join, each list in the order of the scene.
+/// Bodies that contacts and bonds join, each list in the order of the scene.
 std::vector<std::vector<int>> groups_in_contact(const Problem& p) {
   std::vector<int> group(p.body_count());
   for (int b = 0; b < p.body_count(); ++b) group[b] = b;
@@ -43,8 +47,9 @@ std::vector<std::vector<int>> groups_in_contact(const Problem& p) {
     for (int& g : group)
       if (g == from) g = to;
   };
-  for (const auto& contact : p.contacts)
-    for (const auto& ref : contact.primary) join(contact.secondary.body, ref.body);
+  for (const auto* joints : {&p.contacts, &p.bonds})
+    for (const auto& joint : *joints)
+      for (const auto& ref : joint.primary) join(joint.secondary.body, ref.body);
   std::map<int, std::vector<int>> members;
   for (int b = 0; b < p.body_count(); ++b) members[group[b]].push_back(b);
   std::vector<std::vector<int>> groups;

@@ -36,10 +36,13 @@ Outline outline_of(const Problem& problem, const body::ShapePtr& shape, const st
     if (ref.body != body) return;
     for (int node : mesh::nodes_of(mesh.boundaries.at(ref.boundary))) o.sides[node].push_back(side);
   };
-  for (int c = 0; c < static_cast<int>(problem.contacts.size()); ++c) {
-    mark(problem.contacts[c].secondary, 2 * c);
-    for (const auto& ref : problem.contacts[c].primary) mark(ref, 2 * c + 1);
-  }
+  int side = 0;
+  for (const auto* joints : {&problem.contacts, &problem.bonds})
+    for (const auto& joint : *joints) {
+      mark(joint.secondary, side++);
+      for (const auto& ref : joint.primary) mark(ref, side);
+      ++side;
+    }
   return o;
 }
 

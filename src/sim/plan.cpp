@@ -165,6 +165,12 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   if (o.wear.wears() && o.wear.primary == 0.0) plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
 }
 
+void tell_bond(const contact::Setup& setup, Plan& plan) {
+  const auto& o = setup.options;
+  plan.lines.push_back(text("bond %s: %d secondary nodes on %s, %d primary nodes, neither opens nor slips", o.name.c_str(),
+                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count()));
+}
+
 void tell_remeshing(const Problem& p, Plan& plan) {
   if (p.scene.remesh.every_blocks > 0) return;
   bool possible = false;
@@ -205,6 +211,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     tell_contact(p, system.contacts[c], plan);
     plan.lines.push_back(in_words(p, p.contacts[c]));
   }
+  for (std::size_t b = 0; b < p.bonds.size(); ++b) tell_bond(system.contacts[p.contacts.size() + b], plan);
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
     if (step.cycles > 0.0)

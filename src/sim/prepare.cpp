@@ -9,6 +9,7 @@
 #include "mortar/inset.hpp"
 #include "scene/read.hpp"
 #include "sim/accuracy.hpp"
+#include "sim/bonds.hpp"
 #include "sim/corners.hpp"
 #include "sim/drawn_gap.hpp"
 #include "sim/held.hpp"
@@ -118,8 +119,8 @@ double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary, con
   return softest;
 }
 
-void check_contact(const Problem& p, const PlacedContact& contact, std::vector<Issue>& issues) {
-  const std::string key = "contact." + contact.options.name;
+/// The sides of a contact or a bond, whose key in the scene is given.
+void check_sides(const Problem& p, const PlacedContact& contact, const std::string& key, std::vector<Issue>& issues) {
   const auto name = [&](int b) { return quoted(p.scene.geometry.bodies[b].name); };
   if (p.rigid[contact.secondary.body])
     issues.push_back({key + ".secondary", quoted(contact.options.secondary),
@@ -132,6 +133,16 @@ void check_contact(const Problem& p, const PlacedContact& contact, std::vector<I
   }
 }
 
+/// The nodes of both sides stay when bodies are condensed.
+void retain_sides(Problem& p, const PlacedContact& joint) {
+  const auto retain = [&](const contact::BoundaryRef& ref) {
+    auto& list = p.inputs[ref.body].contact_boundaries;
+    if (std::find(list.begin(), list.end(), ref.boundary) == list.end()) list.push_back(ref.boundary);
+  };
+  retain(joint.secondary);
+  for (const auto& ref : joint.primary) retain(ref);
+}
+
 void place_contacts(Problem& p, Resolver& resolve) {
   for (const auto& options : p.scene.contacts) {
     const std::string key = "contact." + options.name;
@@ -142,15 +153,27 @@ void place_contacts(Problem& p, Resolver& resolve) {
     const bool found = placed.secondary.body >= 0 &&
                        std::all_of(placed.primary.begin(), placed.primary.end(), [](const auto& r) { return r.body >= 0; });
     if (!found) continue;
-    check_contact(p, placed, resolve.issues);
+    check_sides(p, placed, key, resolve.issues);
     placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
-    const auto retain = [&](const contact::BoundaryRef& ref) {
-      auto& list = p.inputs[ref.body].contact_boundaries;
-      if (std::find(list.begin(), list.end(), ref.boundary) == list.end()) list.push_back(ref.boundary);
-    };
-    retain(placed.secondary);
-    for (const auto& ref : placed.primary) retain(ref);
+    retain_sides(p, placed);
     p.contacts.push_back(std::move(placed));
+  }
+}
+
+void place_bonds(Problem& p, Resolver& resolve) {
+  for (const auto& options : p.scene.bonds) {
+    const std::string key = "bond." + options.name;
+    PlacedContact placed;
+    placed.options = options;
+    placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
+    for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
+    const bool found = placed.secondary.body >= 0 &&
+                       std::all_of(placed.primary.begin(), placed.primary.end(), [](const auto& r) { return r.body >= 0; });
+    if (!found) continue;
+    check_sides(p, placed, key, resolve.issues);
+    placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
+    retain_sides(p, placed);
+    p.bonds.push_back(std::move(placed));
   }
 }
 
@@ -250,8 +273,10 @@ Problem built(scene::Scene scene, Cache& cache) {
   place_supports(p, resolve);
   place_loads(p, resolve);
   place_contacts(p, resolve);
+  place_bonds(p, resolve);
   for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
   refuse(resolve.issues);
+  keep_directions(p);
   warn_of_sizes(p);
   warn_of_profiles(p);
   widen_zones(p);
@@ -265,6 +290,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   const double before = cpu_seconds();
   const auto& system = timed_system(p, initial_state(p), cache);
   check_facing(p, system, issues);
+  for (auto& issue : bond_issues(p, system)) issues.push_back(std::move(issue));
   for (auto& issue : corner_issues(p, system)) issues.push_back(std::move(issue));
   refuse(issues);
   for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));

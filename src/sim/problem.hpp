@@ -62,6 +62,7 @@ struct Problem {
   std::vector<std::vector<int>> support_of;      ///< per body: scene support of each of its own supports
   std::vector<PlacedSupport> supports;           ///< in the order of the scene
   std::vector<PlacedContact> contacts;
+  std::vector<PlacedContact> bonds;              ///< in `solver::System` and `State` they come after the contacts
   std::vector<body::ShapePtr> shapes;            ///< at the start
   std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene says it
   Plan plan;

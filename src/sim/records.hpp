@@ -57,6 +57,7 @@ struct Frame {
   std::string step;
   std::vector<BodyFrame> bodies;
   std::vector<SurfaceRecord> surfaces;
+  std::vector<SurfaceRecord> bonds;  ///< of bonds the secondary side alone: what it carries, pressure below zero where it pulls
 };
 
 struct SideSummary {

@@ -129,7 +129,9 @@ std::string carry_displaced(const State& state, int b, const Displaced& before, 
 /// D and M on the fresh meshes: what the next equilibrium starts from.
 void renew_references(const Problem& problem, const solver::System& system, State& next) {
   auto& solution = next.solution;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = problem.contacts.size(); c < system.contacts.size(); ++c)
+    solution.contacts[c] = contact::fresh_state(system.contacts[c]);  // what a bond carries follows from equilibrium
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     contact::IncrementOptions held;
     held.held = true;
     held.inset = inset_at(problem.contacts[c], next.factors);

@@ -51,7 +51,7 @@ void note_supports(const Problem& problem, const State& state, const solver::Sys
 
 /// Tractions that are counted on x stay what they are when x becomes X: their forces are those of the areas on x.
 void count_on_current(const Problem& problem, const solver::System& system, Change& change) {
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const auto& ref = problem.contacts[c].secondary;
     if (setup.measure == base::Kinematics::small || !change.reasons[ref.body].renew) continue;

@@ -245,7 +245,7 @@ class Runner {
     }
     if (state_.approached) {
       const auto& system = system_of(p_, state_, cache_);
-      for (std::size_t c = 0; c < system.contacts.size(); ++c)
+      for (std::size_t c = 0; c < p_.contacts.size(); ++c)
         s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
       warn_of_run(p_, state_, s, observer_);
       if (!p_.scene.output.probes.empty()) s.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));

@@ -155,7 +155,7 @@ void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& to
 }  // namespace
 
 void warn_of_meshes(Problem& problem, const solver::System& system) {
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     const Touch touch = touch_of(setup, problem.contacts[c].drawn);
     warn_of_zone(problem, setup, touch, problem.contacts[c]);

@@ -99,6 +99,7 @@ std::optional<Passage> passage(const Line& points, const std::vector<contact::Su
 
 std::optional<Passage> passage(const contact::Interface& face, const Sides& before, const Sides& now) {
   const auto& setup = face.setup();
+  if (setup.options.bonded) return std::nullopt;
   const Vec2 way = now.primary.front() - before.primary.front();
   if (farthest(before.secondary, now.secondary, way) + farthest(before.primary, now.primary, way) < setup.search)
     return std::nullopt;

@@ -43,6 +43,19 @@ std::vector<int> ordered(const std::vector<contact::Setup>& contacts) {
   return order;
 }
 
+/// A node carries one multiplier: where it is secondary in a contact, or in an earlier bond, a bond goes without.
+void cut_shared(std::vector<contact::Setup>& contacts) {
+  std::set<Key> taken;
+  for (const bool bonded : {false, true})
+    for (auto& setup : contacts) {
+      if (setup.options.bonded != bonded) continue;
+      for (std::size_t j = 0; j < setup.secondary_nodes.size(); ++j) {
+        const auto& node = setup.secondary_nodes[j];
+        if (!taken.insert({node.body, node.mesh_node}).second && bonded) setup.cut[j] = 1;
+      }
+    }
+}
+
 double extent_of(const std::vector<contact::Setup>& contacts) {
   double largest = 0.0;
   for (const auto& setup : contacts)
@@ -71,6 +84,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
   System system;
   system.bodies = std::move(bodies);
   system.contacts = std::move(contacts);
+  cut_shared(system.contacts);
   for (const auto& body : system.bodies) {
     system.offset.push_back(system.dofs);
     system.dofs += std::visit([](const auto& b) { return b.dofs(); }, body);

@@ -20,7 +20,7 @@ struct System {
   std::vector<body::Operator> bodies;
   std::vector<int> offset;               ///< first global column of each body
   int dofs = 0;
-  std::vector<contact::Setup> contacts;
+  std::vector<contact::Setup> contacts;  ///< those of the scene, then its bonds
   std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
   double extent = 0.0;                   ///< of all contact surfaces [mm]
   /// Per column, what makes its rotation a motion and its moment a force: `extent` where it turns, else one.
