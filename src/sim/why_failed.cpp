@@ -9,6 +9,7 @@
 #include "sim/drive.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
+#include "sim/roundness.hpp"
 #include "sim/sizes.hpp"
 
 namespace reye::sim {
@@ -40,11 +41,11 @@ struct Seen {
   }
   /// Length of the elements where the pressure is largest [mm].
   double facet() const {
-    std::size_t peak = 0;
-    const auto at = [&](std::size_t j) { return state.lambda[j].dot(state.normal[j]); };
-    for (std::size_t j = 1; j < state.lambda.size(); ++j)
+    int peak = 0;
+    const auto at = [&](int j) { return state.lambda[j].dot(state.normal[j]); };
+    for (int j = 1; j < setup.secondary_count(); ++j)
       if (at(j) > at(peak)) peak = j;
-    return setup.length[peak];
+    return spacing(setup.secondary, peak);
   }
 };
 
