@@ -106,7 +106,8 @@ void check_progress(const Problem& problem, const State& state) {
   require(counted(state.step, static_cast<int>(steps.size())), "it is in a step that the scene lacks");
   require(state.approached || (state.step == 0 && state.step_blocks == 0 && state.cycle == 0.0), "it is under way and has not begun");
   require(finite(state.cycle) && state.cycle >= 0.0 && finite(state.step_cycles) && state.step_cycles >= 0.0 && state.step_blocks >= 0 &&
-              finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) && finite(state.jump_error),
+              finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) && finite(state.jump_error) &&
+              finite(state.block_cycles) && (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
           "its cycles are no number");
   const double most = state.step < static_cast<int>(steps.size()) ? steps[state.step].cycles : 0.0;
   require(state.step_cycles <= most * (1.0 + 1e-9) + 1e-9 && state.step_cycles <= state.cycle * (1.0 + 1e-9) + 1e-9,

@@ -136,14 +136,16 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
 /// Bodies that supports leave free, and the contacts that no longer hold them.
 std::string came_away(const Problem& problem) {
   for (int b = 0; b < problem.body_count(); ++b) {
+    const auto joins = [b](const auto& joint) {
+      return joint.secondary.body == b || std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
+    };
+    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins)) continue;  // it goes with what it is joined to
     const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}}, problem.scene.analysis == base::Analysis::axisymmetric);
     if (free.empty()) continue;
     std::string contacts;
-    for (const auto& contact : problem.contacts) {
-      const bool here = contact.secondary.body == b ||
-                        std::any_of(contact.primary.begin(), contact.primary.end(), [b](const auto& ref) { return ref.body == b; });
-      if (here) contacts += (contacts.empty() ? "" : " or ") + contact.options.name;
-    }
+    for (const auto& contact : problem.contacts)
+      if (joins(contact)) contacts += (contacts.empty() ? "" : " or ") + contact.options.name;
+    if (contacts.empty()) continue;
     return "body " + problem.inputs[b].name + " has come away from contact " + contacts + ", and no support holds its " + free.front() +
            "; check the direction of its loads, and that they press it on throughout the step";
   }
@@ -158,7 +160,7 @@ std::string why_failed(const Problem& problem, const State& last, const Attempt&
   const auto ask = [&why](std::string words) {
     if (why.empty()) why = std::move(words);
   };
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const Seen seen{problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]};
     ask(wears_too_fast(seen, attempt));
     ask(worn_through(seen, last));
@@ -166,7 +168,7 @@ std::string why_failed(const Problem& problem, const State& last, const Attempt&
   }
   ask(strained(problem, last, system));
   if (lost) ask(came_away(problem));
-  for (std::size_t c = 0; c < system.contacts.size() && !lost; ++c)
+  for (std::size_t c = 0; c < problem.contacts.size() && !lost; ++c)
     ask(few_nodes({problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]}));
   return why.empty() ? attempt.reason : why;
 }
