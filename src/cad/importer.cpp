@@ -59,7 +59,8 @@ void take(Answer answer, const std::string& file, Imported& all, std::vector<bas
     part.file = file;
     all.parts.push_back(std::move(part));
   }
-  issues.insert(issues.end(), std::make_move_iterator(answer.issues.begin()), std::make_move_iterator(answer.issues.end()));
+  issues.insert(issues.end(), std::make_move_iterator(answer.issues.begin()),
+                std::make_move_iterator(answer.issues.end()));
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ struct Imported {
   bool guarded = true;  ///< false: the system has no means to keep the importer from anything but reading
 };
 
-/// What the files hold. Throws base::InputError, all issues together: key "geometry" with value the path for files that are
-/// none, are refused, or make the importer crash, take too long or too much memory; key "section.point_mm".
-/// Throws std::runtime_error when there is no importer to start.
+/// What the files hold. Throws base::InputError, all issues together: key "geometry" with value the path for files that
+/// are none, are refused, or make the importer crash, take too long or too much memory; key "section.point_mm". Throws
+/// std::runtime_error when there is no importer to start.
 Imported import_files(const GeometryOptions& options);
 
 }  // namespace reye::cad

@@ -24,9 +24,7 @@ namespace {
 
 constexpr int pipe_of_importer = 3;
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// The process, with its pipe as descriptor 3 and no other file of this program but nowhere.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments, int pipe) {
@@ -34,7 +32,8 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   ::posix_spawn_file_actions_init(&files);
   ::posix_spawn_file_actions_adddup2(&files, pipe, pipe_of_importer);
   ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  for (int out : {STDOUT_FILENO, STDERR_FILENO}) ::posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
+  for (int out : {STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
   ::posix_spawn_file_actions_addclosefrom_np(&files, pipe_of_importer + 1);
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
@@ -48,7 +47,9 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
 
 std::string in_words(int signal) {
   const char* const mend = "; write the file anew from the program it comes from, or in another format";
-  if (signal == SIGXCPU) return "reading it takes more than " + std::to_string(computing_s) + " s of computing; a file that you trust may take longer with --trust-geometry";
+  if (signal == SIGXCPU)
+    return "reading it takes more than " + std::to_string(computing_s) +
+           " s of computing; a file that you trust may take longer with --trust-geometry";
   return std::string("the program that reads it breaks down on it (") + ::strsignal(signal) + ")" + mend;
 }
 
@@ -56,7 +57,8 @@ std::string in_words(int signal) {
 
 ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments) {
   int ends[2] = {-1, -1};
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("no pipe to the importer: ") + std::strerror(errno));
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string("no pipe to the importer: ") + std::strerror(errno));
   pipe_ = ends[0];
   try {
     pid_ = start(beside_program("reye-import"), arguments, ends[1]);

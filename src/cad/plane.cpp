@@ -45,7 +45,6 @@ Part mapped(const RawPart& raw, const Plane& plane) {
     edges.push_back(make_edge(curve.type, std::move(knots), std::move(directions)));
     edges.back().names = curve.names;
   }
-  if (edges.empty()) throw base::MeshError("the face has no outline");
   return {raw.label, make_loops(std::move(edges)), {}};
 }
 
@@ -106,6 +105,7 @@ std::vector<Part> map_to_plane(const std::vector<RawPart>& raw, const std::optio
         continue;
       }
       parts.push_back(mapped(raw[k], *plane));
+      if (parts.back().loops.empty()) throw base::MeshError("the face has no outline");
       parts.back().file = raw[k].file;
     } catch (const base::MeshError& error) {
       issues.push_back(issue_of(raw[k], k, error.what()));

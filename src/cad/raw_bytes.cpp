@@ -32,7 +32,10 @@ class Writer {
     bytes += text;
   }
   template <class List>
-    requires requires(const List& list) { list.begin(); list.size(); }
+  requires requires(const List& list) {
+    list.begin();
+    list.size();
+  }
   void operator()(const List& list) {
     (*this)(static_cast<std::uint64_t>(list.size()));
     for (const auto& value : list) (*this)(value);
@@ -43,7 +46,7 @@ class Writer {
     (*this)(pair.second);
   }
   template <class T>
-    requires requires(Writer& writer, T& value) { pass(writer, value); }
+  requires requires(Writer& writer, T& value) { pass(writer, value); }
   void operator()(const T& value) {
     pass(*this, const_cast<T&>(value));  // the order of members is written once, for both ways
   }
@@ -105,10 +108,8 @@ class Reader {
     (*this)(pair.second);
   }
   template <class T>
-    requires requires(Reader& reader, T& value) { pass(reader, value); }
-  void operator()(T& value) {
-    pass(*this, value);
-  }
+  requires requires(Reader& reader, T& value) { pass(reader, value); }
+  void operator()(T& value) { pass(*this, value); }
 
   bool at_end() const { return rest_.empty(); }
 
@@ -164,14 +165,17 @@ void check(const RawCurve& curve) {
 
 void check(const RawMesh& mesh) {
   check(mesh.nodes);
-  if (mesh.kind < mesh::CellKind::tri3 || mesh.kind > mesh::CellKind::quad8) throw std::runtime_error("holds cells of no known kind");
+  if (mesh.kind < mesh::CellKind::tri3 || mesh.kind > mesh::CellKind::quad8)
+    throw std::runtime_error("holds cells of no known kind");
   const auto known = [&](int node) { return node >= 0 && node < static_cast<int>(mesh.nodes.size()); };
   const int n = mesh::nodes_per_cell(mesh.kind);
   for (const mesh::Cell& cell : mesh.cells)
-    if (!std::all_of(cell.begin(), cell.begin() + n, known) || !std::all_of(cell.begin() + n, cell.end(), [](int node) { return node == -1; }))
+    if (!std::all_of(cell.begin(), cell.begin() + n, known) ||
+        !std::all_of(cell.begin() + n, cell.end(), [](int node) { return node == -1; }))
       throw std::runtime_error("holds a cell with a node that there is not");
   for (const auto& [edge, names] : mesh.names)
-    if (!known(edge.first) || !known(edge.second)) throw std::runtime_error("names an edge with a node that there is not");
+    if (!known(edge.first) || !known(edge.second))
+      throw std::runtime_error("names an edge with a node that there is not");
 }
 
 }  // namespace

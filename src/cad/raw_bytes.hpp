@@ -15,9 +15,9 @@ struct Answer {
 
 std::string to_bytes(const Answer& answer);
 
-/// The answer in these bytes, whoever wrote them: counts within what is there, finite coordinates below 1e9 mm, kinds that
-/// there are, curves of two points or more with as many directions, cells and names of nodes that the mesh has. Throws
-/// std::runtime_error saying which of it fails.
+/// The answer in these bytes, whoever wrote them: counts within what is there, finite coordinates below 1e9 mm, kinds
+/// that there are, curves of two points or more with as many directions, cells and names of nodes that the mesh has.
+/// Throws std::runtime_error saying which of it fails.
 Answer answer_of(std::string_view bytes);
 
 }  // namespace reye::cad

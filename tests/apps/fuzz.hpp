@@ -5,8 +5,8 @@
 #include "apps/scenes.hpp"
 #include "support/fuzz.hpp"
 
-/// Damaged scenes and geometry files, one for every seed: the command must end with a code of its contract, in time, within its memory,
-/// and with a sentence.
+/// Damaged scenes and geometry files, one for every seed: the command must end with a code of its contract, in time,
+/// within its memory, and with a sentence.
 namespace reye::test {
 
 /// A folder with what a trial needs, and the scene's name in it.
@@ -30,7 +30,8 @@ inline Trial damaged_scene(unsigned seed) {
         if (file.is_regular_file()) trial.files[file.path().filename().string()] = read(file.path());
       if (trial.files.contains("scene.toml")) all.push_back(std::move(trial));
     }
-    std::sort(all.begin() + 3, all.end(), [](const Trial& a, const Trial& b) { return a.files.at("scene.toml") < b.files.at("scene.toml"); });
+    std::sort(all.begin() + 3, all.end(),
+              [](const Trial& a, const Trial& b) { return a.files.at("scene.toml") < b.files.at("scene.toml"); });
     return all;
   }();
   Damage damage(seed);
@@ -43,11 +44,14 @@ inline Trial damaged_scene(unsigned seed) {
 /// Two blocks in one of the formats, damaged; the scene whole.
 inline Trial damaged_geometry(unsigned seed) {
   static const std::string folder = "tests/cad/data/blocks/";
-  static const std::vector<std::string> names = {"blocks.step", "blocks.brep", "blocks.msh", "blocks.vtu", "blocks.geo"};
+  static const std::vector<std::string> names = {"blocks.step", "blocks.brep", "blocks.msh", "blocks.vtu",
+                                                 "blocks.geo"};
   Damage damage(seed);
   const std::string name = damage.one_of(names);
   const std::string scene = changed(blocks, {{"blocks.geo", name}});
-  const std::string found = changed(scene, {{"[body.slider]", "[body.slider]\nat = [2.0, 0.5]"}, {"[body.base]", "[body.base]\nat = [2.0, -0.5]"}}) + R"(
+  const std::string found = changed(scene, {{"[body.slider]", "[body.slider]\nat = [2.0, 0.5]"},
+                                            {"[body.base]", "[body.base]\nat = [2.0, -0.5]"}}) +
+                            R"(
 [boundary]
 slider_bottom = { body = "slider", nearest_mm = [2.0, 0.0] }
 slider_top    = { body = "slider", nearest_mm = [2.0, 1.0] }
@@ -86,8 +90,10 @@ inline void expect_an_end(const Trial& trial, unsigned seed, bool also_run) {
   constexpr double most_s = 60.0, asked_s = 20.0;
   const Place place;
   for (const auto& [name, text] : trial.files) place.write(name, text);
-  const auto told = ended(place.start({REYE_COMMAND, "check", "scene.toml"}, 0, "", within_memory), 2.0 * most_s, most_s);
-  EXPECT_TRUE(told.code == 0 || told.code == 2) << trial.what << ", seed " << seed << ": check ended with " << told.code << ": " << told.err;
+  const auto told =
+      ended(place.start({REYE_COMMAND, "check", "scene.toml"}, 0, "", within_memory), 2.0 * most_s, most_s);
+  EXPECT_TRUE(told.code == 0 || told.code == 2)
+      << trial.what << ", seed " << seed << ": check ended with " << told.code << ": " << told.err;
   EXPECT_FALSE((told.out + told.err).empty()) << trial.what << ", seed " << seed;
   if (told.code != 0 || !also_run) return;
   const auto run = ended(place.start({REYE_COMMAND, "run", "scene.toml"}, 0, "", within_memory), asked_s, most_s);
@@ -96,8 +102,8 @@ inline void expect_an_end(const Trial& trial, unsigned seed, bool also_run) {
   EXPECT_FALSE((run.out + run.err).empty()) << trial.what << ", seed " << seed;
 }
 
-/// One trial for each of `count` seeds from `first` on; REYE_FUZZ_FIRST and REYE_FUZZ_COUNT in the environment choose others.
-/// Every so manyth is run.
+/// One trial for each of `count` seeds from `first` on; REYE_FUZZ_FIRST and REYE_FUZZ_COUNT in the environment choose
+/// others. Every so manyth is run.
 template <class Make>
 void expect_ends(Make make, unsigned first, unsigned count, unsigned run_every) {
   const auto given = [](const char* name, unsigned otherwise) {

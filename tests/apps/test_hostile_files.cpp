@@ -53,9 +53,11 @@ TEST(HostileFiles, ScriptThatRunsAProgram) {
   const WithBlocks place;
   place.write("blocks.geo", "SystemCall \"touch harm\";\n" + std::string(test::blocks_geo));
   const std::string message =
-      "scene.toml:1: geometry = \"blocks.geo\": line 1: SystemCall is neither a command that Reye lets a script use nor a "
+      "scene.toml:1: geometry = \"blocks.geo\": line 1: SystemCall is neither a command that Reye lets a script use "
+      "nor a "
       "variable that it sets; take it out, or run with --trust-geometry if you trust the file\n";
-  for (const char* command : {"check", "plan", "mesh", "run"}) EXPECT_EQ(place.refused({command, "scene.toml"}).err, message);
+  for (const char* command : {"check", "plan", "mesh", "run"})
+    EXPECT_EQ(place.refused({command, "scene.toml"}).err, message);
 }
 
 // With --trust-geometry a script must be allowed what gmsh allows.
@@ -73,7 +75,8 @@ TEST(HostileFiles, FileThatCrashesItsReader) {
   test::fs::copy_file(std::string(REYE_SOURCE_DIR) + "/tests/cad/data/broken/line_32.step", place / "line_32.step");
   place.write("scene.toml", test::changed(test::blocks, {{"blocks.geo", "line_32.step"}}));
   const auto told = place.refused({"check", "scene.toml"});
-  EXPECT_TRUE(told.err.starts_with("scene.toml:1: geometry = \"line_32.step\": the program that reads it breaks down on it"))
+  EXPECT_TRUE(
+      told.err.starts_with("scene.toml:1: geometry = \"line_32.step\": the program that reads it breaks down on it"))
       << told.err;
 }
 
@@ -86,7 +89,8 @@ TEST(HostileFiles, SystemWithoutFilter) {
   const auto without = place.start({REYE_COMMAND, "check", "scene.toml"}, 0, "", deny_filters).wait();
   EXPECT_EQ(without.code, 0) << without.err;
   EXPECT_EQ(without.out, told.out);
-  EXPECT_TRUE(test::holds(without.err, "warning: geometry: this system has no filter of system calls (seccomp)")) << without.err;
+  EXPECT_TRUE(test::holds(without.err, "warning: geometry: this system has no filter of system calls (seccomp)"))
+      << without.err;
 }
 
 // A scene without bounds in its numbers must be refused with key and line, in no time.
@@ -110,8 +114,9 @@ TEST(HostileFiles, ScenesWithoutBounds) {
   for (int i = 0; i <= 20000; ++i) corners += "[" + std::to_string(i / 20000.0) + ", 1.0], ";
   EXPECT_TRUE(test::holds(told_of(test::changed(blocks, {{"press = [[0.0, 0.0], [1.0, 1.0]]", corners + "]"}})),
                           "has 20001 pairs; 10000 are the most"));
-  EXPECT_TRUE(test::holds(told_of(test::changed(blocks, {{"play = [\"press\"]", "play = [\"press\"]\nincrements = 1000000000"}})),
-                          "step[0].increments = 1000000000: must lie in [1, 1e+05]"));
+  EXPECT_TRUE(test::holds(
+      told_of(test::changed(blocks, {{"play = [\"press\"]", "play = [\"press\"]\nincrements = 1000000000"}})),
+      "step[0].increments = 1000000000: must lie in [1, 1e+05]"));
   EXPECT_TRUE(test::holds(told_of(blocks + "\n[spectrum]\nsteps = [\"1\"]\ntimes = 1000000000\n"),
                           "spectrum.times = 1000000000: must lie in [1, 1e+05]"));
 }
@@ -119,8 +124,9 @@ TEST(HostileFiles, ScenesWithoutBounds) {
 // A rigid body with elements far too small must be refused with how many it would take.
 TEST(HostileFiles, RigidOutlineWithoutBounds) {
   const WithBlocks place;
-  place.write("scene.toml", test::changed(test::blocks, {{"[body.base]\nmaterial = \"steel\"\nmesh     = { far_size_mm = 0.5",
-                                                          "[body.base]\nrigid = true\nmesh     = { far_size_mm = 1e-9"}}));
+  place.write("scene.toml",
+              test::changed(test::blocks, {{"[body.base]\nmaterial = \"steel\"\nmesh     = { far_size_mm = 0.5",
+                                            "[body.base]\nrigid = true\nmesh     = { far_size_mm = 1e-9"}}));
   const auto told = place.refused({"check", "scene.toml"});
   EXPECT_TRUE(test::holds(told.err, "body.base: would need about 1e+10 nodes")) << told.err;
 }

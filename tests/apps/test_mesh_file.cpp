@@ -38,7 +38,7 @@ TEST(MeshFile, Refused) {
   WithWearing place;
   place.write_both(test::wearing);
   const std::string whole = test::read(place / "m/mesh.vtu");
-  const std::pair<std::string, const char*> broken[] = {{"no xml at all\n", "VTK cannot read it"},
+  const std::pair<std::string, const char*> broken[] = {{"no xml at all\n", "is not a .vtu: it must begin as XML does"},
                                                         {whole.substr(0, whole.size() / 2), "holds no mesh"},
                                                         {test::changed(whole, {{"UnstructuredGrid", "PolyData"}}), "VTK cannot read it"}};
   for (const auto& [text, rule] : broken) {

@@ -18,7 +18,8 @@ TEST(broken, files_that_crash_their_readers) {
   for (const char* file : {"cut300.brep", "cut900.brep", "map_of_none.msh", "tag_of_none.msh", "enormous_count.msh",
                            "line_32.step", "line_62.step", "line_68.step", "reference_of_none.step"}) {
     const std::string told = refusal_of(file);
-    EXPECT_TRUE(told.starts_with("geometry = \"" + data(std::string("broken/") + file) + "\": ")) << file << ": " << told;
+    EXPECT_TRUE(told.starts_with("geometry = \"" + data(std::string("broken/") + file) + "\": "))
+        << file << ": " << told;
   }
 }
 
@@ -70,7 +71,8 @@ TEST(broken, among_others) {
 
 RawPart some_part() {
   RawPart part{{}, "plate", true, {}, {}, {}};
-  part.curves.push_back({3, EdgeType::circle, {Vec3(0, 0, 0), Vec3(1, 2, 3)}, {Vec3(1, 0, 0), Vec3(0, 1, 0)}, {"left", "top"}});
+  part.curves.push_back(
+      {3, EdgeType::circle, {Vec3(0, 0, 0), Vec3(1, 2, 3)}, {Vec3(1, 0, 0), Vec3(0, 1, 0)}, {"left", "top"}});
   part.surface_points = {Vec3(0.5, 0.5, 0)};
   part.mesh.kind = mesh::CellKind::tri3;
   part.mesh.nodes = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};

@@ -35,9 +35,13 @@ int freedoms(const std::string& folder) {
   int all = 0;
   if (can_run_a_program()) all |= 1;
   if (::execl("/bin/true", "true", nullptr) == 0) all |= 1;
-  if (opens(folder + "/kept.txt", O_WRONLY) || opens(folder + "/kept.txt", O_RDWR) || opens(folder + "/kept.txt", O_RDONLY | O_TRUNC)) all |= 2;
+  if (opens(folder + "/kept.txt", O_WRONLY) || opens(folder + "/kept.txt", O_RDWR) ||
+      opens(folder + "/kept.txt", O_RDONLY | O_TRUNC))
+    all |= 2;
   if (opens(folder + "/made.txt", O_RDONLY | O_CREAT) || opens(folder, O_TMPFILE | O_WRONLY)) all |= 4;
-  if (::unlink((folder + "/kept.txt").c_str()) == 0 || ::rename((folder + "/kept.txt").c_str(), (folder + "/b").c_str()) == 0) all |= 8;
+  if (::unlink((folder + "/kept.txt").c_str()) == 0 ||
+      ::rename((folder + "/kept.txt").c_str(), (folder + "/b").c_str()) == 0)
+    all |= 8;
   if (::socket(AF_INET, SOCK_STREAM, 0) >= 0) all |= 16;
   if (::kill(::getppid(), 0) == 0) all |= 32;
   if (!opens(folder + "/kept.txt", O_RDONLY)) all |= 64;

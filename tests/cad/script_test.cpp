@@ -14,7 +14,9 @@ std::string refusal_of(const std::string& file) {
   return issues_of(options);
 }
 
-std::string refusal_of_script(const std::string& text) { return refusal_of(temporary_file("script.geo", rectangle + text)); }
+std::string refusal_of_script(const std::string& text) {
+  return refusal_of(temporary_file("script.geo", rectangle + text));
+}
 
 // A script that acts on anything but the model must be refused with its line, the word and what mends it, whatever it
 // hides behind.
@@ -44,24 +46,26 @@ TEST(script, harmful_commands) {
     EXPECT_NE(told.find("--trust-geometry"), std::string::npos) << command << ": " << told;
   }
   const std::string path = temporary_file("named.geo", rectangle + "SystemCall \"touch harm\";\n");
-  EXPECT_EQ(refusal_of(path), "geometry = \"" + path +
-                                  "\": line 3: SystemCall is neither a command that Reye lets a script use nor a variable that "
-                                  "it sets; take it out, or run with --trust-geometry if you trust the file");
+  EXPECT_EQ(refusal_of(path),
+            "geometry = \"" + path +
+                "\": line 3: SystemCall is neither a command that Reye lets a script use nor a variable that "
+                "it sets; take it out, or run with --trust-geometry if you trust the file");
 }
 
 // Printf to a file must be refused, Printf to the screen not.
 TEST(script, printing) {
   EXPECT_EQ(refusal_of_script("Printf(\"%g mm\", 2);\n"), "");
   for (const char* sign : {">", ">>"})
-    EXPECT_NE(refusal_of_script("Printf(\"%g\", 2) " + std::string(sign) + " \"harm\";\n").find("may not write a file"), std::string::npos);
+    EXPECT_NE(refusal_of_script("Printf(\"%g\", 2) " + std::string(sign) + " \"harm\";\n").find("may not write a file"),
+              std::string::npos);
 }
 
 // Where gmsh jumps over parts of a script by searching for words, texts and comments must not hide any.
 TEST(script, hidden_commands) {
   for (const char* text : {"If (0)\n/* EndIf SystemCall 'touch harm'; If (1) */\nEndIf\n",
                            "If (0)\nx = \" EndIf SystemCall \"; y = \"; touch harm ; \";\nEndIf\n",
-                           "For i In {1:2} /*\nSystemCall 'touch harm';\n*/\nEndFor\n", "x = \"//\"; /* y */\n", "x = \"a\nb\";\n",
-                           "/* never ends\n", "\x01\n"})
+                           "For i In {1:2} /*\nSystemCall 'touch harm';\n*/\nEndFor\n", "x = \"//\"; /* y */\n",
+                           "x = \"a\nb\";\n", "/* never ends\n", "\x01\n"})
     EXPECT_NE(refusal_of_script(text).find("--trust-geometry"), std::string::npos) << text;
 }
 
@@ -87,7 +91,8 @@ MeshSize { PointsOf{ Surface{7}; } } = (r < 1) ? 0.1 : w;
   EXPECT_EQ(refusal_of_script(text), "");
 }
 
-// Scripts may include what lies in their folder or below, which is looked through as well; symbolic links do not lead out.
+// Scripts may include what lies in their folder or below, which is looked through as well; symbolic links do not lead
+// out.
 TEST(script, includes) {
   EXPECT_EQ(refusal_of_script("Include \"part.inc\";\n").substr(0, 11), "geometry = ");
   temporary_file("part.inc", "q = 3;\nSystemCall \"touch harm\";\n");
@@ -95,7 +100,8 @@ TEST(script, includes) {
   const std::filesystem::path part = temporary_file("part.inc", "q = 3;\n");
   EXPECT_EQ(refusal_of_script("Include \"part.inc\";\nz = q;\n"), "");
   EXPECT_NE(refusal_of_script("Include \"/etc/passwd\";\n").find("must lie in the folder"), std::string::npos);
-  EXPECT_NE(refusal_of_script("x = \"part.inc\"; Include x;\n").find("must name its file in quotes"), std::string::npos);
+  EXPECT_NE(refusal_of_script("x = \"part.inc\"; Include x;\n").find("must name its file in quotes"),
+            std::string::npos);
   std::filesystem::remove(part);
   std::filesystem::create_symlink("/etc/passwd", part);
   EXPECT_NE(refusal_of_script("Include \"part.inc\";\n").find("must lie in the folder"), std::string::npos);
@@ -108,7 +114,8 @@ TEST(script, by_another_name) {
     const std::string told = refusal_of(temporary_file(name, rectangle + "SystemCall \"touch harm\";\n"));
     EXPECT_NE(told.find("is not a"), std::string::npos) << told;
   }
-  const std::string mesh = temporary_file("post.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PostFormat\n$EndPostFormat\n");
+  const std::string mesh =
+      temporary_file("post.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PostFormat\n$EndPostFormat\n");
   EXPECT_NE(refusal_of(mesh).find("line 4: $PostFormat is no section of a mesh"), std::string::npos);
 }
 

@@ -9,8 +9,8 @@ class Seeds : public testing::TestWithParam<unsigned> {};
 
 }  // namespace
 
-// Twenty thousand damaged scenes must each be checked or refused with a sentence, none end by a signal, hang or take all
-// memory; every hundredth that is sound is run.
+// Twenty thousand damaged scenes must each be checked or refused with a sentence, none end by a signal, hang or take
+// all memory; every hundredth that is sound is run.
 TEST_P(Seeds, Scenes) { test::expect_ends(test::damaged_scene, 2000 * GetParam(), 2000, 100); }
 
 // The same of five thousand damaged geometry files.

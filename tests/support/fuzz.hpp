@@ -29,12 +29,19 @@ class Damage {
  private:
   std::string once(std::string text) {
     switch (below(9)) {
-      case 0: return without_line(std::move(text));
-      case 1: return with_line_twice(std::move(text));
-      case 2: return text.substr(0, below(text.size()));
-      case 3: text[below(text.size())] = static_cast<char>(below(256)); return text;
-      case 4: return text.erase(below(text.size()), 1 + below(20));
-      default: return with_other_number(std::move(text));
+      case 0:
+        return without_line(std::move(text));
+      case 1:
+        return with_line_twice(std::move(text));
+      case 2:
+        return text.substr(0, below(text.size()));
+      case 3:
+        text[below(text.size())] = static_cast<char>(below(256));
+        return text;
+      case 4:
+        return text.erase(below(text.size()), 1 + below(20));
+      default:
+        return with_other_number(std::move(text));
     }
   }
 
@@ -56,9 +63,10 @@ class Damage {
 
   /// A number of the text, from a place on, is another: of the text, or one at the rim of what can be written.
   std::string with_other_number(std::string text) {
-    static const std::vector<std::string> odd = {"0",    "-1",    "1",          "2",           "1e300", "-1e300",     "1e-300",  "1e-9",
-                                                 "1e9",  "1e5",   "2147483647", "-2147483648", "nan",   "4294967296", "0.0001",  "-0.0",
-                                                 "inf",  "1e400", "255",        "0.5",         "100",   "1000",       "9999999", "\"\""};
+    static const std::vector<std::string> odd = {"0",      "-1",         "1",      "2",    "1e300",      "-1e300",
+                                                 "1e-300", "1e-9",       "1e9",    "1e5",  "2147483647", "-2147483648",
+                                                 "nan",    "4294967296", "0.0001", "-0.0", "inf",        "1e400",
+                                                 "255",    "0.5",        "100",    "1000", "9999999",    "\"\""};
     const auto number_at = [&](std::size_t from) {
       const std::size_t begin = std::min(text.find_first_of("0123456789", from), text.size());
       return std::pair(begin, std::min(text.find_first_not_of("0123456789.eE+-", begin), text.size()) - begin);

@@ -10,9 +10,20 @@ namespace reye::cad {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> sections = {
-    "MeshFormat",  "PhysicalNames", "Entities",        "PartitionedEntities", "Nodes",         "Elements",  "Periodic",
-    "GhostElements", "Parametrizations", "NodeData",   "ElementData",         "ElementNodeData", "InterpolationScheme", "Comments"};
+constexpr std::array<std::string_view, 14> sections = {"MeshFormat",
+                                                       "PhysicalNames",
+                                                       "Entities",
+                                                       "PartitionedEntities",
+                                                       "Nodes",
+                                                       "Elements",
+                                                       "Periodic",
+                                                       "GhostElements",
+                                                       "Parametrizations",
+                                                       "NodeData",
+                                                       "ElementData",
+                                                       "ElementNodeData",
+                                                       "InterpolationScheme",
+                                                       "Comments"};
 
 std::string_view without_blanks(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // as some editors put it
@@ -33,9 +44,11 @@ void check_shapes(const std::string& path, std::string_view text) {
 }
 
 void check_mesh(const std::string& path, std::string_view text) {
-  if (!text.starts_with("$MeshFormat")) refuse(path, "is not a mesh of gmsh: it must begin with $MeshFormat (version 2 or 4)");
+  if (!text.starts_with("$MeshFormat"))
+    refuse(path, "is not a mesh of gmsh: it must begin with $MeshFormat (version 2 or 4)");
   const std::size_t format = text.find('\n');
-  const bool binary = format != std::string_view::npos && text.substr(format + 1, 8).find(" 1 ") != std::string_view::npos;
+  const bool binary =
+      format != std::string_view::npos && text.substr(format + 1, 8).find(" 1 ") != std::string_view::npos;
   if (binary) return;  // a $ may be any byte of a number
   int line = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line) {
@@ -46,7 +59,8 @@ void check_mesh(const std::string& path, std::string_view text) {
     word.remove_prefix(word.starts_with("$End") ? 4 : 1);
     while (!word.empty() && (word.back() == '\r' || word.back() == ' ')) word.remove_suffix(1);
     if (std::find(sections.begin(), sections.end(), word) == sections.end())
-      refuse(path, "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is no section of a mesh");
+      refuse(path,
+             "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is no section of a mesh");
   }
 }
 
@@ -57,7 +71,8 @@ void check_content(const std::string& path, Format format) {
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (format == Format::shapes) check_shapes(path, text);
   if (format == Format::mesh) check_mesh(path, text);
-  if (format == Format::vtu && !without_blanks(text).starts_with('<')) refuse(path, "is not a .vtu: it must begin as XML does");
+  if (format == Format::vtu && !without_blanks(text).starts_with('<'))
+    refuse(path, "is not a .vtu: it must begin as XML does");
 }
 
 }  // namespace reye::cad

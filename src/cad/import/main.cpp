@@ -14,8 +14,8 @@
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
-/// SECTION: six numbers, point and normal, or "-". What it has to say goes to descriptor 3, each message behind its size: first
-/// whether the system keeps it from anything but reading, then an answer for each file.
+/// SECTION: six numbers, point and normal, or "-". What it has to say goes to descriptor 3, each message behind its
+/// size: first whether the system keeps it from anything but reading, then an answer for each file.
 namespace {
 
 using namespace reye;

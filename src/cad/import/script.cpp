@@ -28,7 +28,9 @@ struct Script {
     static const Token none{};
     return i < tokens.size() ? tokens[i] : none;
   }
-  bool is(std::size_t i, std::string_view sign) const { return i < tokens.size() && at(i).kind == Kind::sign && at(i).text == sign; }
+  bool is(std::size_t i, std::string_view sign) const {
+    return i < tokens.size() && at(i).kind == Kind::sign && at(i).text == sign;
+  }
   bool is_word(std::size_t i) const { return i < tokens.size() && at(i).kind == Kind::word; }
 
   /// Behind the bracket that closes the one at i.
@@ -111,7 +113,8 @@ class Search {
         refuse(scripts_[k], name.line, "Include \"" + name.text + "\": there is no such file");
       else if (!below)
         refuse(scripts_[k], name.line,
-               "Include \"" + name.text + "\": the file must lie in the folder of the scene or of the script, or below" + mend);
+               "Include \"" + name.text +
+                   "\": the file must lie in the folder of the scene or of the script, or below" + mend);
       else if (seen_.insert(file).second)
         open(file);
     }
@@ -119,7 +122,8 @@ class Search {
 
   void note_variables(const Script& script) {
     for (std::size_t i = 0; i < script.tokens.size(); ++i)
-      if (script.is_word(i) && (is_set(script, i) || (i > 0 && script.at(i - 1).text == "For"))) variables_.insert(script.at(i).text);
+      if (script.is_word(i) && (is_set(script, i) || (i > 0 && script.at(i - 1).text == "For")))
+        variables_.insert(script.at(i).text);
   }
 
   void look_at(const Script& script, std::size_t i) {
@@ -134,7 +138,8 @@ class Search {
     refuse(script, line, word + " is neither a command that Reye lets a script use nor a variable that it sets" + mend);
   }
 
-  /// A macro's name, or a variable where it is set or stands in an expression; not what begins a command or takes a text.
+  /// A macro's name, or a variable where it is set or stands in an expression; not what begins a command or takes a
+  /// text.
   bool is_harmless_name(const Script& script, std::size_t i) const {
     if (script.at(i + 1).kind == Kind::text) return false;
     if (i > 0 && is_one_of(script.at(i - 1), {"Call", "Macro", "Function"})) return !script.is(i + 1, "(");
@@ -151,7 +156,8 @@ class Search {
     const std::string& name = script.at(group).text;
     const bool plain = group == i - 2, field = name == "Field" && script.behind_bracket(group + 1) == i - 1;
     if ((plain && is_allowed_option(name, option)) || (field && is_allowed_field_option(option))) return;
-    refuse(script, script.at(i).line, name + (field ? "[...]." : ".") + option + " is not an option that a script may set" + mend);
+    refuse(script, script.at(i).line,
+           name + (field ? "[...]." : ".") + option + " is not an option that a script may set" + mend);
   }
 
   void refuse(const Script& script, int line, const std::string& rule) {

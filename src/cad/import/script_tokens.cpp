@@ -114,14 +114,18 @@ class Lexer {
 }  // namespace
 
 std::vector<Token> tokens_of(const std::string& script) {
-  constexpr std::size_t longest = 4000;  // gmsh reads lines in pieces of 8 kB, and goes back to the beginning of a piece
+  constexpr std::size_t longest =
+      4000;  // gmsh reads lines in pieces of 8 kB, and goes back to the beginning of a piece
   std::vector<Token> tokens = Lexer(script).all();
-  const auto turns = [](const Token& t) { return t.text == "For" || t.text == "Call" || t.text == "Macro" || t.text == "Function"; };
+  const auto turns = [](const Token& t) {
+    return t.text == "For" || t.text == "Call" || t.text == "Macro" || t.text == "Function";
+  };
   if (const auto turning = std::find_if(tokens.begin(), tokens.end(), turns); turning != tokens.end()) {
     std::size_t begin = 0;
     for (int line = 1; begin < script.size(); ++line) {
       const std::size_t end = std::min(script.find('\n', begin), script.size());
-      if (end - begin > longest) throw Unreadable{line, "a line of a script with loops or macros must be shorter than 4000 characters"};
+      if (end - begin > longest)
+        throw Unreadable{line, "a line of a script with loops or macros must be shorter than 4000 characters"};
       begin = end + 1;
     }
   }

@@ -18,9 +18,9 @@ struct Unreadable {
   std::string rule;
 };
 
-/// The script as gmsh reads it, without comments. gmsh leaves out parts of a script (branches not taken, loops, macros) by
-/// searching its bytes for `EndIf` and the like, and goes back line by line: where that could make it see another script
-/// than is seen here, the script is refused. Throws Unreadable.
+/// The script as gmsh reads it, without comments. gmsh leaves out parts of a script (branches not taken, loops, macros)
+/// by searching its bytes for `EndIf` and the like, and goes back line by line: where that could make it see another
+/// script than is seen here, the script is refused. Throws Unreadable.
 std::vector<Token> tokens_of(const std::string& script);
 
 }  // namespace reye::cad

@@ -21,18 +21,19 @@ const std::set<std::string_view>& words() {
       "BoundingBox", "Parent", "Unique", "Physicals",
       // what is done to them
       "Extrude", "Layers", "Recombine", "Translate", "Rotate", "Dilate", "Affine", "Symmetry", "Duplicata", "Intersect",
-      "Split", "Fillet", "Chamfer", "ThruSections", "BooleanUnion", "BooleanFuse", "BooleanIntersection", "BooleanCommon",
-      "BooleanDifference", "BooleanCut", "BooleanFragments", "BooleanCoherence", "BooleanSection", "Delete", "Recursive",
-      "Coherence", "Reverse", "ReverseMesh",
+      "Split", "Fillet", "Chamfer", "ThruSections", "BooleanUnion", "BooleanFuse", "BooleanIntersection",
+      "BooleanCommon", "BooleanDifference", "BooleanCut", "BooleanFragments", "BooleanCoherence", "BooleanSection",
+      "Delete", "Recursive", "Coherence", "Reverse", "ReverseMesh",
       // sizes
-      "MeshSize", "Characteristic", "Length", "Transfinite", "Using", "Progression", "Bump", "Left", "Right", "Alternate",
-      "AlternateLeft", "AlternateRight", "Periodic", "Smoother", "MeshAlgorithm", "Mesh", "Geometry", "General", "Field",
-      "Background", "Attractor", "Distance", "Threshold", "Ball", "Frustum", "MathEval", "Restrict", "Constant",
+      "MeshSize", "Characteristic", "Length", "Transfinite", "Using", "Progression", "Bump", "Left", "Right",
+      "Alternate", "AlternateLeft", "AlternateRight", "Periodic", "Smoother", "MeshAlgorithm", "Mesh", "Geometry",
+      "General", "Field", "Background", "Attractor", "Distance", "Threshold", "Ball", "Frustum", "MathEval", "Restrict",
+      "Constant",
       // numbers
       "Pi", "newp", "newc", "newl", "newcl", "newll", "news", "newsl", "newv", "newf", "newreg", "Abs", "Fabs", "Sqrt",
-      "Exp", "Log", "Log10", "Sin", "Cos", "Tan", "Asin", "Acos", "Atan", "Atan2", "ArcSin", "ArcCos", "ArcTan", "ArcTan2",
-      "Sinh", "Cosh", "Tanh", "Hypot", "Floor", "Ceil", "Round", "Fmod", "Modulo", "LinSpace", "LogSpace", "List", "Exists",
-      "Find", "Str", "StrCat", "Sprintf"};
+      "Exp", "Log", "Log10", "Sin", "Cos", "Tan", "Asin", "Acos", "Atan", "Atan2", "ArcSin", "ArcCos", "ArcTan",
+      "ArcTan2", "Sinh", "Cosh", "Tanh", "Hypot", "Floor", "Ceil", "Round", "Fmod", "Modulo", "LinSpace", "LogSpace",
+      "List", "Exists", "Find", "Str", "StrCat", "Sprintf"};
   return all;
 }
 
@@ -41,16 +42,48 @@ const std::set<std::string_view>& words() {
 bool is_allowed_word(std::string_view word) { return words().contains(word); }
 
 bool is_allowed_option(std::string_view group, std::string_view option) {
-  return group == "Mesh" || group == "Geometry" || (group == "General" && (option == "Terminal" || option == "Verbosity"));
+  return group == "Mesh" || group == "Geometry" ||
+         (group == "General" && (option == "Terminal" || option == "Verbosity"));
 }
 
 bool is_allowed_field_option(std::string_view option) {
-  static const std::set<std::string_view> all = {
-      "CurvesList",   "EdgesList", "PointsList", "NodesList", "SurfacesList", "FacesList", "NumPointsPerCurve", "Sampling",
-      "NNodesByEdge", "InField",   "IField",     "FieldsList", "SizeMin",     "SizeMax",   "DistMin",           "DistMax",
-      "LcMin",        "LcMax",     "Sigmoid",    "StopAtDistMax", "VIn",      "VOut",      "XMin",              "XMax",
-      "YMin",         "YMax",      "ZMin",       "ZMax",      "Thickness",    "Radius",    "XCenter",           "YCenter",
-      "ZCenter",      "XAxis",     "YAxis",      "ZAxis",     "F"};
+  static const std::set<std::string_view> all = {"CurvesList",
+                                                 "EdgesList",
+                                                 "PointsList",
+                                                 "NodesList",
+                                                 "SurfacesList",
+                                                 "FacesList",
+                                                 "NumPointsPerCurve",
+                                                 "Sampling",
+                                                 "NNodesByEdge",
+                                                 "InField",
+                                                 "IField",
+                                                 "FieldsList",
+                                                 "SizeMin",
+                                                 "SizeMax",
+                                                 "DistMin",
+                                                 "DistMax",
+                                                 "LcMin",
+                                                 "LcMax",
+                                                 "Sigmoid",
+                                                 "StopAtDistMax",
+                                                 "VIn",
+                                                 "VOut",
+                                                 "XMin",
+                                                 "XMax",
+                                                 "YMin",
+                                                 "YMax",
+                                                 "ZMin",
+                                                 "ZMax",
+                                                 "Thickness",
+                                                 "Radius",
+                                                 "XCenter",
+                                                 "YCenter",
+                                                 "ZCenter",
+                                                 "XAxis",
+                                                 "YAxis",
+                                                 "ZAxis",
+                                                 "F"};
   return all.contains(option);
 }
 
