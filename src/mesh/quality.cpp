@@ -119,10 +119,12 @@ void check_boundaries(const Mesh& mesh) {
       if (mids.contains(chain.front()) || mids.contains(chain.back()))
         throw base::MeshError("boundary '" + name + "' ends in the middle of an edge at node " +
                               std::to_string(mids.contains(chain.front()) ? chain.front() : chain.back()));
-      for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-        if (!outline.contains({chain[i], chain[i + 1]}))
-          throw base::MeshError("boundary '" + name + "' leaves the outline at node " + std::to_string(chain[i]) +
-                                at(mesh.X[chain[i]]));
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        if (outline.contains({chain[i], chain[i + 1]})) continue;
+        const bool exists = chain[i] >= 0 && chain[i] < mesh.node_count();
+        throw base::MeshError("boundary '" + name + "' leaves the outline at node " + std::to_string(chain[i]) +
+                              (exists ? at(mesh.X[chain[i]]) : ", which does not exist"));
+      }
     }
   }
 }

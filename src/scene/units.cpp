@@ -8,6 +8,7 @@ namespace reye::scene {
 
 namespace {
 
+constexpr double stiffest_MPa = 1e9;         ///< diamond has 1.2e6; a thousand times steel stands for a rigid body in some scenes
 constexpr double most_friction = 3.0;        ///< dry rubber and clean metals stay below it
 constexpr double cutting_mm3_per_J = 1.0;    ///< a lathe takes 0.3 mm^3 of steel off per joule
 constexpr double smallest_mm3_per_J = 1e-12;
@@ -20,6 +21,14 @@ std::string text(const char* format, Args... args) {
   char line[240];
   std::snprintf(line, sizeof line, format, args...);
   return line;
+}
+
+void look_at_modulus(const Entry& material, Issues& found) {
+  const double E = material.number("E_MPa");
+  if (E <= stiffest_MPa) return;
+  found.push_back({material.key("E_MPa"), material.written("E_MPa"),
+                   text("no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be %.4g; for a body that does not "
+                        "deform write rigid = true", 1e-6 * E)});
 }
 
 void look_at_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& found) {
@@ -71,6 +80,7 @@ void look_at_jump(const Entry& step, Issues& found) {
 }  // namespace
 
 void suspicious_values(const Entry& root, const Scene& scene, Issues& found) {
+  for (const auto& material : root.all("material")) look_at_modulus(material, found);
   const auto contacts = root.all("contact");
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     look_at_friction(contacts[i], scene.contacts[i], found);

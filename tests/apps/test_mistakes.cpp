@@ -129,8 +129,8 @@ TEST(Mistakes, Units) {
   expect_told({
       {"modulus in Pa", "check",
        {{R"(200e3)", R"(200e9)"}},
-       "", 2,
-       R"(scene.toml:3: material.steel.E_MPa = 200e9: no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be 2e+05; for a body that does not deform write rigid = true)" "\n"},
+       "", 0,
+       R"(warning: scene.toml:3: material.steel.E_MPa = 200e9: no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be 2e+05; for a body that does not deform write rigid = true)" "\n"},
       {"modulus in TPa", "check",
        {{R"(200e3)", R"(0.2)"}},
        "", 0,
@@ -320,8 +320,8 @@ TEST(Mistakes, Supports) {
 )", R"()"}, {R"(friction = 0.3
 wear = { law = "energy", secondary_mm3_per_J = 3e-5, primary_mm3_per_J = 2e-5 }
 )", R"()"}},
-       "", 0,
-       ""},
+       "", 2,
+       R"(scene.toml:5: body.slider: rotation is free: no support holds it and no load drives it)" "\n"},
       {"two motions of one edge", "check",
        {},
        R"([support.again]

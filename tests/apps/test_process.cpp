@@ -73,7 +73,7 @@ TEST(Process, HangUpAndTerminate) {
     for (int k = 0; k < 5 && signal == SIGHUP; ++k) run.signal_when(signal, [] { return true; });
     const auto told = run.wait();
     EXPECT_EQ(told.code, 130) << told.err;
-    EXPECT_TRUE(told.err.starts_with("reye: interrupted in step \"wear\" at cycle ")) << told.err;
+    EXPECT_TRUE(test::holds(told.err, "reye: interrupted in step \"wear\" at cycle ")) << told.err;
     EXPECT_TRUE(test::holds(test::read(place / "o/summary.json"), R"("status": "interrupted")"));
     EXPECT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--restart", "--quiet"}).code, 0);
     test::expect_same(place, "whole", "o");
