@@ -14,8 +14,7 @@ LOG = -math.log(1.0 - STRAIN) / STRAIN
 STICKING = [('[material.elastic]\nE_MPa = 1.0e6', '[material.hard]\nE_MPa = 1.0e8\nnu    = 0.3\n\n[material.elastic]\nE_MPa = 1.0e4'),
             ('[body.right]\nmaterial = "elastic"', '[body.right]\nmaterial = "hard"'),
             ('primary   = ["right_left"]', 'primary   = ["right_left"]\nfriction  = 1.0')]
-FINITE = [("E_MPa = ", 'law   = "hencky_cauchy"\nE_MPa = '), ("[body.left]\n", '[body.left]\nkinematics = "finite"\n'),
-          ("[body.right]\n", '[body.right]\nkinematics = "finite"\n')]
+FINITE = [("E_MPa = ", 'law   = "hencky_cauchy"\nE_MPa = '), ('kinematics = "small"', 'kinematics = "finite"')]
 
 
 def upwards(name, words):
