@@ -19,6 +19,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 /// The built command as a user runs it: in a folder of its own, with what it prints and leaves on disk.
 namespace reye::test {
 
@@ -72,17 +74,9 @@ class Running {
 /// A folder to work in, removed at the end; what is printed is kept outside of it.
 class Place {
  public:
-  Place() {
-    auto name = (fs::temp_directory_path() / "reye_apps_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    root_ = name;
-    fs::create_directories(work());
-  }
-  ~Place() { fs::remove_all(root_); }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  Place() { fs::create_directories(work()); }
 
-  fs::path work() const { return root_ / "work"; }
+  fs::path work() const { return root_.path() / "work"; }
   fs::path operator/(const std::string& file) const { return work() / file; }
   void write(const std::string& file, const std::string& text) const {
     fs::create_directories((work() / file).parent_path());
@@ -93,7 +87,7 @@ class Place {
   /// what is printed is kept while another command runs. `before` is called in the new process, for limits of another kind.
   Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, const std::string& beside = "",
                 void (*before)() = nullptr) const {
-    const auto out = root_ / ("out" + beside), err = root_ / ("err" + beside);
+    const fs::path out = root_ / ("out" + beside), err = root_ / ("err" + beside);
     const pid_t pid = ::fork();
     if (pid == 0) {
       const rlimit limit{file_bytes, file_bytes};
@@ -140,7 +134,7 @@ class Place {
     if (::chdir(work().c_str()) == 0) ::execv(arguments[0], arguments.data());
     ::_exit(127);
   }
-  fs::path root_;
+  support::TemporaryFolder root_;
 };
 
 /// The text with each first `from` replaced; all must be there.

@@ -9,6 +9,7 @@
 #include "cad/geometry.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
+#include "support/temporary_folder.hpp"
 
 /// What the tests of the cad room share.
 namespace reye::cad {
@@ -61,12 +62,11 @@ inline std::string issues_of(const GeometryOptions& options) {
   }
 }
 
-/// A file in the test's own temporary folder.
+/// A file in the folder of this test.
 inline std::string temporary_file(const std::string& name, const std::string& content) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "reye_cad";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name) << content;
-  return (folder / name).string();
+  const std::string path = support::temporary_folder() + name;
+  std::ofstream(path) << content;
+  return path;
 }
 
 }  // namespace reye::cad

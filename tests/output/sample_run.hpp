@@ -1,11 +1,10 @@
 #pragma once
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <string>
 
 #include "output/run_writer.hpp"
+#include "support/temporary_folder.hpp"
 
 /// A made-up fretting run of a block on a flat and a rigid bar: enough to fill every output.
 namespace sample {
@@ -14,23 +13,7 @@ namespace fs = std::filesystem;
 using reye::base::Analysis;
 using reye::base::Vec2;
 namespace sim = reye::sim;
-
-/// A folder of its own for the running test, removed at its end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "reye_output_XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string str() const { return path_.string(); }
-
- private:
-  fs::path path_;
-};
+using reye::support::TemporaryFolder;
 
 inline reye::scene::Scene scene(Analysis analysis = Analysis::plane_strain) {
   reye::scene::Scene scene;

@@ -19,8 +19,8 @@ output::SweepRow row(const std::string& member, const std::string& value,
 // A run that has ended reads back with every number of its summary, unknown ones empty; without a summary it is
 // missing.
 TEST(SweepTable, ReadsTheEnd) {
-  const auto dir = testing::TempDir() + "reye_sweep_table";
-  std::filesystem::create_directories(dir);
+  const sample::TemporaryFolder folder;
+  const auto dir = folder.str();
   output::atomic_write(dir + "/summary.json", output::summary_json(sample::summary()));
   const auto end = output::read_end(dir);
   EXPECT_EQ(end.status, "done");
@@ -34,8 +34,7 @@ TEST(SweepTable, ReadsTheEnd) {
   EXPECT_EQ(figures.at("counts.blocks"), "180");
   EXPECT_EQ(figures.at("warnings"), "0");
   EXPECT_EQ(end.figures.back().first, "peak_rss_MB");
-  std::filesystem::remove_all(dir);
-  EXPECT_EQ(output::read_end(dir).status, "missing");
+  EXPECT_EQ(output::read_end(folder / "elsewhere").status, "missing");
 }
 
 // Every member is a row under the same heads, in the order of the summary; what it does not have stays empty, texts

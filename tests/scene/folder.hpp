@@ -1,10 +1,10 @@
 #pragma once
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+
+#include "support/temporary_folder.hpp"
 
 /// Scenes written into a folder of their own, which the test works in: messages then say plain `scene.toml`.
 namespace reye::test {
@@ -12,25 +12,20 @@ namespace reye::test {
 class Folder {
  public:
   Folder() : before_(std::filesystem::current_path()) {
-    auto name = (std::filesystem::temp_directory_path() / "reye_scene_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-    std::filesystem::current_path(path_);
+    std::filesystem::current_path(path());
   }
-  ~Folder() {
-    std::filesystem::current_path(before_);
-    std::filesystem::remove_all(path_);
-  }
+  ~Folder() { std::filesystem::current_path(before_); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
   static void write(const std::string& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
   }
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  std::filesystem::path before_, path_;
+  support::TemporaryFolder folder_;
+  std::filesystem::path before_;
 };
 
 /// The text with its first `from` replaced; both must be there.

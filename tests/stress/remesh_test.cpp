@@ -9,6 +9,7 @@
 #include "scene/read.hpp"
 #include "sim/measure.hpp"
 #include "sim/run.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace reye;
 
@@ -28,7 +29,7 @@ std::string with(std::string text, const std::string& from, const std::string& t
 }
 
 sim::Problem problem() {
-  const std::filesystem::path folder(testing::TempDir());
+  const std::filesystem::path folder(support::temporary_folder());
   std::ofstream(folder / "wearing.geo") << test::wearing_geo;
   std::string text = with(test::worn_pin, "cycles = 6", "cycles = 500");
   text = with(text, "1.0e-4", "1.0e-6");

@@ -54,7 +54,7 @@ increments = 2
 )";
 
 Played spun(const Replacements& changes = {}) {
-  std::ofstream(testing::TempDir() + "reye_axis.geo") << pin;
+  std::ofstream(support::temporary_folder() + "reye_axis.geo") << pin;
   return played(replaced(spinning, changes));
 }
 
@@ -103,7 +103,7 @@ wear = false
 )";
 
 Played on_plate(const Replacements& changes = {}) {
-  std::ofstream(testing::TempDir() + "reye_axis.geo") << ball;
+  std::ofstream(support::temporary_folder() + "reye_axis.geo") << ball;
   return played(replaced(pressed, changes));
 }
 

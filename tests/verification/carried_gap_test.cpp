@@ -8,7 +8,7 @@ namespace {
 
 /// A small pin worn flat, both bodies meshed anew in every block, its fine zones outrun several times.
 std::string worn_pin(Replacements words = {}) {
-  std::ofstream(testing::TempDir() + "wearing.geo") << test::wearing_geo;
+  std::ofstream(support::temporary_folder() + "wearing.geo") << test::wearing_geo;
   words.push_back({"size_mm = 0.015", "size_mm = 0.0075"});
   words.push_back({"cycles = 6", "cycles = 8"});
   return replaced(test::worn_pin, words);

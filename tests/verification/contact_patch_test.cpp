@@ -70,7 +70,7 @@ std::string blocks_geo(double degrees) {
     const auto s = std::to_string(b + 1);
     text += "Curve Loop(" + s + ") = {" + std::to_string(k + 1) + ":" + std::to_string(k + 4) + "};\nPlane Surface(" + s + ") = {" + s + "};\nPhysical Surface(\"" + names[b] + "\") = {" + s + "};\n";
   }
-  const std::string path = testing::TempDir() + "blocks_" + std::to_string(static_cast<int>(degrees)) + ".geo";
+  const std::string path = support::temporary_folder() + "blocks_" + std::to_string(static_cast<int>(degrees)) + ".geo";
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }

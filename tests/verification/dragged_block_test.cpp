@@ -64,7 +64,7 @@ constexpr double mu_N = 0.3 * 20.0;  ///< N/mm
 constexpr double path = 4.0 * 0.1;   ///< mm in a cycle
 
 Played rubbed(const Replacements& changes = {}) {
-  std::ofstream(testing::TempDir() + "reye_dragged.geo") << blocks;
+  std::ofstream(support::temporary_folder() + "reye_dragged.geo") << blocks;
   return played(replaced(scene, changes));
 }
 

@@ -38,7 +38,7 @@ inline std::string turned_mesh(const std::string& name, double degrees) {
   }
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string path =
-      testing::TempDir() + test->name() + "_" + std::to_string(static_cast<int>(degrees)) + ".msh";
+      support::temporary_folder() + test->name() + "_" + std::to_string(static_cast<int>(degrees)) + ".msh";
   std::ofstream(path, std::ios::binary) << out.str();
   return path;
 }

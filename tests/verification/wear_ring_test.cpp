@@ -93,7 +93,7 @@ cycles = 8
 
 /// Removed volume is coefficient x work on both rings, and the work is k F s but for the slope of the surface.
 TEST(WearRing, BookOfBothSides) {
-  std::ofstream(testing::TempDir() + "reye_rings.geo") << rings;
+  std::ofstream(support::temporary_folder() + "reye_rings.geo") << rings;
   const Played run = played(scene);
   const auto& c = run.contact();
   EXPECT_LT(c.ledger_relative_error.value(), 1e-9);

@@ -10,6 +10,7 @@
 
 #include "scene/read.hpp"
 #include "sim/run.hpp"
+#include "support/temporary_folder.hpp"
 
 /// Scenes of geo/ with a few words replaced, played through the whole program but for its output.
 namespace reye::verification {
@@ -57,7 +58,7 @@ inline sim::Problem prepared(const std::string& text) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string("reye_") + test->test_suite_name() + "_" + test->name() + ".toml";
   std::replace(name.begin(), name.end(), '/', '_');  // of parametrised tests
-  const std::string path = testing::TempDir() + name;
+  const std::string path = support::temporary_folder() + name;
   std::ofstream(path, std::ios::binary) << text;
   return sim::prepare(scene::read(path));
 }
