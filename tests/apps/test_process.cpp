@@ -10,10 +10,12 @@ using namespace reye;
 namespace {
 
 /// A run that lasts long enough to be met under way on a machine that has other work.
+const std::string long_wearing = test::changed(test::wearing, {{"cycles = 400", "cycles = 2000"}});
+
 struct WithWearing : test::Place {
   WithWearing() {
     write("wearing.geo", test::wearing_geo);
-    write("wearing.toml", test::changed(test::wearing, {{"cycles = 400", "cycles = 2000"}}));
+    write("wearing.toml", long_wearing);
   }
 };
 
@@ -190,7 +192,7 @@ TEST(Process, NamesOfAnyBytes) {
   for (const std::string name : {"two\nlines", "\xff <b>&\"'", "=cmd \x1b[31m%s µ軸"}) {
     const std::string scene = name + "/" + name + ".toml", out = name + ".o";
     place.write(name + "/wearing.geo", test::wearing_geo);
-    place.write(scene, test::changed(test::wearing, {{"title    = \"Small wearing contact\"\n", ""}, {"name = \"wear\"", "name = \"=w\\u001b\\n\""}}));
+    place.write(scene, test::changed(long_wearing, {{"title    = \"Small wearing contact\"\n", ""}, {"name = \"wear\"", "name = \"=w\\u001b\\n\""}}));
     const auto told = place.reye({"run", scene, "--out", out});
     ASSERT_EQ(told.code, 0) << told.err;
     EXPECT_EQ((told.out + told.err + test::read(place / (out + "/log.txt"))).find('\x1b'), std::string::npos);
