@@ -9,8 +9,8 @@ scratch space for its output (REYE_WORK), remakes CSVs and figures in the case's
   {"name": number, ...}
 and with expected.json, of which every name must be measured:
   {"name": {"value": v, "tolerance": t, "source": "where v comes from"}}
-The tolerance is absolute, or with "relative_tolerance" in its place a share of |v|. In measured.json a text in place of a
-number says why it was left out here.
+The tolerance is absolute, or with "relative_tolerance" in its place a share of |v|. A promise says "at_least", "at_most" or
+both in place of value and tolerance. In measured.json a text in place of a number says why it was left out here.
 """
 import json
 import math
@@ -46,31 +46,42 @@ def remake(case):
     return read_json(measured)
 
 
-def tolerance(entry):
-    if "relative_tolerance" in entry:
-        return entry["relative_tolerance"] * abs(entry["value"])
-    return entry["tolerance"]
+def bounds(entry):
+    """The least and the largest number that is as expected."""
+    if "value" not in entry:
+        if not {"at_least", "at_most"} & set(entry):
+            raise ValueError("an expected number needs a value, at_least or at_most")
+        return entry.get("at_least", -math.inf), entry.get("at_most", math.inf)
+    value = entry["value"]
+    tolerance = entry["relative_tolerance"] * abs(value) if "relative_tolerance" in entry else entry["tolerance"]
+    return value - tolerance, value + tolerance
+
+
+def in_words(entry):
+    """What is expected, for the table."""
+    if "value" in entry:
+        return f"{entry['value']:.7g} +- {bounds(entry)[1] - entry['value']:.1e}"
+    return ", ".join(f"{word} {entry[key]:.7g}" for key, word in (("at_least", ">="), ("at_most", "<=")) if key in entry)
 
 
 def compare_numbers(expected, measured):
     """Prints one line for each expected number; True when all are within their tolerance. A word in place of a number
     says why it could not be measured here (a program to compare with is not installed): it counts neither way."""
     good = True
-    print(f"  {'name':44} {'expected':>14} {'measured':>14} {'difference':>11} {'tolerance':>10}")
+    print(f"  {'name':44} {'expected':>26} {'measured':>14}")
     for name, entry in expected.items():
         value = measured.get(name)
         if isinstance(value, str):
-            print(f"  {name:44} {entry['value']:14.7g} {'-':>14}   left out: {value}")
+            print(f"  {name:44} {in_words(entry):>26} {'-':>14}  left out: {value}")
             continue
         if not isinstance(value, (int, float)) or not math.isfinite(value):
-            print(f"  {name:44} {entry['value']:14.7g} {'missing':>14} {'':>22}  FAIL")
+            print(f"  {name:44} {in_words(entry):>26} {'missing':>14}  FAIL")
             good = False
             continue
-        difference = value - entry["value"]
-        within = abs(difference) <= tolerance(entry)
+        least, largest = bounds(entry)
+        within = least <= value <= largest
         good = good and within
-        print(f"  {name:44} {entry['value']:14.7g} {value:14.7g} {difference:11.2e} {tolerance(entry):10.1e}"
-              f"  {'ok' if within else 'FAIL'}")
+        print(f"  {name:44} {in_words(entry):>26} {value:14.7g}  {'ok' if within else 'FAIL'}")
     return good
 
 

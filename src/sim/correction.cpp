@@ -181,6 +181,17 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
   return difference;
 }
 
+bool slips_throughout(const State& start, const State& end) {
+  for (std::size_t c = 0; c < end.solution.contacts.size(); ++c) {
+    const auto &before = start.solution.contacts[c], &after = end.solution.contacts[c];
+    bool slips = false, sticks = false;
+    for (std::size_t j = 0; j < after.slip.size(); ++j)
+      if (after.lambda[j].dot(after.normal[j]) > 0.0) (after.slip[j] > before.slip[j] ? slips : sticks) = true;
+    if (slips && sticks) return false;
+  }
+  return true;
+}
+
 void extrapolate(const solver::System& system, const Twice& twice, State& halves) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto found = corrections(system, twice, halves, c);

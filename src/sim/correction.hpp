@@ -23,6 +23,9 @@ inline constexpr double settled = 1.0 / 3.0;
 /// what `extrapolate` will correct the share `settled` is not counted.
 double wear_difference(const solver::System& system, const Twice& twice, const State& halves);
 
+/// Whether no contact that slipped in a block has a node under pressure that did not.
+bool slips_throughout(const State& start, const State& end);
+
 /// Adds what two halves have corrected once more: with an error linear in the cycles, V + (V - V_once) is of second
 /// order. Each node takes its share by `trust`, and what others leave of the sum in proportion to what it wore, so that
 /// volumes, work and energy are all extrapolated alike and the ledger stays. A contact where no node is to be trusted, or

@@ -131,6 +131,7 @@ struct Trial {
   Outcome outcome;
   double error = 0.0;     ///< estimated; 0 where it was not played to its end
   bool too_long = false;  ///< by its error
+  bool slips_throughout = false;
   Recording rows, later;  ///< of the halves, and of what came after them
   IncrementRecord uncorrected, corrected;  ///< what was worn at the end of the halves
 };
@@ -170,6 +171,7 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
   trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
+  trial.slips_throughout = slips_throughout(start, attempt.halves);
   trial.uncorrected = wear_of(system, attempt.halves);
   const auto by_halves = limit_measures(problem, system, attempt.halves);
   extrapolate(system, {start, attempt.once, attempt.half_way}, attempt.halves);
@@ -225,7 +227,8 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
       const double next = allowed(problem, *span.step, state, end + span.jump);
       outcome.state.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
       outcome.state.jump_rate = share > 0.0 ? trial.error / share : 0.0;
-      outcome.state.jump_error = std::max((1.0 - share) * state.jump_error.value_or(0.0), trial.error);
+      const double kept = (1.0 - share) * (trial.slips_throughout ? 1.0 - share : 1.0);
+      outcome.state.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
       tell(observer, span, state.cycle, estimated(trial.error));
       return std::move(outcome);
     }

@@ -165,6 +165,28 @@ TEST(Jump, TrustRisesOverThreeElements) {
   for (std::size_t k = 0; k < n; ++k) EXPECT_DOUBLE_EQ(share[order[k]], std::min(1.0, static_cast<double>(k) / 3.0));
 }
 
+// A block heals unevenness only where all that touches slips: one node that carries pressure and stays must count, one
+// without pressure must not, nor must a contact that sticks as a whole, which wears nothing.
+TEST(Jump, SlipsThroughout) {
+  sim::State start;
+  contact::ContactState loaded;
+  loaded.normal.assign(3, {0.0, 1.0});
+  loaded.lambda.assign(3, {0.0, 2.0});
+  loaded.slip.assign(3, 4.0);
+  start.solution.contacts = {loaded};
+  const auto after = [&](double stays, double pressure) {
+    auto end = start;
+    auto& c = end.solution.contacts[0];
+    c.slip = {5.0, 5.0 - stays, 5.0};
+    c.lambda[1].y() = pressure;
+    return sim::slips_throughout(start, end);
+  };
+  EXPECT_TRUE(after(0.0, 2.0));
+  EXPECT_FALSE(after(1.0, 2.0));
+  EXPECT_TRUE(after(1.0, 0.0));
+  EXPECT_TRUE(sim::slips_throughout(start, start));
+}
+
 // The next block must grow with what is worn where the error is as aimed at, shrink in proportion to an error above it,
 // and never by leaps.
 TEST(Jump, NextJump) {
