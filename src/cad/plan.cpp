@@ -13,7 +13,7 @@ namespace {
 
 using base::Issue;
 
-constexpr double most_nodes = 2e6;
+constexpr double most_nodes = 1e6;  ///< of a body: 6 GB, and a minute of meshing
 
 double diagonal(const Part& part) {
   const auto box = bounding_box(part);

@@ -117,7 +117,8 @@ TEST(HostileFiles, ScenesWithoutBounds) {
   EXPECT_TRUE(test::holds(
       told_of(test::changed(blocks, {{"play = [\"press\"]", "play = [\"press\"]\nincrements = 1000000000"}})),
       "step[0].increments = 1000000000: must lie in [1, 1e+05]"));
-  EXPECT_TRUE(test::holds(told_of(blocks + "\n[spectrum]\nsteps = [\"1\"]\ntimes = 1000000000\n"),
+  EXPECT_TRUE(test::holds(told_of(test::changed(blocks, {{"[[step]]\n", "[[step]]\nname = \"press\"\n"}}) +
+                                  "\n[spectrum]\nsteps = [\"press\"]\ntimes = 1000000000\n"),
                           "spectrum.times = 1000000000: must lie in [1, 1e+05]"));
 }
 

@@ -457,8 +457,8 @@ friction)"}},
        {{R"(friction)", R"(fine_zone = { centre_mm = [2.0, 0.0], half_width_mm = 1.0, depth_mm = 0.5, size_mm = 1e-5 }
 friction)"}},
        "", 2,
-       R"(scene.toml:5: body.slider: would need about 1.00013e+10 nodes (at most 2e+06): raise the fine zone's size_mm or mesh.far_size_mm)" "\n"
-       R"(scene.toml:8: body.base: would need about 1.00013e+10 nodes (at most 2e+06): raise the fine zone's size_mm or mesh.far_size_mm)" "\n"},
+       R"(scene.toml:5: body.slider: would need about 1.00013e+10 nodes (at most 1e+06): raise the fine zone's size_mm or mesh.far_size_mm)" "\n"
+       R"(scene.toml:8: body.base: would need about 1.00013e+10 nodes (at most 1e+06): raise the fine zone's size_mm or mesh.far_size_mm)" "\n"},
   });
 }
 
