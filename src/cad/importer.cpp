@@ -74,8 +74,12 @@ Imported import_files(const GeometryOptions& options) {
     std::jthread loading;
     if (extension(options.files[k]) != ".vtu") loading = std::jthread(load_kernel);
     const auto guarded = importer.message(most_s);
-    all.guarded = all.guarded && guarded && *guarded == "guarded";
-    for (; guarded && k < options.files.size(); ++k) {
+    if (!guarded) {  // it has not seen a file yet
+      kernel();      // says why, where it is gmsh that cannot be loaded
+      throw std::runtime_error("reye-import does not start: " + importer.end_in_words());
+    }
+    all.guarded = all.guarded && *guarded == "guarded";
+    for (; k < options.files.size(); ++k) {
       const auto bytes = importer.message(most_s);
       if (!bytes) break;
       take(answer_about(options.files[k], *bytes), options.files[k], all, issues);

@@ -168,3 +168,17 @@ TEST(Codes, FailedShape) {
   EXPECT_GE(test::lines(place / "deep.out/history.csv"), 10);
   EXPECT_TRUE(test::fs::exists(place / "deep.out/report.html"));
 }
+
+// A command that was copied without what it starts and loads must name what is missing, not blame the geometry file.
+TEST(Codes, PartsMissing) {
+  const WithScenes place;
+  test::fs::create_directories(place / "bin");
+  const std::string reye = place / "bin/reye", importer = place / "bin/reye-import";
+  test::fs::copy_file(REYE_COMMAND, reye);
+  const auto told = [&] { return place.start({reye, "check", "blocks.toml"}).wait(); };
+  EXPECT_EQ(told().code, 1);
+  EXPECT_TRUE(test::holds(told().err, "reye: the importer " + importer + " cannot be started: ")) << told().err;
+  test::fs::copy_file(test::fs::path(REYE_COMMAND).replace_filename("reye-import"), importer);
+  EXPECT_EQ(told().code, 1);
+  EXPECT_TRUE(test::holds(told().err, "reye: gmsh cannot be loaded: ")) << told().err;
+}
