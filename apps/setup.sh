@@ -50,9 +50,15 @@ install_missing() {
   as_root apt-get -o Acquire::Retries=3 install -y --no-install-recommends "${missing[@]}" </dev/null
 }
 
-build_all() {
-  [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-  cmake --build "$build"
+# Builds the targets that are named, or all. Where ccache is there, it knows precompiled headers by their content.
+build() {
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+  fi
+  [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${launcher[@]}"
+  cmake --build "$build" ${1:+--target "$@"}
 }
 
 run_demo() {
@@ -70,9 +76,9 @@ case "$1" in
 esac
 
 install_missing
-build_all
 case "$1" in
-  demo) run_demo ;;
-  test) ctest --test-dir "$build" --output-on-failure -LE slow -j2 ;;
-  results) python3 apps/results.py compare "$2" ;;
+  demo) build reye; run_demo ;;
+  build) build ;;
+  test) build; ctest --test-dir "$build" --output-on-failure -LE slow -j2 ;;
+  results) build reye reye-bench; python3 apps/results.py compare "$2" ;;
 esac
