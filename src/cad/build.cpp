@@ -14,9 +14,7 @@ namespace {
 
 Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
   Drawing drawing{*plan.part, plan.boundaries, *plan.options, {}, options.axisymmetric};
-  for (const FineZone& zone : options.fine_zones)
-    if (applies(zone, plan.options->name) && zone_outline(*plan.part, zone, !zone.bodies.empty()))
-      drawing.zones.push_back(zone);
+  for (const FineZone* zone : zones_on(*plan.part, plan.options->name, options.fine_zones)) drawing.zones.push_back(*zone);
   return drawing;
 }
 

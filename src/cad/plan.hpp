@@ -16,8 +16,9 @@ struct BodyPlan {
   std::vector<ZoneOutline> zones;
 };
 
-/// Whether a fine zone refines the body of this name: all bodies where it names none.
-bool applies(const FineZone& zone, const std::string& body);
+/// The fine zones of a scene that refine the body of this name: those of which its outline passes within half_width + depth of
+/// the centre. A zone that names the body refines it from farther away, too, where no other one of its contact is so near.
+std::vector<const FineZone*> zones_on(const Part& part, const std::string& body, const std::vector<FineZone>& zones);
 
 /// Element size far from fine zones: as asked for, or a twentieth of the body's bounding-box diagonal [mm].
 double far_size(const BodyPlan& plan);
