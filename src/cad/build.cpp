@@ -39,7 +39,7 @@ Geometry build(const GeometryOptions& options) {
     }
     geometry.drawings.push_back(drawing_of(plan, options));
     choose_arc_origins(mesh, geometry.drawings.back());
-    geometry.facts.push_back({plan.options->name, area(*plan.part), bounding_box(*plan.part)});
+    geometry.facts.push_back({plan.options->name, area(*plan.part), bounding_box(*plan.part), plan.halved, plan.cut_off});
     geometry.bodies.push_back(std::move(mesh));
   }
   if (!issues.empty()) throw base::InputError(std::move(issues));

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cad/axis_pieces.hpp"
 #include "cad/profile.hpp"
 #include "cad/size_field.hpp"
 #include "cad/text.hpp"
+#include "cad/whole_section.hpp"
 #include "mesh/arc.hpp"
 
 namespace reye::cad {
@@ -27,13 +29,16 @@ bool names(const FineZone& zone, const std::string& body) {
 }
 
 /// A zone that refines nothing is a mistake in its centre; bodies that bring their own mesh have none.
-void check_zone(const FineZone& zone, const std::vector<FineZone>& all, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+void check_zone(const FineZone& zone, const GeometryOptions& options, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+  if (options.axisymmetric && zone.centre_mm.x() < -1e-9)
+    return issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm), "lies at x < 0; an axisymmetric scene takes what lies at x >= 0: give " +
+                                                                                text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
   bool wanted = false;
   for (const BodyPlan& plan : plans) {
     if (!plan.part) return;  // told already
     if (plan.part->mesh || !names(zone, plan.options->name)) continue;
     wanted = true;
-    const auto zones = zones_on(*plan.part, plan.options->name, all);
+    const auto zones = zones_on(*plan.part, plan.options->name, options.fine_zones);
     if (std::find(zones.begin(), zones.end(), &zone) != zones.end()) return;
   }
   if (wanted)
@@ -53,10 +58,12 @@ double outline_nodes(const BodyPlan& plan) {
 
 void check_body(const BodyPlan& plan, bool axisymmetric, std::vector<Issue>& issues) {
   const std::string key = "body." + plan.options->name;
-  if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9)
+  const bool told = !plan.part->mesh && crosses_axis(*plan.part);  // by take_halves
+  if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9 && !told)
     issues.push_back({key, "",
                       "reaches x = " + text(bounding_box(*plan.part)[0]) +
-                          "; in an axisymmetric scene x is the radius and nothing lies at x < 0"});
+                          "; in an axisymmetric scene x is the radius and nothing lies at x < 0" +
+                          (plan.part->mesh ? "; a mesh is taken as it is: mesh the half x >= 0 alone" : "")});
   if (plan.part->mesh) return;
   const double nodes = plan.options->rigid ? outline_nodes(plan) : estimated_nodes(plan);
   if (nodes > most_nodes)
@@ -163,13 +170,16 @@ double estimated_nodes(const BodyPlan& plan) {
 
 Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
   std::vector<Issue> issues;
+  if (options.axisymmetric) leave_out_mirror_images(all);
   Plans plans{std::move(all), {}};
   const std::vector<int> chosen = select_parts(plans.parts, options.bodies, issues);
   for (std::size_t b = 0; b < options.bodies.size(); ++b) {
     const Part* part = chosen[b] < 0 ? nullptr : &plans.parts[chosen[b]];
     plans.bodies.push_back({part, &options.bodies[b], part ? named_edges(*part) : decltype(BodyPlan::boundaries){}, {}});
   }
+  if (options.axisymmetric) tell_of_the_half(options.bodies, issues);
   add_boundaries(plans.bodies, options, issues);
+  if (options.axisymmetric) take_halves(plans, options, issues);
   put_profiles(plans, options, issues);
   turn_rings(plans, options);
   for (BodyPlan& plan : plans.bodies) {
@@ -179,7 +189,7 @@ Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
         plan.zones.push_back(*zone_outline(*plan.part, *zone, true));
     check_body(plan, options.axisymmetric, issues);
   }
-  for (const FineZone& zone : options.fine_zones) check_zone(zone, options.fine_zones, plans.bodies, issues);
+  for (const FineZone& zone : options.fine_zones) check_zone(zone, options, plans.bodies, issues);
   if (!issues.empty()) throw base::InputError(issues);
   return plans;
 }

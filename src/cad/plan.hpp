@@ -1,5 +1,7 @@
 #pragma once
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "cad/options.hpp"
@@ -14,6 +16,8 @@ struct BodyPlan {
   const BodyOptions* options = nullptr;
   std::map<std::string, EdgeChoice> boundaries;
   std::vector<ZoneOutline> zones;
+  bool halved = false;             ///< the file has a section through the axis, of which this is the half x >= 0
+  std::set<std::string> cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images
 };
 
 /// The fine zones of a scene that refine the body of this name: those of which its outline passes within half_width + depth of
@@ -32,9 +36,10 @@ struct Plans {
   std::vector<BodyPlan> bodies;
 };
 
-/// Finds parts and boundaries of all bodies, puts profiles on the boundaries that have one, finds fine zones. Throws
-/// base::InputError with every issue there is: selectors that match nothing or several things, profiles that do not fit,
-/// material at a negative radius, a mesh of more than 2e6 nodes.
+/// Finds parts and boundaries of all bodies, takes the halves x >= 0 of what lies on both sides of the axis, puts profiles on
+/// the boundaries that have one, finds fine zones. Throws base::InputError with every issue there is: selectors that match
+/// nothing or several things, sections that are not mirror-symmetric about the axis, profiles that do not fit, material at a
+/// negative radius, a mesh of more nodes than a body may have.
 Plans make_plans(std::vector<Part> parts, const GeometryOptions& options);
 
 }  // namespace reye::cad

@@ -15,7 +15,7 @@ constexpr Range one_of(std::string_view choices) { return {.choices = choices}; 
 constexpr Key table[] = {
     {"title", Type::text, "", "", any, "headline of the results; without it the scene's name"},
     {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
-     "idealisation; axisymmetric: r = x >= 0, axis y"},
+     "idealisation; axisymmetric: r = x >= 0, axis y; of a section drawn on both sides of the axis the half x >= 0 is taken"},
     {"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
      "relative error asked for, of worn profiles, or of tractions where nothing wears: a pilot run chooses the size of fine "
      "zones without `size_mm`; steps that wear without `jump` take half of it as tolerance"},
@@ -120,7 +120,8 @@ constexpr Key table[] = {
     {"bond.*.secondary", Type::text, "", "required", any,
      "boundary that is joined for good, without opening or slip; the finer one, of a deformable body"},
     {"bond.*.primary", Type::texts, "", "required", any, "boundaries it lies on"},
-    {"{contact,bond}.*.fine_zone[?].centre_mm", Type::pair, "mm", "required", any, "middle of the fine mesh; a contact that touches in several places takes a list of such tables"},
+    {"{contact,bond}.*.fine_zone[?].centre_mm", Type::pair, "mm", "required", any,
+     "middle of the fine mesh; a contact that touches in several places takes a list of such tables"},
     {"{contact,bond}.*.fine_zone[?].half_width_mm", Type::number, "mm", "required", positive,
      "half extent along the contact"},
     {"{contact,bond}.*.fine_zone[?].depth_mm", Type::number, "mm", "required", positive, "extent into both bodies"},
