@@ -14,9 +14,7 @@ namespace {
 
 Drawing drawing_of(const BodyPlan& plan, const GeometryOptions& options) {
   Drawing drawing{*plan.part, plan.boundaries, *plan.options, {}, options.axisymmetric};
-  for (const FineZone& zone : options.fine_zones)
-    if (applies(zone, plan.options->name) && zone_outline(*plan.part, zone, !zone.bodies.empty()))
-      drawing.zones.push_back(zone);
+  for (const FineZone* zone : zones_on(*plan.part, plan.options->name, options.fine_zones)) drawing.zones.push_back(*zone);
   return drawing;
 }
 
@@ -41,7 +39,7 @@ Geometry build(const GeometryOptions& options) {
     }
     geometry.drawings.push_back(drawing_of(plan, options));
     choose_arc_origins(mesh, geometry.drawings.back());
-    geometry.facts.push_back({plan.options->name, area(*plan.part), bounding_box(*plan.part)});
+    geometry.facts.push_back({plan.options->name, area(*plan.part), bounding_box(*plan.part), plan.halved, plan.cut_off});
     geometry.bodies.push_back(std::move(mesh));
   }
   if (!issues.empty()) throw base::InputError(std::move(issues));

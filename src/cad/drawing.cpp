@@ -33,21 +33,20 @@ mesh::Mesh checked(const Drawing& drawing, double most_nodes, Make make) {
   return mesh;
 }
 
-/// The fine zone whose centre is nearest to a ring, of those whose centre is nearer to it than to any other loop.
-const FineZone* zone_on(const mesh::Mesh& mesh, const mesh::Chain& ring, const Drawing& drawing) {
+/// The centres of the fine zones that are nearer to a ring than to any other loop.
+Points centres_on(const mesh::Mesh& mesh, const mesh::Chain& ring, const Drawing& drawing) {
   const auto distance = [&](const mesh::Chain& chain, const Vec2& p) {
     double least = std::numeric_limits<double>::infinity();
     for (int node : chain) least = std::min(least, (mesh.X[node] - p).norm());
     return least;
   };
-  const FineZone* best = nullptr;
+  Points centres;
   for (const FineZone& zone : drawing.zones) {
     const double here = distance(ring, zone.centre_mm);
-    const bool nearest = std::all_of(mesh.outline.begin(), mesh.outline.end(),
-                                     [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); });
-    if (nearest && (!best || here < distance(ring, best->centre_mm))) best = &zone;
+    if (std::all_of(mesh.outline.begin(), mesh.outline.end(), [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); }))
+      centres.push_back(zone.centre_mm);
   }
-  return best;
+  return centres;
 }
 
 }  // namespace
@@ -57,8 +56,8 @@ void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing) {
     auto& origins = mesh.arc_origin[name] = mesh::arc_origins(mesh, name);
     for (const auto& chain : chains) {
       if (!mesh::is_closed(chain)) continue;
-      const FineZone* zone = zone_on(mesh, chain, drawing);
-      if (zone) std::replace(origins.begin(), origins.end(), chain.front(), mesh::opposite(mesh, chain, zone->centre_mm));
+      const Points centres = centres_on(mesh, chain, drawing);
+      if (!centres.empty()) std::replace(origins.begin(), origins.end(), chain.front(), mesh::farthest_from(mesh, chain, centres));
     }
   }
 }

@@ -21,8 +21,8 @@ struct Drawing {
 /// Nodes a mesh of the drawing would have, about: int dA / size^2.
 double estimated_nodes(const Drawing& drawing);
 
-/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from opposite to the
-/// centre of the fine zone on it, so that no table is cut where there is contact.
+/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from amid the longest stretch
+/// between the centres of the fine zones on it, opposite to a single one, so that no table is cut where there is contact.
 void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing);
 
 /// A fresh mesh with the same boundaries and of the order asked for, in a gmsh session of its own. A mesh that came with the drawing's part is

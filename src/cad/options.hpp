@@ -64,7 +64,8 @@ struct FineZone {
   double depth_mm = 0.0;
   double size_mm = 0.0;
   double angle_deg = 0.0;  ///< direction of the width, from x
-  std::string contact{};   ///< that asks for it
+  std::string contact{};   ///< or bond that asks for it
+  std::string key{};       ///< of the scene that asks for it: each contact may have several zones
   bool turns = false;      ///< made wide for a body that turns under it: it does not follow its contact
 };
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cad/axis_pieces.hpp"
 #include "cad/profile.hpp"
 #include "cad/size_field.hpp"
 #include "cad/text.hpp"
+#include "cad/whole_section.hpp"
+#include "mesh/arc.hpp"
 
 namespace reye::cad {
 
@@ -20,17 +23,26 @@ double diagonal(const Part& part) {
   return std::hypot(box[2] - box[0], box[3] - box[1]);
 }
 
+/// Whether the zone is for the body of this name: for all bodies where it names none.
+bool names(const FineZone& zone, const std::string& body) {
+  return zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), body) != zone.bodies.end();
+}
+
 /// A zone that refines nothing is a mistake in its centre; bodies that bring their own mesh have none.
-void check_zone(const FineZone& zone, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+void check_zone(const FineZone& zone, const GeometryOptions& options, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+  if (options.axisymmetric && zone.centre_mm.x() < -1e-9)
+    return issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm), "lies at x < 0; an axisymmetric scene takes what lies at x >= 0: give " +
+                                                                                text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
   bool wanted = false;
   for (const BodyPlan& plan : plans) {
     if (!plan.part) return;  // told already
-    if (plan.part->mesh || !applies(zone, plan.options->name)) continue;
+    if (plan.part->mesh || !names(zone, plan.options->name)) continue;
     wanted = true;
-    if (zone_outline(*plan.part, zone, !zone.bodies.empty())) return;
+    const auto zones = zones_on(*plan.part, plan.options->name, options.fine_zones);
+    if (std::find(zones.begin(), zones.end(), &zone) != zones.end()) return;
   }
   if (wanted)
-    issues.push_back({"contact." + zone.contact + ".fine_zone.centre_mm", text(zone.centre_mm),
+    issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm),
                       "no edge of a body passes through the fine zone"});
 }
 
@@ -46,10 +58,12 @@ double outline_nodes(const BodyPlan& plan) {
 
 void check_body(const BodyPlan& plan, bool axisymmetric, std::vector<Issue>& issues) {
   const std::string key = "body." + plan.options->name;
-  if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9)
+  const bool told = !plan.part->mesh && crosses_axis(*plan.part);  // by take_halves
+  if (axisymmetric && bounding_box(*plan.part)[0] < -1e-9 && !told)
     issues.push_back({key, "",
                       "reaches x = " + text(bounding_box(*plan.part)[0]) +
-                          "; in an axisymmetric scene x is the radius and nothing lies at x < 0"});
+                          "; in an axisymmetric scene x is the radius and nothing lies at x < 0" +
+                          (plan.part->mesh ? "; a mesh is taken as it is: mesh the half x >= 0 alone" : "")});
   if (plan.part->mesh) return;
   const double nodes = plan.options->rigid ? outline_nodes(plan) : estimated_nodes(plan);
   if (nodes > most_nodes)
@@ -104,25 +118,39 @@ void put_profiles(Plans& plans, const GeometryOptions& options, std::vector<Issu
   }
 }
 
-/// A loop of one closed edge begins opposite to the fine zone on it: where a file happens to begin it, its seam, nothing
-/// of the mesh in contact shall depend on.
+/// A loop of one closed edge begins opposite to the fine zone on it, or amid the longest stretch between several: where a file
+/// happens to begin it, its seam, nothing of the mesh in contact shall depend on.
 void turn_rings(Plans& plans, const GeometryOptions& options) {
   for (BodyPlan& plan : plans.bodies) {
     if (!plan.part || plan.part->mesh) continue;
-    for (const FineZone& zone : options.fine_zones) {
-      if (!applies(zone, plan.options->name)) continue;
-      const auto outline = zone_outline(*plan.part, zone, !zone.bodies.empty());
-      if (!outline || plan.part->loops[outline->loop].size() > 1) continue;
-      Edge& ring = plans.parts[plan.part - plans.parts.data()].loops[outline->loop].front();
-      ring = begun_at(ring, std::fmod(outline->centre_arc + 0.5 * ring.length(), ring.length()));
+    std::map<int, std::vector<double>> centres;  // of each ring
+    for (const FineZone* zone : zones_on(*plan.part, plan.options->name, options.fine_zones)) {
+      const auto outline = zone_outline(*plan.part, *zone, true);
+      if (plan.part->loops[outline->loop].size() == 1) centres[outline->loop].push_back(outline->centre_arc);
+    }
+    for (const auto& [loop, arcs] : centres) {
+      Edge& ring = plans.parts[plan.part - plans.parts.data()].loops[loop].front();
+      ring = begun_at(ring, mesh::amid_longest_gap(arcs, ring.length()));
     }
   }
 }
 
 }  // namespace
 
-bool applies(const FineZone& zone, const std::string& body) {
-  return zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), body) != zone.bodies.end();
+std::vector<const FineZone*> zones_on(const Part& part, const std::string& body, const std::vector<FineZone>& zones) {
+  std::vector<const FineZone*> wanted, near;
+  for (const FineZone& zone : zones) {
+    if (!names(zone, body)) continue;
+    wanted.push_back(&zone);
+    if (zone_outline(part, zone, false)) near.push_back(&zone);
+  }
+  const auto leaves_out = [&](const FineZone* zone) {
+    if (std::find(near.begin(), near.end(), zone) != near.end()) return false;
+    const bool another = std::any_of(near.begin(), near.end(), [&](const FineZone* other) { return other->contact == zone->contact; });
+    return zone->bodies.empty() || another || !zone_outline(part, *zone, true);
+  };
+  std::erase_if(wanted, leaves_out);
+  return wanted;
 }
 
 double far_size(const BodyPlan& plan) {
@@ -142,23 +170,26 @@ double estimated_nodes(const BodyPlan& plan) {
 
 Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
   std::vector<Issue> issues;
+  if (options.axisymmetric) leave_out_mirror_images(all);
   Plans plans{std::move(all), {}};
   const std::vector<int> chosen = select_parts(plans.parts, options.bodies, issues);
   for (std::size_t b = 0; b < options.bodies.size(); ++b) {
     const Part* part = chosen[b] < 0 ? nullptr : &plans.parts[chosen[b]];
     plans.bodies.push_back({part, &options.bodies[b], part ? named_edges(*part) : decltype(BodyPlan::boundaries){}, {}});
   }
+  if (options.axisymmetric) tell_of_the_half(options.bodies, issues);
   add_boundaries(plans.bodies, options, issues);
+  if (options.axisymmetric) take_halves(plans, options, issues);
   put_profiles(plans, options, issues);
   turn_rings(plans, options);
   for (BodyPlan& plan : plans.bodies) {
     if (!plan.part) continue;
-    for (const FineZone& zone : options.fine_zones)
-      if (!plan.part->mesh && applies(zone, plan.options->name))
-        if (auto outline = zone_outline(*plan.part, zone, !zone.bodies.empty())) plan.zones.push_back(*outline);
+    if (!plan.part->mesh)
+      for (const FineZone* zone : zones_on(*plan.part, plan.options->name, options.fine_zones))
+        plan.zones.push_back(*zone_outline(*plan.part, *zone, true));
     check_body(plan, options.axisymmetric, issues);
   }
-  for (const FineZone& zone : options.fine_zones) check_zone(zone, plans.bodies, issues);
+  for (const FineZone& zone : options.fine_zones) check_zone(zone, options, plans.bodies, issues);
   if (!issues.empty()) throw base::InputError(issues);
   return plans;
 }

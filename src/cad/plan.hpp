@@ -1,5 +1,7 @@
 #pragma once
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "cad/options.hpp"
@@ -14,10 +16,13 @@ struct BodyPlan {
   const BodyOptions* options = nullptr;
   std::map<std::string, EdgeChoice> boundaries;
   std::vector<ZoneOutline> zones;
+  bool halved = false;             ///< the file has a section through the axis, of which this is the half x >= 0
+  std::set<std::string> cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images
 };
 
-/// Whether a fine zone refines the body of this name: all bodies where it names none.
-bool applies(const FineZone& zone, const std::string& body);
+/// The fine zones of a scene that refine the body of this name: those of which its outline passes within half_width + depth of
+/// the centre. A zone that names the body refines it from farther away, too, where no other one of its contact is so near.
+std::vector<const FineZone*> zones_on(const Part& part, const std::string& body, const std::vector<FineZone>& zones);
 
 /// Element size far from fine zones: as asked for, or a twentieth of the body's bounding-box diagonal [mm].
 double far_size(const BodyPlan& plan);
@@ -31,9 +36,10 @@ struct Plans {
   std::vector<BodyPlan> bodies;
 };
 
-/// Finds parts and boundaries of all bodies, puts profiles on the boundaries that have one, finds fine zones. Throws
-/// base::InputError with every issue there is: selectors that match nothing or several things, profiles that do not fit,
-/// material at a negative radius, a mesh of more than 2e6 nodes.
+/// Finds parts and boundaries of all bodies, takes the halves x >= 0 of what lies on both sides of the axis, puts profiles on
+/// the boundaries that have one, finds fine zones. Throws base::InputError with every issue there is: selectors that match
+/// nothing or several things, sections that are not mirror-symmetric about the axis, profiles that do not fit, material at a
+/// negative radius, a mesh of more nodes than a body may have.
 Plans make_plans(std::vector<Part> parts, const GeometryOptions& options);
 
 }  // namespace reye::cad

@@ -131,6 +131,15 @@ std::optional<ZoneOutline> zone_outline(const Part& part, const FineZone& zone, 
   return outline;
 }
 
+std::size_t zone_at(const std::vector<const FineZone*>& zones, const Vec2& x) {
+  const auto away = [&](const FineZone* zone) {
+    const Vec2 d = x - zone->centre_mm, along = direction(*zone);
+    return (d - std::clamp(along.dot(d), -zone->half_width_mm, zone->half_width_mm) * along).norm();
+  };
+  const auto nearer = [&](const FineZone* a, const FineZone* b) { return away(a) < away(b); };
+  return static_cast<std::size_t>(std::min_element(zones.begin(), zones.end(), nearer) - zones.begin());
+}
+
 Points sampled(const Part& part, const ZoneOutline& zone) {
   Points line;
   for (const Stretch& stretch : zone.stretches) {

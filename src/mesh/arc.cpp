@@ -1,6 +1,7 @@
 #include "mesh/arc.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -100,15 +101,32 @@ void follow_arc_origins(Mesh& mesh, const Mesh& former) {
   }
 }
 
-int opposite(const Mesh& mesh, const Chain& ring, const Vec2& p) {
+int farthest_from(const Mesh& mesh, const Chain& ring, const Points& points) {
   const auto vertices = candidates(mesh, ring);
-  const ArcChain from_p = counted_from(mesh, ring, nearest(mesh.X, vertices, p));
-  const double half = 0.5 * from_p.arc.back();
-  const auto at = [&](std::size_t i) { return std::abs(from_p.arc[i] - half); };
+  const ArcChain from_first = counted_from(mesh, ring, nearest(mesh.X, vertices, points.front()));
+  const double length = from_first.arc.back();
+  std::vector<double> arcs;
+  for (const Vec2& p : points) {
+    const auto node = std::find(from_first.nodes.begin(), from_first.nodes.end(), nearest(mesh.X, vertices, p));
+    arcs.push_back(from_first.arc[static_cast<std::size_t>(node - from_first.nodes.begin())]);
+  }
+  const double middle = amid_longest_gap(arcs, length);
+  const auto at = [&](std::size_t i) { return std::abs(from_first.arc[i] - middle); };
   std::size_t best = 0;
-  for (std::size_t i = 0; i < from_p.nodes.size(); i += static_cast<std::size_t>(order(mesh.kind)))
+  for (std::size_t i = 0; i < from_first.nodes.size(); i += static_cast<std::size_t>(order(mesh.kind)))
     if (at(i) < at(best)) best = i;
-  return from_p.nodes[best];
+  return from_first.nodes[best];
+}
+
+double amid_longest_gap(std::vector<double> arcs, double length) {
+  std::sort(arcs.begin(), arcs.end());
+  double longest = length - (arcs.back() - arcs.front()), middle = arcs.back() + 0.5 * longest;
+  for (std::size_t i = 1; i < arcs.size(); ++i)
+    if (arcs[i] - arcs[i - 1] > longest) {
+      longest = arcs[i] - arcs[i - 1];
+      middle = 0.5 * (arcs[i] + arcs[i - 1]);
+    }
+  return std::fmod(middle, length);
 }
 
 }  // namespace reye::mesh

@@ -82,7 +82,7 @@ void serialize(Archive& archive, BodyOptions& options) {
 
 template <class Archive>
 void serialize(Archive& archive, FineZone& zone) {
-  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact, zone.turns);
+  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact, zone.key, zone.turns);
 }
 
 template <class Archive>

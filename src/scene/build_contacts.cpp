@@ -127,6 +127,33 @@ contact::ContactOptions contact_of(const Entry& entry, bool axisymmetric, Issues
   return contact;
 }
 
+/// The bodies that a contact's or a bond's edges lie on. An edge named only in the geometry file may belong to any body: none
+/// are named then, and its zones refine all.
+std::vector<std::string> touching_bodies(const Entry& joint, const std::vector<cad::BoundaryOptions>& boundaries) {
+  auto edges = joint.texts("primary");
+  edges.insert(edges.begin(), joint.text("secondary"));
+  std::vector<std::string> bodies;
+  for (const auto& edge : edges) {
+    const auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](auto& b) { return b.name == edge; });
+    if (found == boundaries.end()) return {};
+    if (std::find(bodies.begin(), bodies.end(), found->body) == bodies.end()) bodies.push_back(found->body);
+  }
+  return bodies;
+}
+
+cad::FineZone zone_of(const Entry& place, const std::string& joint, const std::vector<std::string>& bodies) {
+  cad::FineZone zone;
+  zone.bodies = bodies;
+  zone.contact = joint;
+  zone.key = place.key();
+  zone.centre_mm = place.pair("centre_mm").value_or(base::Vec2(0.0, 0.0));
+  zone.half_width_mm = place.number("half_width_mm");
+  zone.depth_mm = place.number("depth_mm");
+  zone.size_mm = place.number("size_mm");
+  zone.angle_deg = place.number("angle_deg");
+  return zone;
+}
+
 }  // namespace
 
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues) {
@@ -162,31 +189,13 @@ std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<ca
   std::vector<cad::FineZone> zones;
   auto joints = root.all("contact");
   for (auto& bond : root.all("bond")) joints.push_back(bond);
-  for (const auto& entry : joints) {
-    const auto place = entry.at("fine_zone");
-    if (!place.is_table()) continue;
-    if (!place.given("size_mm") && !root.given("accuracy"))
-      issues.push_back({place.key("size_mm"), "", "missing; only a scene with accuracy may leave it out"});
-    auto edges = entry.texts("primary");
-    edges.insert(edges.begin(), entry.text("secondary"));
-    cad::FineZone zone;
-    // An edge named only in the geometry file may belong to any body: the zone then refines all.
-    for (const auto& edge : edges) {
-      const auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](auto& b) { return b.name == edge; });
-      if (found == boundaries.end()) {
-        zone.bodies.clear();
-        break;
-      }
-      if (std::find(zone.bodies.begin(), zone.bodies.end(), found->body) == zone.bodies.end())
-        zone.bodies.push_back(found->body);
+  for (const auto& joint : joints) {
+    const auto bodies = touching_bodies(joint, boundaries);
+    for (const auto& place : joint.parts("fine_zone")) {
+      if (!place.given("size_mm") && !root.given("accuracy"))
+        issues.push_back({place.key("size_mm"), "", "missing; only a scene with accuracy may leave it out"});
+      zones.push_back(zone_of(place, joint.name(), bodies));
     }
-    zone.contact = entry.name();
-    zone.centre_mm = place.pair("centre_mm").value_or(base::Vec2(0.0, 0.0));
-    zone.half_width_mm = place.number("half_width_mm");
-    zone.depth_mm = place.number("depth_mm");
-    zone.size_mm = place.number("size_mm");
-    zone.angle_deg = place.number("angle_deg");
-    zones.push_back(zone);
   }
   return zones;
 }

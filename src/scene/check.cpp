@@ -144,12 +144,14 @@ void check_table(const Node& table, const Spec& place, Issues& issues) {
       issues.push_back({table.key.empty() ? name : table.key + '.' + name, "", "missing"});
 }
 
+bool lists_tables(const Node& node) {
+  return node.kind == NodeKind::list && !node.children.empty() &&
+         std::all_of(node.children.begin(), node.children.end(), [](const Node& n) { return n.kind == NodeKind::table; });
+}
+
 void check_list(const Node& list, const Spec& place, Issues& issues) {
-  const bool tables = list.kind == NodeKind::list && !list.children.empty() &&
-                      std::all_of(list.children.begin(), list.children.end(),
-                                  [](const Node& n) { return n.kind == NodeKind::table; });
-  if (!tables) {
-    issues.push_back({list.key, list.written, "must be a list of tables, each headed [[" + list.name + "]]"});
+  if (!lists_tables(list)) {
+    issues.push_back({list.key, list.written, "must be a list of tables, each headed [[" + list.key + "]]"});
     return;
   }
   for (const auto& element : list.children) check_table(element, place, issues);
@@ -160,13 +162,15 @@ void check_list(const Node& list, const Spec& place, Issues& issues) {
 void check(const Node& node, const Spec& place, Issues& issues) {
   if (place.list) {
     check_list(node, place, issues);
+  } else if (place.list_or_table && lists_tables(node)) {
+    check_list(node, place, issues);
   } else if (node.kind == NodeKind::table && place.is_table()) {
     check_table(node, place, issues);
   } else if (place.key) {
     const auto rule = broken_rule(node, place);
     if (!rule.empty()) issues.push_back({node.key, node.written, rule});
   } else {
-    issues.push_back({node.key, node.written, "must be a table"});
+    issues.push_back({node.key, node.written, place.list_or_table ? "must be a table, or a list of such tables" : "must be a table"});
   }
 }
 

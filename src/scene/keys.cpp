@@ -1,5 +1,7 @@
 #include "scene/keys.hpp"
 
+#include <algorithm>
+
 namespace reye::scene {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr Range one_of(std::string_view choices) { return {.choices = choices}; 
 constexpr Key table[] = {
     {"title", Type::text, "", "", any, "headline of the results; without it the scene's name"},
     {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
-     "idealisation; axisymmetric: r = x >= 0, axis y"},
+     "idealisation; axisymmetric: r = x >= 0, axis y; of a section drawn on both sides of the axis the half x >= 0 is taken"},
     {"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
      "relative error asked for, of worn profiles, or of tractions where nothing wears: a pilot run chooses the size of fine "
      "zones without `size_mm`; steps that wear without `jump` take half of it as tolerance"},
@@ -118,13 +120,14 @@ constexpr Key table[] = {
     {"bond.*.secondary", Type::text, "", "required", any,
      "boundary that is joined for good, without opening or slip; the finer one, of a deformable body"},
     {"bond.*.primary", Type::texts, "", "required", any, "boundaries it lies on"},
-    {"{contact,bond}.*.fine_zone.centre_mm", Type::pair, "mm", "required", any, "middle of the fine mesh"},
-    {"{contact,bond}.*.fine_zone.half_width_mm", Type::number, "mm", "required", positive,
+    {"{contact,bond}.*.fine_zone[?].centre_mm", Type::pair, "mm", "required", any,
+     "middle of the fine mesh; a contact that touches in several places takes a list of such tables"},
+    {"{contact,bond}.*.fine_zone[?].half_width_mm", Type::number, "mm", "required", positive,
      "half extent along the contact"},
-    {"{contact,bond}.*.fine_zone.depth_mm", Type::number, "mm", "required", positive, "extent into both bodies"},
-    {"{contact,bond}.*.fine_zone.size_mm", Type::number, "mm", "", positive,
+    {"{contact,bond}.*.fine_zone[?].depth_mm", Type::number, "mm", "required", positive, "extent into both bodies"},
+    {"{contact,bond}.*.fine_zone[?].size_mm", Type::number, "mm", "", positive,
      "element size inside; only with `accuracy` may it be left out"},
-    {"{contact,bond}.*.fine_zone.angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
+    {"{contact,bond}.*.fine_zone[?].angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
 
     {"support.*.edge", Type::text, "", "", any, "boundary that is held or moved; or"},
     {"support.*.point_mm", Type::pair, "mm", "", any, "a point of the body, at most a quarter of an element beside it: a node of each of its meshes"},
@@ -242,12 +245,13 @@ Spec& below(Spec& place, std::string name) {
     if (!place.any) place.any = std::make_unique<Spec>();
     return *place.any;
   }
-  const bool list = name.ends_with("[]");
-  if (list) name.resize(name.size() - 2);
+  const bool list = name.ends_with("[]"), list_or_table = name.ends_with("[?]");
+  name.resize(std::min(name.size(), name.find('[')));
   for (auto& [known, child] : place.named)
     if (known == name) return *child;
   place.named.emplace_back(name, std::make_unique<Spec>());
   place.named.back().second->list = list;
+  place.named.back().second->list_or_table = list_or_table;
   return *place.named.back().second;
 }
 

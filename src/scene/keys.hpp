@@ -27,7 +27,7 @@ struct Range {
 };
 
 /// One key. Pattern: names joined by '.', where `*` is a name the user gives, `{a,b}` is one of several
-/// names and `step[]` is an element of a list of tables.
+/// names, `step[]` is an element of a list of tables, and `fine_zone[?]` one of those or a table by itself.
 struct Key {
   std::string_view pattern;
   Type type;
@@ -45,6 +45,7 @@ std::span<const Key> keys();
 struct Spec {
   const Key* key = nullptr;  ///< set when a plain value may stand here
   bool list = false;         ///< a list of tables: each element takes the names below
+  bool list_or_table = false;  ///< the same, where a table by itself is a list of one
   std::vector<std::pair<std::string, std::unique_ptr<Spec>>> named;
   std::unique_ptr<Spec> any;  ///< under a name the user gives
 

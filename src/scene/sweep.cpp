@@ -91,7 +91,8 @@ std::string step_down(const std::string& segment, const Spec*& place, const Node
   }
   place = below;
   node = found;
-  if (segment.size() == name.size()) return below->list ? "takes an index, as in " + name + "[0]" : "";
+  const bool listed = below->list || (below->list_or_table && node && node->kind == NodeKind::list);
+  if (segment.size() == name.size()) return listed ? "takes an index, as in " + name + "[0]" : "";
   for (auto close = segment.find(']'); close != std::string::npos; close = segment.find(']', close + 1))
     node = node ? node->find(segment.substr(0, close + 1)) : nullptr;
   return node ? "" : "the scene has no " + segment;

@@ -86,7 +86,8 @@ std::string sizes(const scene::Scene& asked, const scene::Scene& chosen) {
   std::string list;
   for (std::size_t z = 0; z < asked.geometry.fine_zones.size(); ++z)
     if (const auto& zone = chosen.geometry.fine_zones[z]; !sized(asked.geometry.fine_zones[z]))
-      list += (list.empty() ? "" : ", ") + zone.contact + text(" %.3g mm", zone.size_mm);
+      list += (list.empty() ? "" : ", ") + zone.contact +
+              text(" %.3g mm round (%.4g, %.4g)", zone.size_mm, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0);
   return list;
 }
 

@@ -36,7 +36,8 @@ std::string quoted(const std::string& name) { return '"' + name + '"'; }
 /// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
 class Resolver {
  public:
-  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes) : scene_(scene), shapes_(shapes) {}
+  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes, const std::vector<cad::BodyFacts>& facts)
+      : scene_(scene), shapes_(shapes), facts_(facts) {}
 
   std::vector<Issue> issues;
 
@@ -51,7 +52,7 @@ class Resolver {
         known += (known.empty() ? "" : ", ") + full;
       }
     if (found.size() == 1) return found.front();
-    issues.push_back({key, quoted(name), found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known)
+    issues.push_back({key, quoted(name), found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known) + cut_off(name)
                                                : "more than one body has a boundary of this name; write body.name"});
     return {-1, name};
   }
@@ -72,8 +73,19 @@ class Resolver {
   }
 
  private:
+  /// Why a curve of this name is no boundary.
+  std::string cut_off(const std::string& name) const {
+    for (const auto& facts : facts_)
+      for (const auto& own : facts.cut_off)
+        if (own == name || facts.name + "." + own == name)
+          return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= 0 of body " +
+                 quoted(facts.name) + " is taken";
+    return {};
+  }
+
   const scene::Scene& scene_;
   const std::vector<body::ShapePtr>& shapes_;
+  const std::vector<cad::BodyFacts>& facts_;
 };
 
 void place_supports(Problem& p, Resolver& resolve) {
@@ -269,7 +281,7 @@ Problem built(scene::Scene scene, Cache& cache) {
     p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
   }
   p.support_of.resize(p.inputs.size());
-  Resolver resolve(scene, p.shapes);
+  Resolver resolve(scene, p.shapes, geometry.facts);
   place_supports(p, resolve);
   place_loads(p, resolve);
   place_contacts(p, resolve);
@@ -298,6 +310,8 @@ Problem built(scene::Scene scene, Cache& cache) {
   p.plan = make_plan(p, timed_system(p, initial_state(p), cache));
   warn_of_meshes(p, timed_system(p, initial_state(p), cache));
   p.plan.lines.insert(p.plan.lines.begin(), sizes.begin(), sizes.end());
+  for (const auto& facts : geometry.facts)
+    if (facts.halved) p.plan.lines.push_back("body " + facts.name + ": its file has the whole section through the axis; the half x >= 0 is taken");
   cache.cpu_s += cpu_seconds() - before;
   return p;
 }

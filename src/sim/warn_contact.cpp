@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <numbers>
 
+#include "cad/zone.hpp"
 #include "sim/roundness.hpp"
 #include "sim/warnings.hpp"
+#include "sim/zones.hpp"
 
 namespace reye::sim {
 
@@ -83,11 +85,10 @@ void warn_of_ledger(const ContactSummary& contact, State& state, const Observer&
 
 }  // namespace
 
-const cad::FineZone* asked_zone(const body::Shape& shape, const std::string& contact) {
+const cad::FineZone* zone_round(const body::Shape& shape, const std::string& contact, const Vec2& X) {
   if (!shape.drawing || shape.drawing->part.mesh) return nullptr;
-  const auto& zones = shape.drawing->zones;
-  const auto found = std::find_if(zones.begin(), zones.end(), [&](const auto& zone) { return zone.contact == contact; });
-  return found == zones.end() ? nullptr : &*found;
+  const auto zones = zones_of(*shape.drawing, contact);
+  return zones.empty() ? nullptr : zones[cad::zone_at(zones, X)];
 }
 
 double wanted_across(const Problem& problem, const contact::ContactOptions& contact) {

@@ -10,8 +10,8 @@ inline constexpr double fewest_across = 8.0, fewest_before_wear = 3.0;
 /// Elements beside a fine zone are longer than so many times what the zone asks for.
 inline constexpr double coarse_in_zone = 2.0;
 
-/// The fine zone of a contact that the body was meshed with; none where its mesh came with its file.
-const cad::FineZone* asked_zone(const body::Shape& shape, const std::string& contact);
+/// The fine zone of a contact that the body was meshed with, of several the nearest to X; none where its mesh came with its file.
+const cad::FineZone* zone_round(const body::Shape& shape, const std::string& contact, const Vec2& X);
 
 /// How many of them a contact wants at a time when it has not yet worn.
 double wanted_across(const Problem& problem, const contact::ContactOptions& contact);

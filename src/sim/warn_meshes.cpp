@@ -86,18 +86,20 @@ std::optional<double> pressing_force(const Problem& problem, const PlacedContact
   return force > 0.0 ? std::optional(force) : std::nullopt;
 }
 
-const cad::FineZone* zone_of(const Problem& problem, const contact::Setup& setup) {
-  return asked_zone(*problem.shapes[setup.secondary_nodes.front().body], setup.options.name);
+/// The fine zone nearest to a secondary node; null: there is none.
+const cad::FineZone* zone_of(const Problem& problem, const contact::Setup& setup, int j) {
+  return zone_round(*problem.shapes[setup.secondary_nodes.front().body], setup.options.name, setup.secondary.X[j]);
 }
 
-/// The zone holds none of the places where the sides come as near as anywhere, to one of its elements.
+/// No zone holds any of the places where the sides come as near as anywhere, to one of its elements.
 void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& touch, const PlacedContact& contact) {
-  const auto* zone = zone_of(problem, setup);
+  const auto* zone = zone_of(problem, setup, touch.secondary);
   if (!zone) return;
   double away = std::numeric_limits<double>::infinity();
   for (int j = 0; j < setup.secondary_count(); ++j) {
-    if (spacing(setup.secondary, j) > coarse_in_zone * zone->size_mm) continue;
-    if (touch.gap[j].distance <= touch.least() + zone->size_mm) return;
+    const double size = zone_of(problem, setup, j)->size_mm;
+    if (spacing(setup.secondary, j) > coarse_in_zone * size) continue;
+    if (touch.gap[j].distance <= touch.least() + size) return;
     away = std::min(away, (setup.secondary.X[j] - setup.secondary.X[touch.secondary]).norm());
   }
   if (farthest_way(problem, contact) >= away) return;

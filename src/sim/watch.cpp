@@ -159,9 +159,11 @@ class Look {
   }
 
   double beside_zone(double force) const {
-    const auto* zone = asked_zone(*state_.shapes[setup_.secondary_nodes.front().body], setup_.options.name);
-    if (!zone) return 0.0;
-    const auto ratio = [&](int j) { return spacing(setup_.secondary, j) / zone->size_mm; };
+    const auto& shape = *state_.shapes[setup_.secondary_nodes.front().body];
+    const auto ratio = [&](int j) {
+      const auto* zone = zone_round(shape, setup_.options.name, setup_.secondary.X[j]);
+      return zone ? spacing(setup_.secondary, j) / zone->size_mm : 0.0;
+    };
     if (ratio(peak_) <= coarse_in_zone) return 0.0;
     double beside = 0.0;
     for (int j = 0; j < setup_.secondary_count(); ++j)

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "body/turning.hpp"
 #include "cad/turned_zone.hpp"
+#include "sim/zones.hpp"
 
 namespace reye::sim {
 
@@ -55,12 +56,6 @@ cad::FineZone widened(const Problem& p, int b, const body::Pivot& pivot, const c
   return cad::turned_zone(part, zone, turn, most_nodes);
 }
 
-const cad::FineZone* asked_for(const Problem& p, const cad::FineZone& zone) {
-  for (const auto& asked : p.scene.geometry.fine_zones)
-    if (asked.contact == zone.contact) return &asked;
-  return nullptr;
-}
-
 }  // namespace
 
 void widen_zones(Problem& p) {
@@ -89,8 +84,8 @@ std::vector<std::string> widened_zones(const Problem& p, int body) {
     const auto* asked = asked_for(p, zone);
     if (!zone.turns || !asked) continue;
     char text[200];
-    std::snprintf(text, sizeof text, "  fine zone of contact %s: as far as the body turns under it, elements of %.3g mm",
-                  zone.contact.c_str(), zone.size_mm);
+    std::snprintf(text, sizeof text, "  fine zone of contact %s round (%.4g, %.4g): as far as the body turns under it, elements of %.3g mm",
+                  zone.contact.c_str(), asked->centre_mm.x() + 0.0, asked->centre_mm.y() + 0.0, zone.size_mm);
     lines.emplace_back(text);
     if (zone.size_mm <= asked->size_mm) continue;
     std::snprintf(text, sizeof text, " instead of %.3g mm, so that no more than %g nodes are retained", asked->size_mm, most_nodes);

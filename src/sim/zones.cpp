@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "cad/zone.hpp"
+
 namespace reye::sim {
 
 namespace {
@@ -47,14 +49,22 @@ std::set<int> nodes_in_use(const Problem& problem, const State& state, int conta
   return used;
 }
 
-/// Range along the zone, from its centre, that the contact uses on this body.
+/// Whether X lies where this zone is the nearest of those of its contact on this body: each follows what lies round it.
+bool is_at(const cad::Drawing& drawing, const cad::FineZone& zone, const Vec2& X) {
+  const auto zones = zones_of(drawing, zone.contact);
+  return zones[cad::zone_at(zones, X)] == &zone;
+}
+
+/// Range along the zone, from its centre, that the contact uses round it on this body.
 std::optional<std::array<double, 2>> range_in_use(const Problem& problem, const State& state, int body,
-                                                  const cad::FineZone& zone, const base::Points& X) {
+                                                  const cad::FineZone& zone, const body::Shape& shape) {
   std::optional<std::array<double, 2>> range;
   const Vec2 along = direction(zone);
+  const auto& X = shape.mesh.X;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     if (problem.contacts[c].options.name != zone.contact) continue;
     for (int node : nodes_in_use(problem, state, static_cast<int>(c), body)) {
+      if (!is_at(*shape.drawing, zone, X[node])) continue;
       const double t = along.dot(X[node] - zone.centre_mm);
       if (!range) range = {t, t};
       range = {std::min((*range)[0], t), std::max((*range)[1], t)};
@@ -64,12 +74,14 @@ std::optional<std::array<double, 2>> range_in_use(const Problem& problem, const 
 }
 
 /// The part of the zone that its contact can use: the boundaries it lies on may end inside it.
-std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, int body, const mesh::Mesh& mesh) {
+std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, int body, const body::Shape& shape) {
   const Vec2 along = direction(zone);
+  const auto& mesh = shape.mesh;
   std::array<double, 2> all{1e300, -1e300};
   const auto add = [&](const contact::BoundaryRef& ref) {
     if (ref.body != body) return;
     for (int node : mesh::nodes_of(mesh.boundaries.at(ref.boundary))) {
+      if (!is_at(*shape.drawing, zone, mesh.X[node])) continue;
       const double t = along.dot(mesh.X[node] - zone.centre_mm);
       all = {std::min(all[0], t), std::max(all[1], t)};
     }
@@ -83,11 +95,11 @@ std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, 
 }
 
 /// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does not.
-double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone, const mesh::Mesh& mesh) {
+double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone, const body::Shape& shape) {
   if (zone.turns) return 0.0;
-  const auto range = range_in_use(problem, state, body, zone, mesh.X);
+  const auto range = range_in_use(problem, state, body, zone, shape);
   if (!range) return 0.0;
-  const auto all = extent(problem, zone, body, mesh);
+  const auto all = extent(problem, zone, body, shape);
   const double half = zone.half_width_mm, kept = half - margin_elements * zone.size_mm;
   double most = 0.0;
   if (all[0] < -half) most = std::max(most, -(*range)[0] - kept);
@@ -126,13 +138,20 @@ Vec2 on_outline(const Problem& problem, const cad::FineZone& zone, int body, con
 
 }  // namespace
 
+std::vector<const cad::FineZone*> zones_of(const cad::Drawing& drawing, const std::string& contact) {
+  std::vector<const cad::FineZone*> zones;
+  for (const auto& zone : drawing.zones)
+    if (zone.contact == contact) zones.push_back(&zone);
+  return zones;
+}
+
 std::string leaves_zone(const Problem& problem, const State& state, int body, const body::Shape& shape) {
   if (!shape.drawing) return {};
   for (const auto& zone : shape.drawing->zones)
-    if (excess(problem, state, body, zone, shape.mesh) > 0.0) {
-      char text[160];
-      std::snprintf(text, sizeof text, "contact %s comes within %g elements of an end of its fine zone, %.4g mm from the centre",
-                    zone.contact.c_str(), margin_elements, zone.half_width_mm);
+    if (excess(problem, state, body, zone, shape) > 0.0) {
+      char text[200];
+      std::snprintf(text, sizeof text, "contact %s comes within %g elements of an end of its fine zone round (%.4g, %.4g), %.4g mm from the centre",
+                    zone.contact.c_str(), margin_elements, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0, zone.half_width_mm);
       return text;
     }
   return {};
@@ -141,21 +160,27 @@ std::string leaves_zone(const Problem& problem, const State& state, int body, co
 std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body, const body::Shape& shape) {
   std::vector<cad::FineZone> zones;
   if (!shape.drawing) return zones;
-  for (cad::FineZone zone : shape.drawing->zones) {
-    const auto range = range_in_use(problem, state, body, zone, shape.mesh.X);
-    if (range && excess(problem, state, body, zone, shape.mesh) > 0.0) {
-      const auto& asked = *std::find_if(problem.scene.geometry.fine_zones.begin(), problem.scene.geometry.fine_zones.end(),
-                                        [&](const auto& z) { return z.contact == zone.contact; });
+  for (const auto& former : shape.drawing->zones) {
+    cad::FineZone zone = former;
+    const auto range = range_in_use(problem, state, body, former, shape);
+    const auto* asked = asked_for(problem, former);
+    if (range && asked && excess(problem, state, body, former, shape) > 0.0) {
       zone.centre_mm += 0.5 * ((*range)[0] + (*range)[1]) * direction(zone);
-      zone.half_width_mm = std::max(asked.half_width_mm, room * 0.5 * ((*range)[1] - (*range)[0]) + margin_elements * zone.size_mm);
-      const double factor = zone.half_width_mm / asked.half_width_mm;
-      zone.size_mm = factor * asked.size_mm;
-      zone.depth_mm = factor * asked.depth_mm;
+      zone.half_width_mm = std::max(asked->half_width_mm, room * 0.5 * ((*range)[1] - (*range)[0]) + margin_elements * zone.size_mm);
+      const double factor = zone.half_width_mm / asked->half_width_mm;
+      zone.size_mm = factor * asked->size_mm;
+      zone.depth_mm = factor * asked->depth_mm;
     }
     zone.centre_mm = on_outline(problem, zone, body, shape.mesh);
     zones.push_back(zone);
   }
   return zones;
+}
+
+const cad::FineZone* asked_for(const Problem& problem, const cad::FineZone& zone) {
+  for (const auto& asked : problem.scene.geometry.fine_zones)
+    if (asked.key == zone.key) return &asked;
+  return nullptr;
 }
 
 }  // namespace reye::sim

@@ -94,6 +94,54 @@ TEST(meshing, fine_zone_has_rows) {
   EXPECT_EQ(rows, 100 * 20);
 }
 
+// Two fine zones of one contact must each be meshed as it would be alone: the same nodes on the face, the same rows beneath it.
+TEST(meshing, each_of_two_fine_zones) {
+  GeometryOptions options;
+  options.files = {temporary_file("wide.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, -3, 0, 12, 3};\n")};
+  options.bodies = {body_at("flat", 0, -1)};
+  options.bodies[0].mesh = {CellKind::quad4, 0.5, 1.3};
+  const FineZone left{{"flat"}, {-3, 0}, 0.5, 0.2, 0.05, 0.0, "pad", "contact.pad.fine_zone[0]"};
+  const FineZone right{{"flat"}, {2.5, 0}, 1.0, 0.3, 0.1, 0.0, "pad", "contact.pad.fine_zone[1]"};
+  const auto nodes_of = [&](std::vector<FineZone> zones, const FineZone& zone) {
+    options.fine_zones = std::move(zones);
+    const mesh::Mesh mesh = build(options).bodies[0];
+    EXPECT_GT(mesh::poorest_cell(mesh).scaled_jacobian, 0.3);
+    std::vector<std::array<double, 2>> nodes;
+    for (const Vec2& X : mesh.X)
+      if (std::abs(X.x() - zone.centre_mm.x()) < zone.half_width_mm + 1e-9 && X.y() > -zone.depth_mm - 1e-9)
+        nodes.push_back({std::round(1e9 * X.x()), std::round(1e9 * X.y())});
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
+  };
+  for (const auto& zone : {left, right}) {
+    const auto alone = nodes_of({zone}, zone);
+    const auto across = static_cast<std::size_t>(std::lround(2.0 * zone.half_width_mm / zone.size_mm)) + 1;
+    EXPECT_GE(alone.size(), across * 3);
+    EXPECT_EQ(alone, nodes_of({left, right}, zone));
+  }
+}
+
+// A body must not be made fine by a zone of its contact that lies at another body, where one of its own is near.
+TEST(meshing, a_zone_refines_where_it_lies) {
+  GeometryOptions options;
+  options.files = {temporary_file("feet.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, -1, 0, 12, 1};\n"
+                                              "Rectangle(2) = {-5, 0, 0, 4, 1};\nRectangle(3) = {1, 0, 0, 4, 1};\n")};
+  options.bodies = {body_at("flat", 0, -0.5), body_at("left", -3, 0.5), body_at("right", 3, 0.5)};
+  for (BodyOptions& each : options.bodies) each.mesh = {CellKind::quad4, 0.5, 1.3};
+  const std::vector<std::string> all{"flat", "left", "right"};
+  options.fine_zones = {{all, {-3, 0}, 0.5, 0.2, 0.05, 0.0, "pad"}, {all, {3, 0}, 0.5, 0.2, 0.1, 0.0, "pad"}};
+  const Geometry geometry = build(options);
+  for (int b : {1, 2}) ASSERT_EQ(geometry.drawings[b].zones.size(), 1U);
+  EXPECT_EQ(geometry.drawings[0].zones.size(), 2U);
+  EXPECT_EQ(geometry.drawings[1].zones[0].size_mm, 0.05);
+  EXPECT_EQ(geometry.drawings[2].zones[0].size_mm, 0.1);
+  options.fine_zones[1].centre_mm = {3, 40};
+  options.fine_zones[1].bodies = {"flat"};
+  EXPECT_EQ(issues_of(options), ".centre_mm = [3, 40]: no edge of a body passes through the fine zone");
+  options.fine_zones = {options.fine_zones[1]};
+  EXPECT_EQ(issues_of(options), "") << "alone, a zone that names its bodies refines them from far away";
+}
+
 // The area of the half disc must approach pi R^2 / 2 at second order in the element size.
 TEST_P(Kinds, area_error_falls_at_rate_two) {
   const double exact = 18.0 * std::numbers::pi;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "mesh/outline.hpp"
 #include "small_meshes.hpp"
 
@@ -65,13 +68,25 @@ TEST(arc, later_meshes_follow) {
 // A ring must count once round from its origin and end there, its nodes in the order of the outline.
 TEST(arc, a_ring_ends_where_it_began) {
   Mesh mesh = with({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, {{0, 1, 2, 3, 0}});
-  const int origin = opposite(mesh, mesh.boundaries.at("edge")[0], {0.1, -2});
+  const int origin = farthest_from(mesh, mesh.boundaries.at("edge")[0], {{0.1, -2}});
   EXPECT_EQ(origin, 1);
   mesh.arc_origin["edge"] = {origin};
   const auto ring = arc_chains(mesh, "edge").at(0);
   EXPECT_EQ(ring.nodes, (Chain{1, 2, 3, 0, 1}));
   EXPECT_TRUE(ring.along);
   EXPECT_NEAR(ring.arc.back(), 4.0 * std::sqrt(2.0), 1e-15);
+}
+
+// With several contacts on a ring its arc length must begin amid the longest stretch between them.
+TEST(arc, a_ring_begins_between_its_contacts) {
+  Points corners;
+  for (int i = 0; i < 12; ++i) corners.emplace_back(std::cos(i * std::numbers::pi / 6.0), std::sin(i * std::numbers::pi / 6.0));
+  const Mesh mesh = with(corners, {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0}});
+  const auto& ring = mesh.boundaries.at("edge")[0];
+  EXPECT_EQ(farthest_from(mesh, ring, {{2, 0}}), 6);
+  EXPECT_EQ(farthest_from(mesh, ring, {corners[1], corners[5]}), 9);
+  EXPECT_EQ(farthest_from(mesh, ring, {corners[11], corners[1], corners[5]}), 8);
+  EXPECT_EQ(farthest_from(mesh, ring, {corners[10], corners[2]}), 6);
 }
 
 }  // namespace reye::mesh

@@ -210,10 +210,11 @@ TEST(Serialize, EigenReadsBack) {
 // Everything that a fine zone says must come back: one made for a body that turns follows no contact, after a restart, too.
 TEST(Serialize, FineZoneReadsBack) {
   const reye::cad::FineZone zone{.bodies = {"a"}, .centre_mm = {1.0, 2.0}, .half_width_mm = 3.0, .depth_mm = 4.0, .size_mm = 5.0,
-                                 .angle_deg = 6.0, .contact = "pad", .turns = true};
+                                 .angle_deg = 6.0, .contact = "pad", .key = "contact.pad.fine_zone[1]", .turns = true};
   reye::cad::FineZone back;
   from_bytes(to_bytes(zone), back);
   EXPECT_EQ(to_bytes(back), to_bytes(zone));
+  EXPECT_EQ(back.key, zone.key);
   EXPECT_TRUE(back.turns);
 }
 

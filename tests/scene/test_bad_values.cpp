@@ -38,6 +38,15 @@ TEST(BadScene, Values) {
       {"size left out without an accuracy",
        {{", size_mm = 0.010", ""}},
        "scene.toml:31: contact.pad.fine_zone.size_mm: missing; only a scene with accuracy may leave it out"},
+      {"one of several fine zones",
+       {{"fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }",
+         "fine_zone = [{ centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 },\n"
+         "  { centre_mm = [0.0, 0.0], half_width_mm = -1, depth_mm = 0.2 }]"}},
+       "scene.toml:32: contact.pad.fine_zone[1].half_width_mm = -1: must be > 0\n"
+       "scene.toml:32: contact.pad.fine_zone[1].size_mm: missing; only a scene with accuracy may leave it out"},
+      {"fine zones that are none",
+       {{"fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }", "fine_zone = []"}},
+       "scene.toml:31: contact.pad.fine_zone = []: must be a table, or a list of such tables"},
       {"remeshing",
        {{"[material.steel]", "[remesh]\nevery_blocks = -1\nmin_scaled_jacobian = 0.9\nmin_angle_deg = 60\nsize_ratio = 1\n"
                              "wear_fraction = 0\nmax_dofs = 10\nfit_tolerance_mm = 0\n[material.steel]"}},

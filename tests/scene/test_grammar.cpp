@@ -201,6 +201,27 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.geometry.fine_zones[0].angle_deg, 45.0);
 }
 
+/// A contact that touches in two places takes a list of fine zones, in either form that TOML has; a table by itself is a list of one.
+TEST(Grammar, SeveralFineZones) {
+  const std::string one = "fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }";
+  const std::string headed = "[[contact.pad.fine_zone]]\ncentre_mm = [1, 2]\nhalf_width_mm = 1\ndepth_mm = 1\nsize_mm = 0.01\n";
+  const auto list = changed(one, "fine_zone = [{ centre_mm = [1, 2], half_width_mm = 0.6, depth_mm = 0.4, size_mm = 0.01 }, "
+                                 "{ centre_mm = [3, 4], half_width_mm = 0.5, depth_mm = 0.3, size_mm = 0.02, angle_deg = 9 }]");
+  for (const auto& scene : {list, changed(one, headed + headed)}) {
+    const auto& zones = scene.geometry.fine_zones;
+    ASSERT_EQ(zones.size(), 2U);
+    EXPECT_EQ(zones[0].key, "contact.pad.fine_zone[0]");
+    EXPECT_EQ(zones[1].key, "contact.pad.fine_zone[1]");
+    EXPECT_EQ(zones[0].centre_mm, base::Vec2(1.0, 2.0));
+    for (const auto& zone : zones) {
+      EXPECT_EQ(zone.contact, "pad");
+      EXPECT_EQ(zone.bodies, (std::vector<std::string>{"flat", "cylinder"}));
+    }
+  }
+  EXPECT_EQ(list.geometry.fine_zones[1].angle_deg, 9.0);
+  EXPECT_EQ(changed(one, one).geometry.fine_zones.at(0).key, "contact.pad.fine_zone");
+}
+
 /// A jump is a number of cycles, or a tolerance with a first guess of a thousandth of the step.
 TEST(Grammar, JumpUnderControl) {
   const auto read = [](const std::string& jump) { return changed("jump = 100 ", "jump = " + jump + " ").steps.back(); };
