@@ -61,10 +61,14 @@ sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, C
 }
 
 /// The state to go on from, the folder cut back to it.
-sim::State resumed(Resumption resumption, output::RunWriter& writer) {
+sim::State resumed(Resumption resumption, output::RunWriter& writer, Checkpoints& checkpoints) {
   for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
   if (resumption.previous) output::restore_previous(writer.dir());
   writer.resume(resumption.counters);
+  if (resumption.extends) {  // in this order: either scene finds a checkpoint to go on from, whenever a kill comes
+    checkpoints.start(resumption.state);
+    writer.extend();
+  }
   return std::move(resumption.state);
 }
 
@@ -143,7 +147,9 @@ int run(const Request& request) {
   ignore_lost_output();
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
-  if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
+  const auto extension = request.restart ? extension_in(dir, scene) : std::nullopt;
+  const std::string held = extension ? output::read_identity(dir)->sha256 : scene.sha256;
+  if (const auto refusal = output::open_folder(dir, scene.name, held, request.force))
     throw base::InputError({{"--out", dir, *refusal}});
   sim::Cache cache;
   const sim::Problem problem = sim::prepare(scene, &cache);
@@ -151,13 +157,15 @@ int run(const Request& request) {
   output::RunWriter writer(dir, scene);
   for (const auto& text : problem.plan.lines) writer.log(text);
   for (const auto& warning : problem.warnings) writer.log("warning: " + sim::in_words(warning));
+  if (extension)
+    for (const auto& change : extension->changes) writer.log("extended: " + change);
   if (!request.quiet) tell(problem.scene, problem.warnings);
   const StopSignals stop(true);
   Checkpoints checkpoints(problem, writer);
   std::optional<Resumption> resumption;
-  if (request.restart) resumption = resumption_of(dir, problem, cache);  // refused before anything is made
+  if (request.restart) resumption = resumption_of(dir, problem, extension, cache);  // refused before anything is made
   const output::FolderLock lock(dir);
-  sim::State state = resumption ? resumed(std::move(*resumption), writer) : fresh_start(problem, writer, checkpoints);
+  sim::State state = resumption ? resumed(std::move(*resumption), writer, checkpoints) : fresh_start(problem, writer, checkpoints);
   const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
   tell_result(scene, summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   };
   auto* run = with_scene("run", "run a scene and write its results");
   run->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
-  run->add_flag("--restart", request.restart, "go on from the last checkpoint");
+  run->add_flag("--restart", request.restart, "go on from the last checkpoint; of a run that has ended, when its scene got more cycles in the last step or other limits");
   run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
   auto* plan = with_scene("plan", "say what each body and contact is, what is skipped, and why");

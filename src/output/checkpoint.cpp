@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "REYECKP3";
+constexpr std::string_view magic = "REYECKP4";
 constexpr std::size_t same_magic = 7;  ///< of it, in every layout of the container
 constexpr std::size_t head_size = 24;
 
@@ -69,6 +69,10 @@ std::map<std::string, long> tables_of(const Counters& counters) {
   return tables;
 }
 
+bool same_scene(const Origin& theirs, const Origin& own) {
+  return own.scene_sha256.empty() ? theirs.fixed_sha256 == own.fixed_sha256 : theirs.scene_sha256 == own.scene_sha256;
+}
+
 /// One candidate, or the reason against it.
 Checkpoint candidate(const std::string& dir, const char* name, const Origin& own, const Examine& examine) {
   const std::string path = file_in(dir, name);
@@ -76,7 +80,7 @@ Checkpoint candidate(const std::string& dir, const char* name, const Origin& own
   Checkpoint checkpoint = unpacked(read_text(path), own.layout);
   if (checkpoint.origin.version != own.version)
     throw std::runtime_error("of another version, " + base::printable(checkpoint.origin.version) + " instead of " + own.version);
-  if (checkpoint.origin.scene_sha256 != own.scene_sha256) throw std::runtime_error("of another scene");
+  if (!same_scene(checkpoint.origin, own)) throw std::runtime_error("of another scene");
   for (const auto& [file, rows] : tables_of(checkpoint.counters)) check_rows(dir, file, rows);
   if (examine) examine(checkpoint);
   return checkpoint;
@@ -84,11 +88,13 @@ Checkpoint candidate(const std::string& dir, const char* name, const Origin& own
 
 }  // namespace
 
-Origin own_origin(const std::string& scene_sha256) { return {version, commit(), state_layout(), scene_sha256}; }
+Origin own_origin(const std::string& scene_sha256, const std::string& fixed_sha256) {
+  return {version, commit(), state_layout(), scene_sha256, fixed_sha256};
+}
 
 std::string packed(const Checkpoint& checkpoint) {
   const auto& o = checkpoint.origin;
-  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, checkpoint.counters, checkpoint.payload);
+  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
   return std::string(magic) + little_endian(body.size()) + little_endian(checksum(body)) + body;
 }
 
@@ -102,7 +108,7 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
     if (o.layout != layout)
       throw std::runtime_error("written by the build of commit " + base::printable(o.commit) + ", whose layout the build of commit " +
                                commit() + " cannot read; go on with a build of that commit, or run anew");
-    archive(o.version, o.scene_sha256, checkpoint.counters, checkpoint.payload);
+    archive(o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
     archive.end();
   } catch (const cereal::Exception& error) {
     throw std::runtime_error(std::string("altered: ") + error.what());

@@ -17,15 +17,17 @@ struct Origin {
   std::string commit;        ///< that it was built from
   std::uint64_t layout = 0;  ///< of info and payload: a program with another one cannot read them
   std::string scene_sha256;
+  std::string fixed_sha256{};  ///< of what of the scene an extension of the run keeps
 };
 
 /// That of a run of this scene by this program.
-Origin own_origin(const std::string& scene_sha256);
+Origin own_origin(const std::string& scene_sha256, const std::string& fixed_sha256 = {});
 
 struct Checkpoint {
   Origin origin;
   Counters counters;  ///< what of the output folder belongs to the state
   std::string payload;
+  bool ended = false;  ///< the run ended with this state: an extension of it goes on from the one before
 };
 
 /// Syncs the tables that it tells of, writes the new checkpoint beside the old, then renames: at any moment one whole
@@ -42,7 +44,8 @@ struct CheckpointSearch {
 /// Throws for a checkpoint that cannot be gone on from, with the reason.
 using Examine = std::function<void(const Checkpoint&)>;
 
-/// The checkpoint to restart from: the current one, else the previous.
+/// The checkpoint to restart from: the current one, else the previous. Of the scene that `own` names; where it names none
+/// (""), of one with its `fixed_sha256`.
 CheckpointSearch load_checkpoint(const std::string& dir, const Origin& own, const Examine& examine = {});
 
 /// Puts the previous checkpoint into the place of a current one that was refused, so that the next save keeps it.

@@ -75,7 +75,7 @@ std::string advice() { return "; choose another folder with --out, or replace it
 }  // namespace
 
 Identity identity_of(const scene::Scene& scene) {
-  Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}, {}};
+  Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}, {}, scene.fixed_sha256, scene.text};
   for (const auto& contact : scene.contacts) {
     auto& friction = identity.friction[contact.name];
     if (contact.friction_over_cycles.empty()) friction = contact.friction;
@@ -97,6 +97,8 @@ std::optional<Identity> read_identity(const std::string& dir) {
       if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
     for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu.is_null() ? std::nullopt : std::optional<double>(mu);
     for (const auto& [name, sides] : json.at("sides").items()) identity.sides[name] = {sides.at(0), sides.at(1)};
+    identity.fixed_sha256 = json.value("fixed_sha256", "");
+    identity.scene_text = json.value("scene_text", "");
     return identity;
   } catch (const Json::exception&) {
     return {};  // a marker of another make is as good as none
@@ -115,23 +117,34 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
   if (force) return refusal_of_link(dir);
   if (!holder) return "the output folder " + dir + " holds results of an unknown run" + advice();
   if (holder->name == name)
-    return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice();
+    return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice() +
+           "; where only limits or the cycles of the last step are others, --restart goes on from it";
   return "the output folder " + dir + " holds the run of another scene, '" + holder->name + "'" + advice();
 }
 
-void claim_folder(const std::string& dir, const Identity& identity) {
+namespace {
+
+/// What the marker holds. A name that is no UTF-8 costs its bytes here, not the run.
+std::string marker_of(const Identity& identity) {
   Json json{{"scene", identity.name},
             {"title", identity.title},
             {"scene_sha256", identity.sha256},
             {"analysis", analyses[static_cast<std::size_t>(identity.analysis)]},
             {"friction", Json::object()},
-            {"sides", Json::object()}};
+            {"sides", Json::object()},
+            {"fixed_sha256", identity.fixed_sha256},
+            {"scene_text", identity.scene_text}};
   for (const auto& [name, mu] : identity.friction) json["friction"][name] = mu ? Json(*mu) : Json();
   for (const auto& [name, sides] : identity.sides) json["sides"][name] = sides;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+void claim_folder(const std::string& dir, const Identity& identity) {
   const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
   // A full disk shows here, while the former results are still whole.
-  // A name that is no UTF-8 costs its bytes here, not the run.
-  atomic_write(fresh.string(), json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  atomic_write(fresh.string(), marker_of(identity));
   // The summary goes first: what is left of a half-done removal must not look like a whole run.
   fs::remove(fs::path(dir) / "summary.json");
   std::vector<fs::path> former;
@@ -141,6 +154,11 @@ void claim_folder(const std::string& dir, const Identity& identity) {
   }
   for (const auto& path : former) fs::remove_all(path);  // of a link the link alone
   fs::rename(fresh, fs::path(dir) / marker);
+  sync_folder(dir);
+}
+
+void mark_folder(const std::string& dir, const Identity& identity) {
+  atomic_write((fs::path(dir) / marker).string(), marker_of(identity));
   sync_folder(dir);
 }
 

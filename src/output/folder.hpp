@@ -15,6 +15,7 @@ struct Identity {
   base::Analysis analysis = base::Analysis::plane_strain;
   std::map<std::string, std::optional<double>> friction;  ///< by contact; empty where it changes over the cycles
   std::map<std::string, std::array<std::string, 2>> sides{};  ///< by contact: secondary and primary edges with their bodies
+  std::string fixed_sha256{}, scene_text{};  ///< by which an extension of the run is known
 };
 
 Identity identity_of(const scene::Scene& scene);
@@ -32,6 +33,9 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
 /// Takes the folder over: once the new marker is safely on disk, the results of the former run go.
 /// Files that a run does not write are left alone.
 void claim_folder(const std::string& dir, const Identity& identity);
+
+/// Says whose the folder is, its results left as they are: an extension of the run that wrote them goes on there.
+void mark_folder(const std::string& dir, const Identity& identity);
 
 /// Removes what a killed run left half written under temporary names.
 void remove_temporaries(const std::string& dir);

@@ -50,6 +50,7 @@ void RunWriter::resume(const Counters& counters) {
   // They tell of the run that is being continued.
   for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
   make_folder(path("frames"));
+  remove_frames_from(counters_.frame_cycles.size());
   if (paraview_) write_collections();
   started_ = true;
   flush_log();
@@ -90,6 +91,13 @@ void RunWriter::write_collections() const {
   atomic_write(path("series.pvd"), collection("bodies", "vtu", times));
   atomic_write(path("surfaces.pvd"), collection("surface", "vtp", times));
 }
+
+void RunWriter::remove_frames_from(std::size_t index) const {
+  std::error_code none;
+  while (fs::remove(path(frame_file("bodies", "vtu", index)), none) | fs::remove(path(frame_file("surface", "vtp", index)), none)) ++index;
+}
+
+void RunWriter::extend() const { mark_folder(dir_, identity_); }
 
 void RunWriter::finish(const sim::Summary& summary) {
   atomic_write(path("summary.json"), summary_json(summary));

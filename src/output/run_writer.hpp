@@ -37,6 +37,7 @@ class RunWriter {
 
   void begin();                           ///< the former results go, the new ones start
   void resume(const Counters& counters);  ///< tables and series cut back to the checkpoint
+  void extend() const;                    ///< the folder becomes that of this scene, which extends the one that was run
   void increment(const sim::IncrementRecord& record);
   void remesh(const sim::RemeshRecord& record);
   void frame(const sim::Frame& frame);
@@ -49,6 +50,7 @@ class RunWriter {
  private:
   std::string path(const std::string& file) const;
   void write_collections() const;
+  void remove_frames_from(std::size_t index) const;
   void flush_log();
 
   std::string dir_;

@@ -7,6 +7,7 @@
 #include "base/printable.hpp"
 #include "scene/build.hpp"
 #include "scene/choose_elements.hpp"
+#include "scene/extension.hpp"
 #include "scene/geometry_files.hpp"
 #include "scene/validate.hpp"
 
@@ -149,6 +150,8 @@ Scene read_text(const std::string& text, const std::string& path) {
   auto odd = suspicious(root, scene);
   scene.warnings = in_words(odd, scene.lines, path);
   scene.sha256 = digest(text, files_of(scene));
+  scene.fixed_sha256 = digest(fixed_part(document, text), files_of(scene));
+  scene.text = text;
   return scene;
 }
 

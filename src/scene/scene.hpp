@@ -111,7 +111,9 @@ struct Scene {
   // Where the scene came from.
   std::string name;          ///< file name without .toml, or the folder's name for scene.toml
   std::string path;
+  std::string text;          ///< of the file
   std::string sha256;        ///< over scene, geometry files and profiles
+  std::string fixed_sha256;  ///< the same without what may be another when a run goes on (`extension`)
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
   /// What is suspicious but no error, one line each as in an InputError.

@@ -31,6 +31,8 @@ double crossing(double bound, double before, std::optional<double> middle, doubl
 
 double bound_of(const scene::Limit& limit) { return limit.depth_mm ? *limit.depth_mm : *limit.area_mm2; }
 
+bool is_reached(const scene::Limit& limit, double measure) { return measure >= (limit.stop ? 1.0 - at_limit : 1.0) * bound_of(limit); }
+
 bool any_stop_ahead(const Problem& problem, const State& state) {
   const auto& limits = problem.scene.limits;
   return std::any_of(limits.begin(), limits.end(),
@@ -59,7 +61,7 @@ bool watch_limits(const Problem& problem, State& state, const solver::System& sy
     const double now = measures.at(limit.name), before = state.limit_measure[limit.name];
     const double bound = bound_of(limit);
     state.limit_measure[limit.name] = now;
-    if (now < (limit.stop ? 1.0 - at_limit : 1.0) * bound || state.life_cycles.contains(limit.name)) continue;
+    if (!is_reached(limit, now) || state.life_cycles.contains(limit.name)) continue;
     const double cycles = state.cycle - cycle_before, at = crossing(bound, before, found(middle, limit.name), now);
     state.life_cycles[limit.name] = cycle_before + cycles * at;
     if (state.jump_error) state.life_error[limit.name] = *state.jump_error / (1.0 - settled) * bound * cycles / (now - before);

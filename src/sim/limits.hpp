@@ -7,6 +7,9 @@ namespace reye::sim {
 /// The value that a limit's measure must not pass.
 double bound_of(const scene::Limit& limit);
 
+/// Whether it is, at this value of its measure; one that ends the run up to a thousandth before its bound.
+bool is_reached(const scene::Limit& limit, double measure);
+
 /// Whether a limit that ends the run is still to be reached.
 bool any_stop_ahead(const Problem& problem, const State& state);
 
@@ -16,7 +19,6 @@ std::optional<double> share_to_stop(const Problem& problem, const State& before,
                                     const solver::System& system, const std::map<std::string, double>& middle);
 
 /// Notes limits that were crossed in the last block, between the values of their measures; true: one of them ends the run.
-/// A limit that ends the run counts as reached up to a thousandth before it.
 bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before,
                   const std::map<std::string, double>& middle);
 

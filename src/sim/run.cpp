@@ -10,6 +10,7 @@
 #include "sim/block.hpp"
 #include "sim/corners.hpp"
 #include "sim/discretisation.hpp"
+#include "sim/ending.hpp"
 #include "sim/fixed_jump.hpp"
 #include "sim/held_row.hpp"
 #include "sim/jump.hpp"
@@ -35,13 +36,6 @@ double peak_rss_MB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-/// Cycles still to be played in a step.
-double remaining(const scene::Step& step, const State& state) { return step.cycles - state.step_cycles; }
-
-bool step_over(const scene::Step& step, const State& state) {
-  return step.cycles > 0.0 ? remaining(step, state) <= 1e-9 * step.cycles : state.step_blocks > 0;
 }
 
 bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
@@ -122,7 +116,7 @@ class Runner {
           state_.block_cycles = 0.0;
           continue;
         }
-        if (!next_block(step)) return;
+        if (at_end(p_, state_) || !next_block(step)) return;
       }
     } catch (const base::SolveError& error) {
       fail(error.what());

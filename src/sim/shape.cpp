@@ -6,12 +6,14 @@
 #include <cstdio>
 
 #include "adapt/shape_step.hpp"
+#include "base/errors.hpp"
 #include "sim/drive.hpp"
 #include "sim/gap.hpp"
 #include "sim/scene_line.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
 #include "sim/why_failed.hpp"
+#include "sim/worn_through.hpp"
 
 namespace reye::sim {
 
@@ -85,6 +87,20 @@ std::string move_outlines(const Problem& problem, const State& state, Cache& cac
   return {};
 }
 
+/// Bodies that would be too thin to be meshed.
+std::string too_thin(const Problem& problem, const State& state, const std::vector<Moved>& moved) {
+  std::vector<body::ShapePtr> shapes;
+  for (const auto& body : moved) shapes.push_back(body.shape);
+  const auto place = shapes == state.shapes ? std::nullopt : thinnest(problem, shapes);
+  return place && place->share_left() < thinnest_share ? in_words(problem, *place, state.cycle) : std::string();
+}
+
+/// The state before the block, as far as the cause is looked for in it.
+State without_block(State state, const BlockSpan& span) {
+  if (span.cycles) state.cycle -= span.jump;
+  return state;
+}
+
 void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
   for (const auto& r : records) {
     if (observer.remesh) observer.remesh(r);
@@ -127,10 +143,14 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   const auto& system = timed_system(problem, state, cache);
   std::vector<double> ratio(state.shapes.size(), 1.0);
   std::vector<Moved> moved;
-  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty()) {
+  const auto refused = [&](const std::string& failure) -> Outcome {
     if (observer.log) observer.log("no shape: " + failure);
-    return {state, scene_line(problem.scene, "step " + span.step->name) + why_failed(problem, state, {span.step, span.jump, failure}, system), false};
-  }
+    const auto& present = timed_system(problem, state, cache);
+    const auto last = without_block(state, span);
+    return {state, scene_line(problem.scene, "step " + span.step->name) + why_failed(problem, last, {span.step, span.jump, failure}, present), false};
+  };
+  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty()) return refused(failure);
+  if (const std::string failure = too_thin(problem, state, moved); !failure.empty()) return refused(failure);
   std::vector<RemeshReason> reasons(moved.size());
   if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
   const bool due = !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
@@ -141,9 +161,15 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (!asked[b].text.empty()) change.reasons[b] = asked[b];
-  Outcome outcome = settle(problem, std::move(state), std::move(change), cache, span, observer);
-  outcome.remesh_due = due;
-  return outcome;
+  try {
+    Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+    outcome.remesh_due = due;
+    if (!outcome.failure.empty())
+      if (const auto words = worn_through(problem, without_block(state, span)); !words.empty()) return refused(outcome.failure);
+    return outcome;
+  } catch (const base::MeshError& error) {
+    return refused(error.what());
+  }
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,

@@ -11,12 +11,12 @@
 #include "sim/measure.hpp"
 #include "sim/roundness.hpp"
 #include "sim/sizes.hpp"
+#include "sim/worn_through.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr double worn_away = 0.2;   ///< of the smallest extent of a body
 constexpr double crushed = 0.3;     ///< mean strain
 constexpr int too_few = 2;          ///< nodes in contact
 
@@ -78,26 +78,11 @@ std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
               "coefficients, or write a smaller jump", c.name(), depth, attempt.jump, attempt.jump == 1.0 ? "" : "s", c.facet());
 }
 
-double thickness_of(const body::Shape& shape) {
-  const auto box = mesh::bounding_box(shape.mesh.X);
-  return std::min(box[2] - box[0], box[3] - box[1]);
-}
-
-std::string worn_through(const Seen& c, const State& last) {
+std::string waits_in_the_gap(const Seen& c) {
   const double own = deepest(c.setup.secondary, c.state.removed_secondary), other = deepest(c.setup.primary, c.state.removed_primary);
-  if (!c.problem.scene.shape && own + other > 0.5 * c.setup.search)
-    return text("wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than search_mm = %.3g; "
-                "write shape = \"on\", or a longer search_mm", own + other, c.name(), c.setup.search);
-  const auto through = [&](double depth, int body) -> std::string {
-    const double size = thickness_of(*c.problem.shapes[body]);
-    if (depth <= worn_away * size) return {};
-    return text("body %s is worn by %.3g mm of the %.3g mm that it measured at cycle 0 (cycle %g); end the run before with a limit with stop = true, or "
-                "check the wear coefficients", c.problem.inputs[body].name.c_str(), depth, size, last.cycle);
-  };
-  if (auto words = through(own, c.placed.secondary.body); !words.empty()) return words;
-  for (const auto& ref : c.placed.primary)
-    if (auto words = through(other, ref.body); !words.empty()) return words;
-  return {};
+  if (c.problem.scene.shape || own + other <= 0.5 * c.setup.search) return {};
+  return text("wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than search_mm = %.3g; "
+              "write shape = \"on\", or a longer search_mm", own + other, c.name(), c.setup.search);
 }
 
 /// The shortest way between the sides, from nodes of the secondary to nodes of the primary side.
@@ -163,7 +148,8 @@ std::string why_failed(const Problem& problem, const State& last, const Attempt&
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const Seen seen{problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]};
     ask(wears_too_fast(seen, attempt));
-    ask(worn_through(seen, last));
+    ask(waits_in_the_gap(seen));
+    if (c + 1 == problem.contacts.size()) ask(worn_through(problem, last));
     if (lost) ask(out_of_reach(seen, system, last));
   }
   ask(strained(problem, last, system));

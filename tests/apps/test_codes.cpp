@@ -160,11 +160,11 @@ TEST(Codes, FailedShape) {
   place.write("deep.toml", eaten + "\n[[step]]\nname = \"wear\"\ncycles = 50\n");  // a tenth of the block per cycle
   const auto told = place.reye({"run", "deep.toml", "--quiet"});
   EXPECT_EQ(told.code, 1);
-  EXPECT_TRUE(told.err.ends_with("reye: deep.toml:40: body slider is worn by 0.9 mm of the 1 mm that it measured at cycle 0 (cycle 9); end the run before with a limit with stop = true, "
+  EXPECT_TRUE(told.err.ends_with("reye: deep.toml:40: body slider is worn by 0.8 mm of the 1 mm that it measured at cycle 0, 0.2 mm are left (cycle 8); end the run before with a limit with stop = true, "
                                 "or check the wear coefficients\n")) << told.err;
   const auto summary = test::read(place / "deep.out/summary.json");
   EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
-  EXPECT_TRUE(test::holds(summary, R"("reason": "deep.toml:40: body slider is worn by 0.9 mm)"));
+  EXPECT_TRUE(test::holds(summary, R"("reason": "deep.toml:40: body slider is worn by 0.8 mm)"));
   EXPECT_GE(test::lines(place / "deep.out/history.csv"), 10);
   EXPECT_TRUE(test::fs::exists(place / "deep.out/report.html"));
 }

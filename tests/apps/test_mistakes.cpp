@@ -471,7 +471,7 @@ TEST(Mistakes, WornAway) {
 )"}, {R"(wear = { law = "energy", secondary_mm3_per_J = 3e-5, primary_mm3_per_J = 2e-5 })", R"(wear = { law = "archard", secondary_per_MPa = 1e-5 })"}, {R"(cycles = 20
 jump = 10)", R"(cycles = 50)"}, {R"(depth_mm = 1.0)", R"(depth_mm = 2.0)"}},
        "", 1,
-       R"(reye: scene.toml:32: body slider is worn by 0.7 mm of the 1 mm that it measured at cycle 0 (cycle 7); end the run before with a limit with stop = true, or check the wear coefficients)" "\n"},
+       R"(reye: scene.toml:32: body slider is worn by 0.6 mm of the 1 mm that it measured at cycle 0, 0.4 mm are left (cycle 6); end the run before with a limit with stop = true, or check the wear coefficients)" "\n"},
   });
 }
 

@@ -140,9 +140,10 @@ TEST(Restart, NothingToGoOnFrom) {
       << told.err;
   EXPECT_FALSE(test::fs::exists(place / "o"));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
-  place.write("wearing.toml", test::changed(test::wearing, {{"cycles = 400", "cycles = 500"}}));
+  place.write("wearing.toml", test::changed(test::wearing, {{"friction  = 0.5", "friction  = 0.4"}}));
+  test::fs::copy(place / "wearing.toml", place / "another.toml");
   const auto before = place.files("o");
-  const auto other = place.reye({"run", "wearing.toml", "--out", "o", "--restart", "--force"});
+  const auto other = place.reye({"run", "another.toml", "--out", "o", "--restart", "--force"});
   EXPECT_EQ(other.code, 2);
   EXPECT_TRUE(test::holds(other.err, "of another scene"));
   EXPECT_EQ(place.files("o"), before);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "mesh/quality.hpp"
 #include "sim/run.hpp"
 #include "solver/system.hpp"
 #include "support/problem.hpp"
@@ -241,4 +242,56 @@ wear = false
   EXPECT_NEAR(u.x(), 3.0 * std::cos(2.0) - 3.0, 1e-9);
   EXPECT_NEAR(u.y(), 3.0 * std::sin(2.0), 1e-9);
   for (const auto& lambda : o.bond().lambda) EXPECT_LE(lambda.norm(), 1e-4);  // of a modulus of 2e5 MPa
+}
+
+// A coat of 20 um under a block that slides must end the run with its name and what is left of it before no element fits in, on
+// elements of both kinds, with fixed blocks and under a tolerance; what it leaves is a whole mesh.
+TEST(Bonds, ACoatWornThrough) {
+  const char* cases[][3] = {{"quad", "0.1", "10"}, {"tri", "0.1", "{ tolerance = 0.02 }"}};
+  for (const auto& [element, size, jump] : cases) {
+    const std::string mesh = std::string("mesh = { element = \"") + element + "\", far_size_mm = ";
+    const auto o = run(R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 1, 1};
+Rectangle(2) = {0, 1, 0, 1, 0.02};
+Rectangle(3) = {0, 1.02, 0, 1, 0.5};
+Physical Surface("block") = {1};
+Physical Surface("coat") = {2};
+Physical Surface("slider") = {3};
+Physical Curve("bottom") = {1};
+Physical Curve("block_top") = {3};
+Physical Curve("back") = {5};
+Physical Curve("face") = {7};
+Physical Curve("sole") = {9};
+Physical Curve("top") = {11};
+)",
+                       "[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.block]\nmaterial = \"steel\"\n" + mesh + "0.25 }\n[body.slider]\nmaterial = \"steel\"\n" +
+                               mesh + "0.25 }\n[body.coat]\nmaterial = \"steel\"\n" + mesh + size + " }\n[[step]]\nplay = [\"press\"]\nwear = false\n" +
+                               "[[step]]\nname = \"wear\"\ncycles = 400\njump = " + jump + R"(
+[contact.pad]
+secondary = "face"
+primary = ["sole"]
+imposed_sliding_mm = 1000.0
+wear = { law = "archard", secondary_per_MPa = 1e-8 }
+[bond.glue]
+secondary = "back"
+primary = ["block_top"]
+[support.base]
+edge = "bottom"
+x = "fixed"
+y = "fixed"
+[support.holder]
+edge = "top"
+x = "fixed"
+rotation = "fixed"
+y = { force_N_per_mm = -20.0, history = "press" }
+[history]
+press = [[0, 0], [1, 1]]
+)");
+    const auto where = std::string(element) + ' ' + size + ' ' + jump;
+    EXPECT_EQ(o.summary.status, sim::RunStatus::failed) << where;
+    EXPECT_NE(o.summary.reason.find("body coat is worn by 0.01"), std::string::npos) << where << ": " << o.summary.reason;
+    EXPECT_NE(o.summary.reason.find("mm of the 0.02 mm that it measured at cycle 0, 0.0"), std::string::npos) << where << ": " << o.summary.reason;
+    EXPECT_GE(o.summary.contacts.at(0).secondary.max_depth_mm, 0.018) << where;
+    EXPECT_GT(mesh::poorest_cell(o.state.shapes[1]->mesh).scaled_jacobian, 0.0) << where;
+  }
 }

@@ -1,0 +1,123 @@
+#include "scene/extension.hpp"
+
+#include <algorithm>
+
+#include "base/in_words.hpp"
+#include "scene/check.hpp"
+#include "scene/read.hpp"
+
+namespace reye::scene {
+
+namespace {
+
+const char* const only_these = "; it takes other limits and more cycles of its last step, nothing else";
+
+struct Document {
+  Node root;
+  const std::string& text;
+};
+
+/// Of the last step, where its cycles are those of one step of the run.
+std::string cycles_key_of(const Node& root) {
+  const auto* steps = root.find("step");
+  if (!steps || steps->children.empty()) return {};
+  const auto& last = steps->children.back();
+  const auto* name = last.find("name");
+  const auto* spectrum = root.find("spectrum");
+  const auto* repeated = spectrum ? spectrum->find("steps") : nullptr;
+  if (repeated && std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return name && n.text == name->text; }))
+    return {};
+  return last.key + ".cycles";
+}
+
+/// Tables, and lists of tables, have a shape of their own; anything else is a value.
+bool is_branch(const Node& node) {
+  return node.kind == NodeKind::table || (node.kind == NodeKind::list && !node.children.empty() && node.children.front().kind == NodeKind::table);
+}
+
+std::string value_of(const Node& leaf, const std::string& text) { return text.substr(leaf.begin, leaf.end - leaf.begin); }
+
+void add_fixed(const Node& node, const std::string& text, const std::string& cycles_key, std::string& fixed) {
+  for (const auto& child : node.children) {
+    if (child.key == "limit") continue;
+    fixed += child.key;
+    if (is_branch(child)) {
+      fixed += '\n';
+      add_fixed(child, text, cycles_key, fixed);
+    } else {
+      const bool counts = child.key == cycles_key && child.is_number() && child.number > 0.0;
+      fixed += " = " + (counts ? "so many" : value_of(child, text)) + '\n';
+    }
+  }
+}
+
+/// Every difference between two trees: values that are others, and the outermost of what one of them lacks.
+void add_differences(const Node& was, const Node& now, const Document& before, const Document& after, Issues& issues) {
+  for (const auto& child : now.children)
+    if (!was.find(child.name)) issues.push_back({child.key, child.written, "was not in the run that is to go on"});
+  for (const auto& child : was.children) {
+    const auto* other = now.find(child.name);
+    if (!other)
+      issues.push_back({child.key, "", "is missing, and was " + (child.written.empty() ? "" : child.written + ' ') + "in the run that is to go on"});
+    else if (is_branch(child) && is_branch(*other))
+      add_differences(child, *other, before, after, issues);
+    else if (value_of(child, before.text) != value_of(*other, after.text))
+      issues.push_back({child.key, other->written, "was " + child.written + " in the run that is to go on"});
+  }
+}
+
+bool counts(const Node& root, const std::string& cycles_key) {
+  const auto* steps = root.find("step");
+  const auto* cycles = steps && cycles_key == cycles_key_of(root) ? steps->children.back().find("cycles") : nullptr;
+  return cycles && cycles->number > 0.0;
+}
+
+/// Limits that are new or reached elsewhere; the scatter of wear changes none.
+std::set<std::string> changed_limits(const Document& before, const Document& after) {
+  std::set<std::string> names;
+  const auto* were = before.root.find("limit");
+  const auto* are = after.root.find("limit");
+  if (!are) return names;
+  for (const auto& limit : are->children) {
+    const auto* was = were ? were->find(limit.name) : nullptr;
+    Issues differences;
+    if (was) add_differences(*was, limit, before, after, differences);
+    std::erase_if(differences, [](const auto& issue) { return issue.key.ends_with(".wear_factor"); });
+    if (!was || !differences.empty()) names.insert(limit.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string fixed_part(const Node& document, const std::string& text) {
+  std::string fixed;
+  add_fixed(document, text, cycles_key_of(document), fixed);
+  return fixed;
+}
+
+Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
+  const Document before{parse(was), was}, after{parse(now.text), now.text};
+  Extension extension{{}, changed_limits(before, after), cycles_key_of(after.root)};
+  const bool cycles_may = counts(before.root, extension.cycles_key) && counts(after.root, extension.cycles_key);
+  Issues differences, wrong;
+  add_differences(before.root, after.root, before, after, differences);
+  for (auto& issue : differences) {
+    const bool may = issue.key == "limit" || issue.key.starts_with("limit.") || (cycles_may && issue.key == extension.cycles_key);
+    if (may) {
+      extension.changes.push_back(base::in_words(issue));
+      continue;
+    }
+    issue.rule += only_these;
+    wrong.push_back(std::move(issue));
+  }
+  if (wrong.empty() && was_fixed != now.fixed_sha256)
+    wrong.push_back({"geometry", "", std::string("its files, or those of profiles, are not those of the run that is to go on") + only_these});
+  if (wrong.empty() && now.accuracy > 0.0)
+    wrong.push_back({"accuracy", shown(now.accuracy), "chose elements and jumps for the run as it was; write the sizes that its plan tells as "
+                     "`size_mm`, and `jump`, in its place, and run anew"});
+  if (!wrong.empty()) throw located(now, wrong);
+  return extension;
+}
+
+}  // namespace reye::scene
