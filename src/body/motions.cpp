@@ -66,12 +66,12 @@ void hold_support(const mesh::Mesh& mesh, const Support& support, MotionSpace& s
 void add_loaded_support(const mesh::Mesh& mesh, const Support& support, MotionSpace& space) {
   const SupportPlace place = place_support(mesh, support);
   const auto force = [&](const Motion& m, const Vec2& direction) {
-    if (m.drive != Drive::loaded || m.amplitude == 0.0) return;
+    if (m.drive != Drive::loaded || !nonzero(m)) return;
     space.add_work({direction, direction * (place.centre - space.centre()).transpose()}, 1.0);
   };
   force(support.x, place.x_axis.front());
   force(support.y, place.y_axis.front());
-  if (support.rotation.drive != Drive::loaded || support.rotation.amplitude == 0.0) return;
+  if (support.rotation.drive != Drive::loaded || !nonzero(support.rotation)) return;
   space.add_work({Vec2{0.0, 0.0}, Eigen::Matrix2d{{0.0, 0.0}, {space.size(), 0.0}}}, 1.0);
 }
 

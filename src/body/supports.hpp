@@ -1,19 +1,20 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "base/linalg.hpp"
+#include "base/part.hpp"
 
 namespace reye::body {
 
-/// What one motion of a support does. `moved` imposes amplitude times the history's factor,
-/// `loaded` applies it as a force (or moment) and leaves the motion to the equations.
+/// What one motion of a support does. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
+/// and leaves the motion to the equations.
 enum class Drive { free, fixed, moved, loaded };
 
 struct Motion {
   Drive drive = Drive::free;
-  double amplitude = 0.0;  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
-  std::string history;     ///< empty: full from the start
+  base::Parts parts{};  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
 };
 
 /// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
@@ -32,5 +33,10 @@ struct Support {
   bool rigid = false;
   Motion x, y, rotation;
 };
+
+/// Whether any part of a motion is other than zero.
+inline bool nonzero(const Motion& m) {
+  return std::any_of(m.parts.begin(), m.parts.end(), [](const base::Part& part) { return part.value != 0.0; });
+}
 
 }  // namespace reye::body

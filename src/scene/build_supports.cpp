@@ -14,24 +14,30 @@ Keys keys_of(std::string_view motion, base::Analysis analysis) {
   return {"motion_mm", "force_N_per_mm", "force_N"};
 }
 
+/// Adds one part: all parts of a motion impose it, or all of them load it.
+void add_part(const Entry& part, const Keys& keys, base::Analysis analysis, body::Motion& motion, Issues& issues) {
+  if (!keys.other.empty() && part.given(keys.other)) return refuse(part, {keys.other}, takes_instead(analysis, keys.loaded), issues);
+  if (!exactly_one(part, {keys.moved, keys.loaded}, issues)) return;
+  const bool moved = part.given(keys.moved);
+  const auto drive = moved ? body::Drive::moved : body::Drive::loaded;
+  const auto key = moved ? keys.moved : keys.loaded;
+  if (motion.drive != body::Drive::free && motion.drive != drive)
+    return refuse(part, {key}, "does not go with the " + std::string(moved ? keys.loaded : keys.moved) + " of the parts before it: a "
+                  "motion is imposed, or a force leaves it to the equations", issues);
+  motion.drive = drive;
+  motion.parts.push_back({part.number(key), part.text("history")});
+}
+
 body::Motion motion_of(const Entry& support, std::string_view name, base::Analysis analysis, Issues& issues) {
-  const auto place = support.at(name);
-  if (!place.is_table())
-    return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free, .history = {}};
-  const auto keys = keys_of(name, analysis);
+  const auto parts = support.parts(name);
+  if (parts.empty()) return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free};
   if (name == "rotation" && analysis == base::Analysis::axisymmetric) {
-    issues.push_back({place.key(), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
+    issues.push_back({support.key(name), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
     return {};
   }
-  if (!keys.other.empty() && place.given(keys.other)) {
-    refuse(place, {keys.other}, takes_instead(analysis, keys.loaded), issues);
-    return {};
-  }
-  if (!exactly_one(place, {keys.moved, keys.loaded}, issues)) return {};
-  const bool moved = place.given(keys.moved);
-  return {.drive = moved ? body::Drive::moved : body::Drive::loaded,
-          .amplitude = place.number(moved ? keys.moved : keys.loaded),
-          .history = place.text("history")};
+  body::Motion motion;
+  for (const auto& part : parts) add_part(part, keys_of(name, analysis), analysis, motion, issues);
+  return motion;
 }
 
 bool loaded(const body::Support& support) {

@@ -71,12 +71,12 @@ bool listed(std::string_view choices, const std::string& value) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// A motion may also be a table; the message must not hide that.
+/// A motion may also be a table, or a list of them; the message must not hide that.
 std::string or_a_table(const Spec& place) {
   std::string names;
   for (const auto& [name, child] : place.named)
     if (!child->key || child->key->type != Type::refused) names += (names.empty() ? "" : ", ") + name;
-  return names.empty() ? "" : ", or a table of " + names;
+  return names.empty() ? "" : ", or a table of " + names + (place.key->adds_up ? ", or a list of such tables" : "");
 }
 
 std::string history_rule(const Node& history) {
@@ -144,12 +144,14 @@ void check_table(const Node& table, const Spec& place, Issues& issues) {
       issues.push_back({table.key.empty() ? name : table.key + '.' + name, "", "missing"});
 }
 
+bool lists_tables(const Node& node) {
+  return node.kind == NodeKind::list && !node.children.empty() &&
+         std::all_of(node.children.begin(), node.children.end(), [](const Node& n) { return n.kind == NodeKind::table; });
+}
+
 void check_list(const Node& list, const Spec& place, Issues& issues) {
-  const bool tables = list.kind == NodeKind::list && !list.children.empty() &&
-                      std::all_of(list.children.begin(), list.children.end(),
-                                  [](const Node& n) { return n.kind == NodeKind::table; });
-  if (!tables) {
-    issues.push_back({list.key, list.written, "must be a list of tables, each headed [[" + list.name + "]]"});
+  if (!lists_tables(list)) {
+    issues.push_back({list.key, list.written, "must be a list of tables, each headed [[" + list.key + "]]"});
     return;
   }
   for (const auto& element : list.children) check_table(element, place, issues);
@@ -160,6 +162,8 @@ void check_list(const Node& list, const Spec& place, Issues& issues) {
 void check(const Node& node, const Spec& place, Issues& issues) {
   if (place.list) {
     check_list(node, place, issues);
+  } else if (place.key && place.key->adds_up && lists_tables(node)) {
+    for (const auto& part : node.children) check_table(part, place, issues);
   } else if (node.kind == NodeKind::table && place.is_table()) {
     check_table(node, place, issues);
   } else if (place.key) {

@@ -37,6 +37,17 @@ std::vector<Entry> Entry::all(std::string_view name) const {
   return entries;
 }
 
+std::vector<Entry> Entry::parts(std::string_view name) const {
+  const auto* spec = spec_->find(name);
+  const auto* found = node_ ? node_->find(name) : nullptr;
+  if (!found) return {};
+  if (found->kind == NodeKind::table) return {{found, spec}};
+  std::vector<Entry> entries;
+  for (const auto& child : found->children)
+    if (child.kind == NodeKind::table) entries.emplace_back(&child, spec);
+  return entries;
+}
+
 bool Entry::empty_list(std::string_view name) const {
   const auto* found = value(name, NodeKind::list);
   return found && found->children.empty();

@@ -31,6 +31,9 @@ class Entry {
   /// Named tables or elements of a list of tables below, in the order of the file.
   std::vector<Entry> all(std::string_view name) const;
 
+  /// The parts of a sum below: a table by itself, or the tables of a list; none where neither is given.
+  std::vector<Entry> parts(std::string_view name) const;
+
   /// True when a list is given and nothing stands in it.
   bool empty_list(std::string_view name) const;
   std::string text(std::string_view name) const;

@@ -8,6 +8,7 @@ constexpr Range any{};
 constexpr Range positive{.low = 0.0, .low_open = true};
 constexpr Range at_least(double low) { return {.low = low}; }
 constexpr Range from_to(double low, double high) { return {.low = low, .high = high}; }
+constexpr bool adds_up = true;
 constexpr Range one_of(std::string_view choices) { return {.choices = choices}; }
 
 constexpr Key table[] = {
@@ -133,7 +134,7 @@ constexpr Key table[] = {
     {"support.*.rigid", Type::flag, "", "", any,
      "the edge moves as a rigid line; without it true when a rotation is named or a motion is loaded"},
     {"support.*.{x,y,tangent,normal}", Type::text, "", "free", one_of("fixed|free"),
-     "motion along x, y, or along the edge and out of it"},
+     "motion along x, y, or along the edge and out of it; a table of the keys below, or a list of such tables, which add up", adds_up},
     {"support.*.{x,y,tangent,normal}.motion_mm", Type::number, "mm", "", any, "imposed motion"},
     {"support.*.{x,y,tangent,normal}.force_N_per_mm", Type::number, "N/mm", "", any,
      "force on the whole edge, plane problems"},
@@ -141,7 +142,8 @@ constexpr Key table[] = {
      "force on the whole ring, axisymmetric problems"},
     {"support.*.{x,y,tangent,normal}.history", Type::text, "", "", any,
      "its factor over a step; without it full from the start"},
-    {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"), "rotation of a rigid edge"},
+    {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"),
+     "rotation of a rigid edge; a table of the keys below, or a list of such tables, which add up", adds_up},
     {"support.*.rotation.motion_rad", Type::number, "rad", "", any, "imposed rotation"},
     {"support.*.rotation.moment_N_mm_per_mm", Type::number, "N mm/mm", "", any, "moment about the edge's middle"},
     {"support.*.rotation.history", Type::text, "", "", any, "its factor over a step"},
@@ -157,6 +159,9 @@ constexpr Key table[] = {
     {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},
     {"load.*.force_N_per_mm3", Type::pair, "N/mm^3", "", any, "force per volume on the body"},
     {"load.*.history", Type::text, "", "", any, "its factor over a step; without it full from the start"},
+    {"load.*.parts[].pressure_MPa", Type::number, "MPa", "", any, "a load as a list of parts, which add up: each with its own value"},
+    {"load.*.parts[].{traction_MPa,force_N_per_mm,force_N,force_N_per_mm3}", Type::pair, "", "", any, "as above"},
+    {"load.*.parts[].history", Type::text, "", "", any, "and its own history"},
 
     {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1"},
 

@@ -35,6 +35,7 @@ struct Key {
   std::string_view fallback;  ///< default as written in a scene; `required`; empty: optional without default
   Range range;
   std::string_view doc;
+  bool adds_up = false;  ///< its table may also be a list of tables, the parts of a sum
 };
 
 inline constexpr std::string_view required = "required";

@@ -65,7 +65,7 @@ double driving_force(const Problem& problem, const scene::Step& step, const solv
   const auto& op = system.bodies[b];
   for (const auto& column : support_columns(op))
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
-      force += column.direction.dot(d) * m.amplitude * peak_factor(problem, step, m.history);
+      for (const auto& part : m.parts) force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
   const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
   for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);

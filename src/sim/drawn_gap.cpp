@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mesh/measure.hpp"
+#include "scene/histories.hpp"
 #include "sim/drive.hpp"
 #include "sim/warnings.hpp"
 
@@ -158,7 +159,7 @@ double farthest_way_of_all(const Problem& problem) {
       for (const auto* motion : {&support.x, &support.y, &support.rotation})
         if (motion->drive == body::Drive::moved)
           way = motion == &support.rotation ? std::numeric_limits<double>::infinity()
-                                            : std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
+                                            : std::max(way, scene::largest_value(problem.scene, motion->parts));
   }
   return way;
 }
@@ -185,7 +186,7 @@ double farthest_way(const Problem& problem, const PlacedContact& contact) {
     for (const auto& support : problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y})
         if (motion->drive == body::Drive::moved)
-          way = std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
+          way = std::max(way, scene::largest_value(problem.scene, motion->parts));
   };
   look_at(contact.secondary.body);
   for (const auto& ref : contact.primary) look_at(ref.body);

@@ -16,25 +16,27 @@ double factor_at(const scene::History& history, double progress) {
   return history.back()[1];
 }
 
-double largest_factor(const scene::Scene& scene, const std::string& history) {
-  if (history.empty()) return 1.0;
-  double most = 0.0;
-  for (const auto& corner : scene.histories.at(history)) most = std::max(most, std::abs(corner[1]));
-  return most;
-}
-
 namespace {
 
 constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
+
+/// What parts change by between two moments of a step.
+double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to) {
+  double sum = 0.0;
+  for (const auto& [value, history] : parts) {
+    if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
+    const auto& corners = scene.histories.at(history);
+    sum += value * (factor_at(corners, to) - factor_at(corners, from));
+  }
+  return sum;
+}
 
 /// Largest angle by which a support turns its body between two moments of a step [rad].
 double turned_between(const scene::Scene& scene, const scene::Step& step, double from, double to) {
   double most = 0.0;
   for (const auto& support : scene.supports) {
-    const auto& [drive, amplitude, history] = support.rotation;
-    if (drive != body::Drive::moved || std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
-    const auto& corners = scene.histories.at(history);
-    most = std::max(most, std::abs(amplitude * (factor_at(corners, to) - factor_at(corners, from))));
+    if (support.rotation.drive == body::Drive::moved)
+      most = std::max(most, std::abs(played_between(scene, step, support.rotation.parts, from, to)));
   }
   return most;
 }
@@ -72,6 +74,12 @@ namespace {
 
 double of(const std::map<std::string, double>& factors, const std::string& history) {
   return history.empty() ? 1.0 : factors.at(history);
+}
+
+double sum_at(const base::Parts& parts, const std::map<std::string, double>& factors) {
+  double sum = 0.0;
+  for (const auto& part : parts) sum += part.value * of(factors, part.history);
+  return sum;
 }
 
 const body::Motion& motion(const body::Support& support, int which) {
@@ -114,8 +122,8 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
       const auto& m = motion(problem.inputs[b].supports[column.support], column.motion);
       const int global = system.offset[b] + column.column;
       if (m.drive == Drive::fixed) controls.prescribed.emplace_back(global, 0.0);
-      if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, m.amplitude * of(factors, m.history));
-      if (m.drive == Drive::loaded) controls.forces.emplace_back(global, m.amplitude * of(factors, m.history));
+      if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, sum_at(m.parts, factors));
+      if (m.drive == Drive::loaded) controls.forces.emplace_back(global, sum_at(m.parts, factors));
     }
     const auto& list = loads(system.bodies[b]);
     Vector f(static_cast<Eigen::Index>(list.size()));

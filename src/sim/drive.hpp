@@ -10,9 +10,6 @@ inline const std::string overlap_left = "drawn overlap";
 /// Factor of a history at a progress in [0, 1], linear between its corners.
 double factor_at(const scene::History& history, double progress);
 
-/// The largest factor of a history in size; of none, 1.
-double largest_factor(const scene::Scene& scene, const std::string& history);
-
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <tuple>
 
 #include "body/conflicts.hpp"
+#include "scene/histories.hpp"
 #include "sim/drive.hpp"
 #include "sim/warnings.hpp"
 
@@ -33,17 +33,6 @@ std::vector<base::Issue> support_conflicts(Problem& problem) {
 
 namespace {
 
-/// Histories that a motion or load names.
-std::set<std::string> acting_histories(const scene::Scene& scene) {
-  std::set<std::string> names;
-  for (const auto& support : scene.supports)
-    for (const auto* motion : {&support.x, &support.y, &support.rotation}) names.insert(motion->history);
-  for (const auto& load : scene.boundary_loads) names.insert(load.history);
-  for (const auto& load : scene.point_loads) names.insert(load.history);
-  for (const auto& load : scene.body_forces) names.insert(load.history);
-  return names;
-}
-
 /// Runs of one direction in a history: what is not resolved in time by one increment each.
 int strokes(const scene::History& history) {
   int count = 0;
@@ -65,7 +54,7 @@ void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
   const bool wear = std::any_of(scene.contacts.begin(), scene.contacts.end(), wears);
   const bool imposed = std::any_of(scene.contacts.begin(), scene.contacts.end(), [](const auto& c) { return c.imposed; });
   const bool counted = std::any_of(scene.steps.begin(), scene.steps.end(), [](const auto& s) { return s.cycles > 0.0; });
-  const auto acting = acting_histories(scene);
+  const auto acting = scene::acting_histories(scene);
   const auto acts = [&](const std::string& name) { return acting.contains(name); };
   for (std::size_t i = 0; i < scene.steps.size(); ++i) {
     const auto& step = scene.steps[i];

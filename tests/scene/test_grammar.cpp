@@ -110,12 +110,39 @@ TEST(Grammar, Supports) {
   EXPECT_EQ(pin.y.drive, body::Drive::free);
   EXPECT_TRUE(roller.edge_axes);
   EXPECT_EQ(roller.y.drive, body::Drive::moved);
-  EXPECT_EQ(roller.y.amplitude, 0.1);
-  EXPECT_TRUE(roller.y.history.empty());
+  EXPECT_EQ(roller.y.parts.at(0).value, 0.1);
+  EXPECT_TRUE(roller.y.parts.at(0).history.empty());
   EXPECT_EQ(wedge.angle_deg, 30.0);
   EXPECT_TRUE(crank.rigid);
   EXPECT_EQ(crank.rotation.drive, body::Drive::loaded);
-  EXPECT_EQ(crank.rotation.amplitude, 4.0);
+  EXPECT_EQ(crank.rotation.parts.at(0).value, 4.0);
+}
+
+/// A component may be a list of parts, each with its own value and history; a table alone is a list of one.
+TEST(Grammar, PartsOfASum) {
+  const auto s = with("[support.crank]\nedge = \"arm\"\nrotation = [{ motion_rad = 6.28, history = \"press\" }, { motion_rad = 0.1, history = \"stroke\" }]\n"
+                      "[load.both]\nedge = \"top\"\nparts = [{ pressure_MPa = 5.0, history = \"press\" }, { traction_MPa = [1, 2] }]\n"
+                      "[load.tip]\npoint_mm = [1.0, 2.0]\n"
+                      "[[load.tip.parts]]\nforce_N_per_mm = [3.0, 4.0]\n[[load.tip.parts]]\nforce_N_per_mm = [0.5, 0.0]\nhistory = \"stroke\"\n"
+                      "[load.weight]\nbody = \"flat\"\nparts = [{ force_N_per_mm3 = [0, -1] }, { force_N_per_mm3 = [2, 0], history = \"stroke\" }]\n");
+  const auto& turn = s.supports.at(2).rotation;
+  EXPECT_EQ(turn.drive, body::Drive::moved);
+  ASSERT_EQ(turn.parts.size(), 2U);
+  EXPECT_EQ(turn.parts[0].value, 6.28);
+  EXPECT_EQ(turn.parts[1].value, 0.1);
+  EXPECT_EQ(turn.parts[0].history, "press");
+  EXPECT_EQ(turn.parts[1].history, "stroke");
+  ASSERT_EQ(s.boundary_loads.size(), 2U);
+  EXPECT_EQ(s.boundary_loads[0].pressure_MPa, 5.0);
+  EXPECT_EQ(s.boundary_loads[0].history, "press");
+  EXPECT_EQ(s.boundary_loads[1].pressure_MPa, 0.0);
+  EXPECT_EQ(s.boundary_loads[1].traction_MPa, base::Vec2(1.0, 2.0));
+  ASSERT_EQ(s.point_loads.size(), 2U);
+  EXPECT_EQ(s.point_loads[1].force_N_per_mm, base::Vec2(0.5, 0.0));
+  EXPECT_EQ(s.point_loads[1].point_mm, base::Vec2(1.0, 2.0));
+  ASSERT_EQ(s.body_forces.size(), 2U);
+  EXPECT_EQ(s.body_forces[1].history, "stroke");
+  EXPECT_EQ(s.supports[0].y.parts.size(), 1U);
 }
 
 /// The keys of a load tell its kind.
@@ -191,7 +218,7 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.title, "ring");
   EXPECT_TRUE(s.geometry.axisymmetric);
   EXPECT_EQ(s.body_material.at("b").b_bar, false);
-  EXPECT_EQ(s.supports[0].y.amplitude, 5.0);
+  EXPECT_EQ(s.supports[0].y.parts.at(0).value, 5.0);
   EXPECT_EQ(s.point_loads[0].force_N_per_mm, base::Vec2(0.0, 1.0));
   EXPECT_EQ(*s.limits[0].area_mm2, 2.0);
   EXPECT_TRUE(s.limits[0].stop);
