@@ -49,6 +49,10 @@ std::set<std::string> acting_histories(const Scene& scene) {
   for (const auto& support : scene.supports)
     for (const auto* motion : {&support.x, &support.y, &support.rotation})
       for (const auto& part : motion->parts) names.insert(part.history);
+  for (const auto& contact : scene.contacts)
+    for (const auto* parts : {&contact.imposed_sliding, &contact.imposed_turn})
+      for (const auto& part : *parts)
+        if (!part.history.empty()) names.insert(part.history);
   for (const auto& load : scene.boundary_loads) names.insert(load.history);
   for (const auto& load : scene.point_loads) names.insert(load.history);
   for (const auto& load : scene.body_forces) names.insert(load.history);

@@ -19,7 +19,7 @@ std::array<double, 2> range_of(const Scene& scene, const base::Parts& parts);
 /// The way that parts take in one play of a step, each there and back by itself.
 double path_of(const Scene& scene, const Step& step, const base::Parts& parts);
 
-/// Histories that a motion or load names.
+/// Histories that a motion, a load or an imposed sliding names.
 std::set<std::string> acting_histories(const Scene& scene);
 
 }  // namespace reye::scene

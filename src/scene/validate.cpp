@@ -46,6 +46,9 @@ void check_histories(const Entry& root, const Names& histories, Issues& issues) 
   for (const auto& support : root.all("support"))
     for (const auto motion : motions)
       for (const auto& part : support.parts(motion)) refer(part, "history", "history", histories, issues);
+  for (const auto& contact : root.all("contact"))
+    for (const auto sliding : {"imposed_sliding_mm", "imposed_out_of_plane_mm", "imposed_turn_rad"})
+      for (const auto& part : contact.parts(sliding)) refer(part, "history", "history", histories, issues);
   for (const auto& load : root.all("load")) {
     refer(load, "history", "history", histories, issues);
     for (const auto& part : load.all("parts")) refer(part, "history", "history", histories, issues);
@@ -72,28 +75,29 @@ void check_period(const Entry& step, const Scene& scene, Issues& issues) {
     }
 }
 
-/// True when a history that rises by this much in a cycle turns bodies by whole turns, and moves nothing else.
-bool turns_wholly(const Scene& scene, const std::string& history, double rise) {
-  bool turns = false;
+/// True when a history that rises by this much in a cycle turns bodies by whole turns or is a way to slide, and moves nothing else.
+bool may_go_on(const Scene& scene, const std::string& history, double rise) {
+  bool goes_on = false;
+  const auto driven = [&](const base::Part& part) { return part.history == history; };
+  const auto any_driven = [&](const base::Parts& parts) { return std::any_of(parts.begin(), parts.end(), driven); };
+  for (const auto& contact : scene.contacts) goes_on = goes_on || any_driven(contact.imposed_sliding) || any_driven(contact.imposed_turn);
   const auto whole = [&](double angle_rad) {
     constexpr double small = 1e-6;
     const double count = angle_rad * rise / (2.0 * std::numbers::pi);
     return std::abs(count - std::round(count)) <= small;
   };
   for (const auto& support : scene.supports) {
-    const auto driven = [&](const base::Part& part) { return part.history == history; };
-    for (const auto* motion : {&support.x, &support.y})
-      if (std::any_of(motion->parts.begin(), motion->parts.end(), driven)) return false;
+    if (any_driven(support.x.parts) || any_driven(support.y.parts)) return false;
     for (const auto& part : support.rotation.parts) {
       if (!driven(part)) continue;
       if (support.rotation.drive != body::Drive::moved || !whole(part.value)) return false;
-      turns = true;
+      goes_on = true;
     }
   }
   const auto loads = [&](const auto& list) {
     return std::any_of(list.begin(), list.end(), [&](const auto& load) { return load.history == history; });
   };
-  return turns && !loads(scene.boundary_loads) && !loads(scene.point_loads) && !loads(scene.body_forces);
+  return goes_on && !loads(scene.boundary_loads) && !loads(scene.point_loads) && !loads(scene.body_forces);
 }
 
 /// A cycle ends where it began, but for whole turns: the jump back to its start would be played inside the next one's first
@@ -105,7 +109,7 @@ void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
     if (found == scene.histories.end() || found->second.empty()) continue;
     const auto factor = [](double v) { std::ostringstream text; text << v; return text.str(); };
     const double start = found->second.front()[1], end = found->second.back()[1];
-    if (start != end && !turns_wholly(scene, name, end - start))
+    if (start != end && !may_go_on(scene, name, end - start))
       issues.push_back({step.key("play"), step.written("play"),
                         "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " + factor(start) +
                             "; give it the way back: a last corner [1, " + factor(start) + "]"});
@@ -230,7 +234,7 @@ Issues suspicious(const Entry& root, const Scene& scene) {
   for (const auto& [name, history] : scene.histories) {
     const auto key = root.at("history").key(name);
     if (!played.count(name)) found.push_back({key, "", "no step plays it; its factor stays 0"});
-    if (!named.count(name)) found.push_back({key, "", "no support or load names it"});
+    if (!named.count(name)) found.push_back({key, "", "no support, load or imposed sliding names it"});
   }
   return found;
 }

@@ -94,16 +94,38 @@ const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
   return std::visit([](const auto& b) -> const std::vector<body::LoadColumn>& { return b.loads(); }, op);
 }
 
-contact::IncrementOptions contact_options(const contact::ContactOptions& options, const scene::Step& step, double share,
-                                          double jump) {
+/// What is slid between two moments of a step: parts without history evenly, where `evenly` says so.
+double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to, bool evenly) {
+  double sum = played_between(scene, step, parts, from, to);
+  for (const auto& part : parts)
+    if (evenly && part.history.empty()) sum += part.value * (to - from);
+  return sum;
+}
+
+/// The sign of what slides first: of the first part that does.
+double first_way(const scene::Scene& scene, const base::Parts& parts) {
+  for (const auto& [value, history] : parts) {
+    double way = value;
+    if (!history.empty()) {
+      const auto& corners = scene.histories.at(history);
+      const auto moved = std::find_if(corners.begin(), corners.end(), [&](const auto& c) { return c[1] != corners.front()[1]; });
+      way = moved == corners.end() ? 0.0 : value * ((*moved)[1] - corners.front()[1]);
+    }
+    if (way != 0.0) return way < 0.0 ? -1.0 : 1.0;
+  }
+  return 1.0;
+}
+
+contact::IncrementOptions contact_options(const scene::Scene& scene, const contact::ContactOptions& options, const scene::Step& step,
+                                          double from, double to, double jump) {
   contact::IncrementOptions o;
   o.jump = jump;
   o.wear = step.wear && options.wear.wears();
-  o.duration_s = step.period_s * share;
-  if (options.imposed && (o.wear || !options.wear.wears())) {
-    o.imposed_slip = options.imposed_sliding_mm * share;
-    o.imposed_turn = options.imposed_turn_rad * share;
-  }
+  o.duration_s = step.period_s * (to - from);
+  const bool evenly = o.wear || !options.wear.wears();
+  o.imposed_slip = slid_between(scene, step, options.imposed_sliding, from, to, evenly);
+  o.imposed_turn = slid_between(scene, step, options.imposed_turn, from, to, evenly);
+  o.first_way = first_way(scene, options.imposed_sliding);
   return o;
 }
 
@@ -131,7 +153,7 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
     controls.load_factors.push_back(std::move(f));
   }
   for (const auto& contact : problem.contacts) {
-    controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
+    controls.contacts.push_back(contact_options(problem.scene, contact.options, step, from, to, jump));
     controls.contacts.back().inset = inset_at(contact, factors);
   }
   for (std::size_t b = 0; b < problem.bonds.size(); ++b) {

@@ -52,8 +52,13 @@ struct Seen {
 
 /// The way that the sides slide along one another in one play of the step: as supports move them, or as is imposed.
 double way_of_play(const Seen& c, const scene::Step& step) {
-  if (c.placed.options.imposed) return std::abs(c.placed.options.imposed_sliding_mm);
   double way = 0.0;
+  if (c.placed.options.imposed) {
+    const auto& parts = c.placed.options.imposed_sliding;
+    for (const auto& part : parts)
+      if (part.history.empty()) way += std::abs(part.value);
+    return way + scene::path_of(c.problem.scene, step, parts);
+  }
   const auto look = [&](int body) {
     for (const auto& support : c.problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y}) {

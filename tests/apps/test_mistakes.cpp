@@ -237,7 +237,7 @@ TEST(Mistakes, Steps) {
        {{R"(name = "wear"
 play = ["stroke"])", R"(name = "wear")"}, {R"(play = ["press"])", R"(play = ["press", "stroke"])"}},
        "", 0,
-       R"(warning: scene.toml:32: plays_nothing, step wear: Its cycles play no history that a support or load names: nothing moves in them; write play = [...].)" "\n"},
+       R"(warning: scene.toml:32: plays_nothing, step wear: Its cycles play no history that a support, a load or an imposed sliding names: nothing moves in them; write play = [...].)" "\n"},
       {"no cycles beside a limit", "check",
        {{R"(cycles = 20
 )", R"()"}, {R"(jump = 10
@@ -265,7 +265,7 @@ play = ["stroke"])", R"(name = "wear")"}, {R"(play = ["press"])", R"(play = ["pr
 press = [[)"}},
        "", 0,
        R"(warning: scene.toml:26: history.spare: no step plays it; its factor stays 0)" "\n"
-       R"(warning: scene.toml:26: history.spare: no support or load names it)" "\n"},
+       R"(warning: scene.toml:26: history.spare: no support, load or imposed sliding names it)" "\n"},
       {"a history misspelt", "check",
        {{R"(play = ["stroke"])", R"(play = ["strokes"])"}},
        "", 2,

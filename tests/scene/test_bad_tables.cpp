@@ -87,6 +87,10 @@ TEST(BadScene, Tables) {
        "scene.toml:47: load.a.pressure_MPa = 1: stands in each of the parts\n"
        "scene.toml:48: load.a.parts[1]: needs pressure_MPa, traction_MPa or both\n"
        "scene.toml:48: load.a.parts[1].force_N_per_mm = [1, 0]: does not go with edge"},
+      {"sliding without value",
+       {{"friction  = 0.9", "friction = 0.9\nimposed_sliding_mm = { history = \"strok\" }"}},
+       "scene.toml:30: contact.pad.imposed_sliding_mm.value: missing\n"
+       R"(scene.toml:30: contact.pad.imposed_sliding_mm.history = "strok": there is no history "strok"; did you mean "stroke"?)"},
       {"motion neither",
        {{"force_N_per_mm = -18.5, ", ""}},
        "scene.toml:37: support.holder.y: needs one of motion_mm, force_N_per_mm"},

@@ -33,19 +33,30 @@ TEST(Grammar, Archard) {
   EXPECT_EQ(contact.wear.primary, 0.0);
   EXPECT_EQ(contact.friction, 0.0);
   EXPECT_TRUE(contact.imposed);
-  EXPECT_EQ(contact.imposed_sliding_mm, 1000.0);
+  EXPECT_EQ(contact.imposed_sliding.at(0).value, 1000.0);
   EXPECT_FALSE(contact.implicit_wear);
   EXPECT_EQ(contact.search_mm, 0.5);
   EXPECT_EQ(contact.c_normal, 2.0);
   EXPECT_EQ(contact.c_tangential, 3.0);
 }
 
+/// Imposed sliding is a number, or parts that may follow histories.
+TEST(Grammar, SlidingInParts) {
+  const auto pad = changed(law, "imposed_sliding_mm = [{ value = 30.0, history = \"stroke\" }, { value = -2.0 }]\n" + law).contacts.at(0);
+  EXPECT_TRUE(pad.imposed && !pad.out_of_plane);
+  ASSERT_EQ(pad.imposed_sliding.size(), 2U);
+  EXPECT_EQ(pad.imposed_sliding[0].value, 30.0);
+  EXPECT_EQ(pad.imposed_sliding[0].history, "stroke");
+  EXPECT_EQ(pad.imposed_sliding[1].value, -2.0);
+  EXPECT_TRUE(pad.imposed_sliding[1].history.empty());
+}
+
 /// Sliding out of the plane is a length, or in axisymmetry an angle about the axis.
 TEST(Grammar, SlidingOutOfThePlane) {
   const auto length = changed(law, "imposed_out_of_plane_mm = 20.0\n" + law).contacts.at(0);
   EXPECT_TRUE(length.imposed && length.out_of_plane);
-  EXPECT_EQ(length.imposed_sliding_mm, 20.0);
-  EXPECT_EQ(length.imposed_turn_rad, 0.0);
+  EXPECT_EQ(length.imposed_sliding.at(0).value, 20.0);
+  EXPECT_TRUE(length.imposed_turn.empty());
   EXPECT_FALSE(changed(law, "imposed_sliding_mm = 20.0\n" + law).contacts.at(0).out_of_plane);
 }
 
@@ -341,5 +352,5 @@ TEST(Grammar, Locking) {
 TEST(Grammar, Warnings) {
   const auto s = changed("press  = [[", "idle = [[0, 0], [1, 1]]\npress  = [[");
   EXPECT_EQ(s.warnings, (std::vector<std::string>{"scene.toml:46: history.idle: no step plays it; its factor stays 0",
-                                                  "scene.toml:46: history.idle: no support or load names it"}));
+                                                  "scene.toml:46: history.idle: no support, load or imposed sliding names it"}));
 }
