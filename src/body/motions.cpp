@@ -50,16 +50,14 @@ class MotionSpace {
   std::vector<Row> rows_;
 };
 
-bool imposed(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved; }
-
 void hold_support(const mesh::Mesh& mesh, const Support& support, MotionSpace& space) {
   const SupportPlace place = place_support(mesh, support);
   for (size_t k = 0; k < place.nodes.size(); ++k) {
     const Vec2 at = place.rigid ? place.centre : mesh.X[place.nodes[k]];
-    if (imposed(support.x)) space.hold(at, place.x_axis[k]);
-    if (imposed(support.y)) space.hold(at, place.y_axis[k]);
+    if (holds(support.x)) space.hold(at, place.x_axis[k]);
+    if (holds(support.y)) space.hold(at, place.y_axis[k]);
   }
-  if (imposed(support.rotation)) space.hold_rotation();
+  if (holds(support.rotation)) space.hold_rotation();
 }
 
 /// A loaded motion of a support as a resultant; only its direction matters here.

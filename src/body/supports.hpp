@@ -9,12 +9,14 @@
 namespace reye::body {
 
 /// What one motion of a support does. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
-/// and leaves the motion to the equations.
+/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A far end of
+/// the spring that moves is a force, stiffness times its way, among the parts.
 enum class Drive { free, fixed, moved, loaded };
 
 struct Motion {
   Drive drive = Drive::free;
-  base::Parts parts{};  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
+  base::Parts parts{};     ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
+  double stiffness = 0.0;  ///< > 0, of what is loaded: a spring between edge and ground, force (or moment) per mm (or rad)
 };
 
 /// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
@@ -33,6 +35,9 @@ struct Support {
   bool rigid = false;
   Motion x, y, rotation;
 };
+
+/// Whether a motion is left no freedom, or a spring stands against it.
+inline bool holds(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved || m.stiffness > 0.0; }
 
 /// Whether any part of a motion is other than zero.
 inline bool nonzero(const Motion& m) {

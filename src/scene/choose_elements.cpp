@@ -53,7 +53,7 @@ bool only_forces_drive(const Scene& scene) {
   for (const auto& support : scene.supports)
     for (const auto& motion : {support.x, support.y, support.rotation}) {
       if (std::none_of(motion.parts.begin(), motion.parts.end(), varies)) continue;
-      moved = moved || (motion.drive == body::Drive::moved && nonzero(motion));
+      moved = moved || ((motion.drive == body::Drive::moved || motion.stiffness > 0.0) && nonzero(motion));
       loaded = loaded || motion.drive == body::Drive::loaded;
     }
   loaded = loaded || std::any_of(scene.boundary_loads.begin(), scene.boundary_loads.end(), varies) ||

@@ -145,12 +145,17 @@ constexpr Key table[] = {
      "force on the whole edge, plane problems"},
     {"support.*.{x,y,tangent,normal}.force_N", Type::number, "N", "", any,
      "force on the whole ring, axisymmetric problems"},
+    {"support.*.{x,y,tangent,normal}.spring_N_per_mm2", Type::number, "N/mm/mm", "", positive,
+     "spring between the whole edge and the ground, force per mm of its way, plane problems; may stand alone; motion_mm is then that "
+     "of its far end, and a force acts beside it"},
+    {"support.*.{x,y,tangent,normal}.spring_N_per_mm", Type::number, "N/mm", "", positive, "the same of the whole ring, axisymmetric problems"},
     {"support.*.{x,y,tangent,normal}.history", Type::text, "", "", any,
      "its factor over a step; without it full from the start"},
     {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"),
      "rotation of a rigid edge; a table of the keys below, or a list of such tables, which add up", adds_up},
     {"support.*.rotation.motion_rad", Type::number, "rad", "", any, "imposed rotation"},
     {"support.*.rotation.moment_N_mm_per_mm", Type::number, "N mm/mm", "", any, "moment about the edge's middle"},
+    {"support.*.rotation.spring_N_mm_per_mm", Type::number, "N mm/mm/rad", "", positive, "the same for the rotation, moment per rad"},
     {"support.*.rotation.history", Type::text, "", "", any, "its factor over a step"},
 
     {"load.*.edge", Type::text, "", "", any, "boundary under pressure or traction; or"},

@@ -115,8 +115,7 @@ std::optional<double> free_way(const Problem& problem, const solver::System& sys
 
 bool held_along(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
   for (const auto& column : support_columns(system.bodies[b])) {
-    const auto drive = motion_of(problem, b, column).drive;
-    if (std::abs(column.direction.dot(d)) > 1e-6 && (drive == Drive::fixed || drive == Drive::moved)) return true;
+    if (std::abs(column.direction.dot(d)) > 1e-6 && holds(motion_of(problem, b, column))) return true;
   }
   return false;
 }

@@ -136,9 +136,8 @@ void add_to_steps(scene::Scene& scene) {
 }
 
 bool driven_by_force(const body::BodyInput& input) {
-  const auto loaded = [](const body::Support& s) {
-    return s.x.drive == body::Drive::loaded || s.y.drive == body::Drive::loaded || s.rotation.drive == body::Drive::loaded;
-  };
+  const auto pushes = [](const body::Motion& m) { return m.drive == body::Drive::loaded && !m.parts.empty(); };
+  const auto loaded = [&](const body::Support& s) { return pushes(s.x) || pushes(s.y) || pushes(s.rotation); };
   return !input.boundary_loads.empty() || !input.point_loads.empty() || !input.body_forces.empty() ||
          std::any_of(input.supports.begin(), input.supports.end(), loaded);
 }

@@ -146,6 +146,7 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
       if (m.drive == Drive::fixed) controls.prescribed.emplace_back(global, 0.0);
       if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, sum_at(m.parts, factors));
       if (m.drive == Drive::loaded) controls.forces.emplace_back(global, sum_at(m.parts, factors));
+      if (m.stiffness > 0.0) controls.springs.push_back({global, m.stiffness});
     }
     const auto& list = loads(system.bodies[b]);
     Vector f(static_cast<Eigen::Index>(list.size()));
@@ -177,6 +178,7 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
     for (const auto& column : columns(system.bodies[b]))
       from[system.offset[b] + column.column] = state.renewed_at[problem.support_of[b][column.support]][column.motion];
   for (auto& [column, value] : controls.prescribed) value -= from.at(column);
+  for (auto& spring : controls.springs) spring.rest -= from.at(spring.column);
 }
 
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {

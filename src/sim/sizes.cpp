@@ -80,7 +80,7 @@ std::string why_crushed(const Problem& problem, int body) {
   for (const auto& support : problem.inputs[body].supports)
     for (const auto* motion : {&support.x, &support.y}) {
       const double size = size_of(problem, body, support), force = scene::largest_value(problem.scene, motion->parts);
-      if (motion->drive != body::Drive::loaded || size == 0.0 || force <= least * size) continue;
+      if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size) continue;
       return text("the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g %%; ", support.name.c_str(), force,
                   unit, size, problem.scene.analysis == base::Analysis::axisymmetric ? "mm^2" : "mm", name.c_str(), E, 100.0 * force / (E * size)) + mend;
     }

@@ -74,7 +74,7 @@ std::optional<double> pressing_force(const Problem& problem, const PlacedContact
       const double angle = support.angle_deg * std::numbers::pi / 180.0;
       const Vec2 x(std::cos(angle), std::sin(angle));
       const auto along = [&](const body::Motion& motion, const Vec2& axis) {
-        if (motion.drive == body::Drive::loaded)
+        if (motion.drive == body::Drive::loaded && motion.stiffness == 0.0)
           force = std::max(force, scene::largest_value(problem.scene, motion.parts) * std::abs(axis.dot(d)));
       };
       along(support.x, x);

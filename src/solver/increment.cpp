@@ -208,6 +208,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
       if (reduction().turning(body))
         window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
     }
+    for (const auto& spring : controls.springs) condenser_.stiffen(window_.index(reduction().index(spring.column)), spring.stiffness);
     for (std::size_t c = 0; c < faces.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
   }

@@ -314,7 +314,7 @@ TEST(Mistakes, Supports) {
 [history])", R"(rotation = "fixed"
 [history])"}},
        "", 2,
-       R"(scene.toml:5: body.slider: translation along y of slider and base together is free: no support of any of them holds it, so that no force along it has anything to push against; give one of them a support that is fixed or moved there)" "\n"},
+       R"(scene.toml:5: body.slider: translation along y of slider and base together is free: no support of any of them holds it, so that no force along it has anything to push against; give one of them a support that is fixed or moved there, or a spring)" "\n"},
       {"a body that may turn", "check",
        {{R"(rotation = "fixed"
 )", R"()"}, {R"(friction = 0.3

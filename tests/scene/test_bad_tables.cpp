@@ -87,6 +87,11 @@ TEST(BadScene, Tables) {
        "scene.toml:47: load.a.pressure_MPa = 1: stands in each of the parts\n"
        "scene.toml:48: load.a.parts[1]: needs pressure_MPa, traction_MPa or both\n"
        "scene.toml:48: load.a.parts[1].force_N_per_mm = [1, 0]: does not go with edge"},
+      {"springs",
+       {{"{ force_N_per_mm = -18.5, history = \"press\" }",
+         "[{ spring_N_per_mm2 = 5, force_N_per_mm = 1 }, { spring_N_per_mm2 = 6 }, { spring_N_per_mm = 7 }]"}},
+       "scene.toml:37: support.holder.y[1].spring_N_per_mm2 = 6: is the second spring of this motion; write one, with the sum of both\n"
+       "scene.toml:37: support.holder.y[2].spring_N_per_mm = 7: a plane scene takes spring_N_per_mm2"},
       {"sliding without value",
        {{"friction  = 0.9", "friction = 0.9\nimposed_sliding_mm = { history = \"strok\" }"}},
        "scene.toml:30: contact.pad.imposed_sliding_mm.value: missing\n"

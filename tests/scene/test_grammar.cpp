@@ -51,6 +51,25 @@ TEST(Grammar, SlidingInParts) {
   EXPECT_TRUE(pad.imposed_sliding[1].history.empty());
 }
 
+/// A spring leaves a motion to the equations; a far end that moves is a force, its stiffness times the way.
+TEST(Grammar, Springs) {
+  const auto s = with("[support.mount]\nedge = \"left\"\nx = { spring_N_per_mm2 = 100.0 }\n"
+                      "y = [{ spring_N_per_mm2 = 50.0, motion_mm = 0.5, history = \"press\" }, { force_N_per_mm = 3.0 }]\n"
+                      "rotation = { spring_N_mm_per_mm = 7.0, moment_N_mm_per_mm = 2.0 }\n");
+  const auto& mount = s.supports.at(2);
+  EXPECT_TRUE(mount.rigid);
+  EXPECT_EQ(mount.x.drive, body::Drive::loaded);
+  EXPECT_EQ(mount.x.stiffness, 100.0);
+  EXPECT_TRUE(mount.x.parts.empty());
+  EXPECT_EQ(mount.y.stiffness, 50.0);
+  ASSERT_EQ(mount.y.parts.size(), 2U);
+  EXPECT_EQ(mount.y.parts[0].value, 25.0);
+  EXPECT_EQ(mount.y.parts[0].history, "press");
+  EXPECT_EQ(mount.y.parts[1].value, 3.0);
+  EXPECT_EQ(mount.rotation.stiffness, 7.0);
+  EXPECT_EQ(mount.rotation.parts.at(0).value, 2.0);
+}
+
 /// Sliding out of the plane is a length, or in axisymmetry an angle about the axis.
 TEST(Grammar, SlidingOutOfThePlane) {
   const auto length = changed(law, "imposed_out_of_plane_mm = 20.0\n" + law).contacts.at(0);
