@@ -181,6 +181,17 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
   for (auto& spring : controls.springs) spring.rest -= from.at(spring.column);
 }
 
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions) {
+  std::vector<std::optional<double>> moments(problem.supports.size());
+  for (std::size_t s = 0; s < moments.size(); ++s)
+    if (problem.scene.analysis != base::Analysis::axisymmetric && problem.supports[s].support.rigid) moments[s] = 0.0;
+  for (int b = 0; b < problem.body_count(); ++b)
+    for (const auto& column : columns(system.bodies[b]))
+      if (auto& moment = moments[problem.support_of[b][column.support]]; moment && column.motion == 2)
+        *moment += reactions[system.offset[b] + column.column];
+  return moments;
+}
+
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {
   std::vector<Vec2> forces(problem.supports.size(), Vec2::Zero());
   for (int b = 0; b < problem.body_count(); ++b)

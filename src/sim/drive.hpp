@@ -33,6 +33,10 @@ void set_friction(solver::Controls& controls, const Problem& problem, double cyc
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
                         const State& state);
 
+/// Moment on the body of each support of the scene that is a rigid edge, about the middle of the edge; none in axisymmetry,
+/// where no edge turns.
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions);
+
 /// Force on the body of each support of the scene, in x and y.
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);
 
