@@ -33,7 +33,7 @@ scene::Scene scene_of(Play play, adapt::GaussTransfer how) {
   for (auto& support : scene.supports)
     if (auto& y = support.y; y.drive == body::Drive::loaded) {
       y.drive = play == released ? body::Drive::loaded : body::Drive::moved;
-      y.amplitude = play == released ? -600.0 : -0.03;
+      y.parts.at(0).value = play == released ? -600.0 : -0.03;
     }
   if (play == released) scene.histories.at("press") = {{0.0, 0.0}, {0.5, 1.0}, {1.0, 0.2}};
   scene.remesh.state_transfer = how;

@@ -101,7 +101,7 @@ class Search {
       const Motion& motion = motion_of(support(s), m);
       const auto& axis = m == 0 ? places_[s].x_axis : places_[s].y_axis;
       const bool acts = motion.drive == Drive::loaded || motion.drive == Drive::moved;
-      if (acts && motion.amplitude != 0.0 && std::abs(axis.front().x()) > parallel)
+      if (acts && nonzero(motion) && std::abs(axis.front().x()) > parallel)
         note(s, -1, motion_names[m], "the edge runs to the axis of symmetry at " + at(mesh_.X[node]) +
              ", where nothing moves along x", true);
     }

@@ -6,7 +6,8 @@
 namespace reye::body {
 
 void add(Imposed& to, const Motion& motion, double weight) {
-  if (motion.drive == Drive::moved) to[motion.history] += weight * motion.amplitude;
+  if (motion.drive != Drive::moved) return;
+  for (const auto& part : motion.parts) to[part.history] += weight * part.value;
 }
 
 void add(Imposed& to, const Imposed& other, double weight) {

@@ -50,28 +50,26 @@ class MotionSpace {
   std::vector<Row> rows_;
 };
 
-bool imposed(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved; }
-
 void hold_support(const mesh::Mesh& mesh, const Support& support, MotionSpace& space) {
   const SupportPlace place = place_support(mesh, support);
   for (size_t k = 0; k < place.nodes.size(); ++k) {
     const Vec2 at = place.rigid ? place.centre : mesh.X[place.nodes[k]];
-    if (imposed(support.x)) space.hold(at, place.x_axis[k]);
-    if (imposed(support.y)) space.hold(at, place.y_axis[k]);
+    if (holds(support.x)) space.hold(at, place.x_axis[k]);
+    if (holds(support.y)) space.hold(at, place.y_axis[k]);
   }
-  if (imposed(support.rotation)) space.hold_rotation();
+  if (holds(support.rotation)) space.hold_rotation();
 }
 
 /// A loaded motion of a support as a resultant; only its direction matters here.
 void add_loaded_support(const mesh::Mesh& mesh, const Support& support, MotionSpace& space) {
   const SupportPlace place = place_support(mesh, support);
   const auto force = [&](const Motion& m, const Vec2& direction) {
-    if (m.drive != Drive::loaded || m.amplitude == 0.0) return;
+    if (m.drive != Drive::loaded || !nonzero(m)) return;
     space.add_work({direction, direction * (place.centre - space.centre()).transpose()}, 1.0);
   };
   force(support.x, place.x_axis.front());
   force(support.y, place.y_axis.front());
-  if (support.rotation.drive != Drive::loaded || support.rotation.amplitude == 0.0) return;
+  if (support.rotation.drive != Drive::loaded || !nonzero(support.rotation)) return;
   space.add_work({Vec2{0.0, 0.0}, Eigen::Matrix2d{{0.0, 0.0}, {space.size(), 0.0}}}, 1.0);
 }
 

@@ -1,19 +1,22 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "base/linalg.hpp"
+#include "base/part.hpp"
 
 namespace reye::body {
 
-/// What one motion of a support does. `moved` imposes amplitude times the history's factor,
-/// `loaded` applies it as a force (or moment) and leaves the motion to the equations.
+/// What one motion of a support does. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
+/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A far end of
+/// the spring that moves is a force, stiffness times its way, among the parts.
 enum class Drive { free, fixed, moved, loaded };
 
 struct Motion {
   Drive drive = Drive::free;
-  double amplitude = 0.0;  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
-  std::string history;     ///< empty: full from the start
+  base::Parts parts{};     ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
+  double stiffness = 0.0;  ///< > 0, of what is loaded: a spring between edge and ground, force (or moment) per mm (or rad)
 };
 
 /// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
@@ -32,5 +35,13 @@ struct Support {
   bool rigid = false;
   Motion x, y, rotation;
 };
+
+/// Whether a motion is left no freedom, or a spring stands against it.
+inline bool holds(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved || m.stiffness > 0.0; }
+
+/// Whether any part of a motion is other than zero.
+inline bool nonzero(const Motion& m) {
+  return std::any_of(m.parts.begin(), m.parts.end(), [](const base::Part& part) { return part.value != 0.0; });
+}
 
 }  // namespace reye::body

@@ -40,6 +40,14 @@ double Interface::shear_before(int node) const {
   return n.x() * before_->lambda[node].y() - n.y() * before_->lambda[node].x();
 }
 
+/// The way that imposed sliding goes; where nothing slides in this increment, the way that friction points already.
+double Interface::sliding_sign() const {
+  double way = options_.imposed_slip;
+  for (std::size_t j = 0; way == 0.0 && j < before_->lambda.size(); ++j) way = shear_before(static_cast<int>(j));
+  if (way == 0.0) way = options_.first_way;
+  return way < 0.0 ? -1.0 : 1.0;
+}
+
 /// Gap at a node opened by the wear that its neighbours cause in this increment: on the primary side, and at control
 /// points between them.
 double Interface::others_wear(int node) const {
@@ -70,6 +78,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
   const double c_normal = searching ? o.c_normal : 1.0, c_tangential = searching ? o.c_tangential : 1.0;
   const bool spread = late && wear_spreads();
+  const double sliding = o.imposed ? sliding_sign() : 1.0;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
     const double D = rows_[j].D, stiffness = setup_->stiffness[j], faint = setup_->faint;
@@ -102,7 +111,7 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
     unmoved_[j] = 0;
     if (o.imposed || friction_ == 0.0) {
       status_[j] = ContactStatus::slip;
-      sign_[j] = o.out_of_plane ? 0.0 : o.imposed_sliding_mm < 0.0 ? -1.0 : 1.0;
+      sign_[j] = o.out_of_plane ? 0.0 : sliding;
     } else if (const auto slip = support_slip(node); slip && !options_.held) {
       unmoved_[j] = std::abs(*slip) <= least_slip * setup_->length[j];
       status_[j] = unmoved_[j] ? ContactStatus::stick : ContactStatus::slip;

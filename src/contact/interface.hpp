@@ -16,7 +16,8 @@ struct IncrementOptions {
   bool wear = true;
   double duration_s = 0.0;    ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
-  double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed
+  double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the way friction points
+  double first_way = 1.0;     ///< that way, 1 or -1, where nothing slides in this increment and no shear tells it
   double inset = 0.0;         ///< the primary side lies so far inside its body: what is left of a drawn overlap [mm]
   double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
@@ -146,6 +147,7 @@ class Interface {
   double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
   std::optional<double> support_slip(int node) const;
+  double sliding_sign() const;
   double shear_before(int node) const;
   void sum_rows();
   bool leave_out_slivers();

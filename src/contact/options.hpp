@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/part.hpp"
 #include "wear/law.hpp"
 
 namespace reye::contact {
@@ -19,10 +20,11 @@ struct ContactOptions {
   double friction = 0.0;                ///< Coulomb coefficient mu >= 0; of a table its largest value
   std::vector<std::array<double, 2>> friction_over_cycles{};  ///< [cycle, mu], cycles increasing; empty: mu is constant
   wear::Law wear;
-  double imposed_sliding_mm = 0.0;      ///< slip imposed as a number per play of a step
   bool imposed = false;                 ///< slip is a number, along the contact or out of the plane
   bool out_of_plane = false;            ///< slip is imposed out of the plane: friction acts there and leaves no shear in it
-  double imposed_turn_rad = 0.0;        ///< of it, by an angle about the axis per play of a step: slip = angle x r
+  /// Imposed slip [mm]: a part without history is shared evenly by each play of a step, others go as their histories are played.
+  base::Parts imposed_sliding{};
+  base::Parts imposed_turn{};           ///< the same by an angle about the axis [rad]: slip = angle x r
   bool bonded = false;                  ///< a bond: it neither opens nor slips, and nothing of it wears
   bool implicit_wear = true;            ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;

@@ -50,19 +50,22 @@ void add_forces(const RunData& run, std::vector<Figure>& all) {
                 .title = "Support forces through the last '" + history.word(history.column("step").back()) + "'",
                 .x_label = "progress of the step",
                 .y_label = unit == "N" ? "force on the body, N" : "force on the body, N per mm"};
+  std::size_t supports = 0;
   for (std::size_t c = 8; c < history.columns.size(); ++c) {
     const std::string& column = history.columns[c];
-    const auto end = column.rfind("_force_");
+    const auto x = column.rfind("_force_x_"), y = column.rfind("_force_y_");
+    const bool along_y = y != std::string::npos && (x == std::string::npos || y > x);
+    const auto end = along_y ? y : x;
     if (end == std::string::npos) continue;
-    const bool along_y = column.compare(end, 9, "_force_y_") == 0;
     const std::string name = column.substr(0, end) + (along_y ? ", y" : ", x");
     const auto from = static_cast<std::ptrdiff_t>(first);
     Line line{.label = name,
               .x = {progress.begin() + from, progress.end()},
               .y = {history.values[c].begin() + from, history.values[c].end()},
-              .colour = line_colour((c - 8) / 2),
+              .colour = line_colour(supports),
               .dashed = along_y};
     if (any_nonzero(line.y)) figure.lines.push_back(std::move(line));
+    if (along_y) ++supports;
   }
   if (!figure.lines.empty()) all.push_back(std::move(figure));
 }

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 RunWriter::RunWriter(std::string dir, const scene::Scene& scene)
     : dir_(std::move(dir)), identity_(identity_of(scene)), paraview_(scene.output.frames.paraview) {
-  for (const auto& support : scene.supports) supports_.push_back(support.name);
+  for (const auto& contact : scene.contacts) columns_.contacts.push_back(contact.name);
+  for (const auto& support : scene.supports)
+    columns_.supports.push_back({support.name, support.rigid && scene.analysis != base::Analysis::axisymmetric});
 }
 
 std::string RunWriter::path(const std::string& file) const { return (fs::path(dir_) / file).string(); }
@@ -27,7 +29,7 @@ void RunWriter::begin() {
   claim_folder(dir_, identity_);
   make_folder(path("frames"));
   counters_ = {};
-  atomic_write(path("history.csv"), history_header(supports_, identity_.analysis));
+  atomic_write(path("history.csv"), history_header(columns_, identity_.analysis));
   started_ = true;
   flush_log();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "output/folder.hpp"
+#include "output/tables.hpp"
 #include "scene/scene.hpp"
 #include "sim/records.hpp"
 
@@ -56,7 +57,7 @@ class RunWriter {
   std::string dir_;
   Identity identity_;
   bool paraview_ = true;
-  std::vector<std::string> supports_;
+  HistoryColumns columns_;
   Counters counters_;
   bool started_ = false;
   std::string early_log_;

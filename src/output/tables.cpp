@@ -16,12 +16,18 @@ Suffixes suffixes(base::Analysis analysis) {
   return {"N_per_mm", "mJ_per_mm", "worn_area_mm2"};
 }
 
-std::string history_header(const std::vector<std::string>& supports, base::Analysis analysis) {
+std::string history_header(const HistoryColumns& columns, base::Analysis analysis) {
   const auto unit = suffixes(analysis);
   std::string line =
       "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,energy_" + unit.energy;
-  for (const auto& support : supports)
+  for (const auto& contact : columns.contacts)
+    for (const auto& column : {std::string("_pressure_max_MPa"), std::string("_depth_max_secondary_mm"), std::string("_depth_max_primary_mm"),
+                               "_energy_" + unit.energy, "_normal_force_" + unit.force, "_tangential_force_" + unit.force})
+      line += ',' + csv_field(contact + column);
+  for (const auto& [support, moment] : columns.supports) {
     for (const char* axis : {"_force_x_", "_force_y_"}) line += ',' + csv_field(support + axis + unit.force);
+    if (moment) line += ',' + csv_field(support + "_moment_N_mm_per_mm");
+  }
   return line + '\n';
 }
 
@@ -31,7 +37,14 @@ std::string history_row(const sim::IncrementRecord& record) {
   for (const double value : {record.pressure_max_MPa, record.depth_max_secondary_mm, record.depth_max_primary_mm,
                              record.energy_mJ})
     line += ',' + number(value);
-  for (const auto& force : record.support_forces) line += ',' + number(force.x()) + ',' + number(force.y());
+  for (const auto& contact : record.contacts)
+    for (const double value : {contact.pressure_max_MPa, contact.depth_max_secondary_mm, contact.depth_max_primary_mm, contact.energy_mJ,
+                               contact.normal_force, contact.tangential_force})
+      line += ',' + number(value);
+  for (std::size_t s = 0; s < record.support_forces.size(); ++s) {
+    line += ',' + number(record.support_forces[s].x()) + ',' + number(record.support_forces[s].y());
+    if (record.support_moments[s]) line += ',' + number(*record.support_moments[s]);
+  }
   return line + '\n';
 }
 

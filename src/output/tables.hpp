@@ -16,8 +16,18 @@ struct Suffixes {
 };
 Suffixes suffixes(base::Analysis analysis);
 
-/// Header line of history.csv with two force columns per support.
-std::string history_header(const std::vector<std::string>& supports, base::Analysis analysis);
+/// What the history tells beyond its first eight columns.
+struct HistoryColumns {
+  struct Support {
+    std::string name;
+    bool moment = false;  ///< a rigid edge in a plane problem
+  };
+  std::vector<std::string> contacts;
+  std::vector<Support> supports;
+};
+
+/// Header line of history.csv: six columns per contact, two of force and one of moment per support.
+std::string history_header(const HistoryColumns& columns, base::Analysis analysis);
 std::string history_row(const sim::IncrementRecord& record);
 
 std::string remesh_header(base::Analysis analysis);

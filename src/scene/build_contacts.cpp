@@ -94,7 +94,15 @@ void check_friction(const Entry& entry, const contact::ContactOptions& contact, 
     issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
 }
 
-/// Sliding as a number, in one of three directions.
+/// What slides: a number that each play of a step shares evenly, or parts that may follow histories.
+base::Parts sliding_of(const Entry& entry, std::string_view key) {
+  base::Parts parts;
+  for (const auto& part : entry.parts(key)) parts.push_back({part.number("value"), part.text("history")});
+  if (const auto number = entry.maybe_number(key)) parts.push_back({*number, ""});
+  return parts;
+}
+
+/// Sliding in one of three directions.
 void add_sliding(const Entry& entry, bool axisymmetric, contact::ContactOptions& contact, Issues& issues) {
   const std::array<const char*, 3> keys{"imposed_sliding_mm", "imposed_out_of_plane_mm", "imposed_turn_rad"};
   const char* first = nullptr;
@@ -105,8 +113,8 @@ void add_sliding(const Entry& entry, bool axisymmetric, contact::ContactOptions&
   }
   contact.imposed = first != nullptr;
   contact.out_of_plane = entry.given(keys[1]) || entry.given(keys[2]);
-  contact.imposed_sliding_mm = entry.number(entry.given(keys[1]) ? keys[1] : keys[0]);
-  contact.imposed_turn_rad = entry.number(keys[2]);
+  contact.imposed_sliding = sliding_of(entry, entry.given(keys[1]) ? keys[1] : keys[0]);
+  contact.imposed_turn = sliding_of(entry, keys[2]);
   if (entry.given(keys[2]) && !axisymmetric)
     issues.push_back({entry.key(keys[2]), entry.written(keys[2]), "needs analysis = \"axisymmetric\": it turns about the axis"});
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "scene/build.hpp"
 
 namespace reye::scene {
@@ -6,49 +8,65 @@ namespace {
 
 const base::Vec2 none(0.0, 0.0);
 
-void add_boundary_load(const Entry& entry, Scene& scene, Issues& issues) {
+/// The parts of a load, each a load of its own: they add up. Without a list the load itself is the only one.
+std::vector<Entry> parts_of(const Entry& entry, Issues& issues) {
+  if (!entry.given("parts")) return {entry};
+  refuse(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3", "history"}, "stands in each of the parts",
+         issues);
+  return entry.all("parts");
+}
+
+void add_boundary_load(const Entry& entry, const std::vector<Entry>& parts, Scene& scene, Issues& issues) {
   fem::BoundaryLoad load;
   load.name = entry.name();
   load.edge = entry.text("edge");
-  load.pressure_MPa = entry.number("pressure_MPa");
-  load.traction_MPa = entry.pair("traction_MPa").value_or(none);
-  load.history = entry.text("history");
   if (const auto interval = entry.pair("interval_mm")) {
     load.interval_mm = {interval->x(), interval->y()};
     if (interval->x() >= interval->y())
       issues.push_back({entry.key("interval_mm"), entry.written("interval_mm"), "must increase"});
   }
-  if (!entry.given("pressure_MPa") && !entry.given("traction_MPa"))
-    issues.push_back({entry.key(), "", "needs pressure_MPa, traction_MPa or both"});
-  refuse(entry, {"body", "force_N_per_mm", "force_N", "force_N_per_mm3"}, "does not go with edge", issues);
-  scene.boundary_loads.push_back(load);
+  refuse(entry, {"body"}, "does not go with edge", issues);
+  for (const auto& part : parts) {
+    if (!part.given("pressure_MPa") && !part.given("traction_MPa"))
+      issues.push_back({part.key(), "", "needs pressure_MPa, traction_MPa or both"});
+    refuse(part, {"force_N_per_mm", "force_N", "force_N_per_mm3"}, "does not go with edge", issues);
+    load.pressure_MPa = part.number("pressure_MPa");
+    load.traction_MPa = part.pair("traction_MPa").value_or(none);
+    load.history = part.text("history");
+    scene.boundary_loads.push_back(load);
+  }
 }
 
-void add_point_load(const Entry& entry, Scene& scene, Issues& issues) {
+void add_point_load(const Entry& entry, const std::vector<Entry>& parts, Scene& scene, Issues& issues) {
   const bool axisymmetric = scene.analysis == base::Analysis::axisymmetric;
   const auto* force = axisymmetric ? "force_N" : "force_N_per_mm";
   const auto* other = axisymmetric ? "force_N_per_mm" : "force_N";
-  if (entry.given(other))
-    refuse(entry, {other}, takes_instead(scene.analysis, force), issues);
-  else if (!entry.given(force))
-    issues.push_back({entry.key(force), "", "missing"});
-  refuse(entry, {"pressure_MPa", "traction_MPa", "interval_mm", "force_N_per_mm3"}, "does not go with point_mm",
-         issues);
-  scene.point_loads.push_back({.name = entry.name(),
-                               .body = entry.text("body"),
-                               .point_mm = entry.pair("point_mm").value_or(none),
-                               .force_N_per_mm = entry.pair(force).value_or(none),
-                               .history = entry.text("history")});
+  refuse(entry, {"interval_mm"}, "does not go with point_mm", issues);
+  for (const auto& part : parts) {
+    if (part.given(other))
+      refuse(part, {other}, takes_instead(scene.analysis, force), issues);
+    else if (!part.given(force))
+      issues.push_back({part.key(force), "", "missing"});
+    refuse(part, {"pressure_MPa", "traction_MPa", "force_N_per_mm3"}, "does not go with point_mm", issues);
+    scene.point_loads.push_back({.name = entry.name(),
+                                 .body = entry.text("body"),
+                                 .point_mm = entry.pair("point_mm").value_or(none),
+                                 .force_N_per_mm = part.pair(force).value_or(none),
+                                 .history = part.text("history")});
+  }
 }
 
-void add_body_force(const Entry& entry, Scene& scene, Issues& issues) {
+void add_body_force(const Entry& entry, const std::vector<Entry>& parts, Scene& scene, Issues& issues) {
   if (!entry.given("body")) issues.push_back({entry.key("body"), "", "missing"});
-  refuse(entry, {"pressure_MPa", "traction_MPa", "interval_mm", "force_N_per_mm", "force_N"},
-         "does not go with force_N_per_mm3", issues);
-  scene.body_forces.push_back({.name = entry.name(),
-                               .body = entry.text("body"),
-                               .force_N_per_mm3 = entry.pair("force_N_per_mm3").value_or(none),
-                               .history = entry.text("history")});
+  refuse(entry, {"interval_mm"}, "does not go with force_N_per_mm3", issues);
+  for (const auto& part : parts) {
+    if (!part.given("force_N_per_mm3")) issues.push_back({part.key("force_N_per_mm3"), "", "missing"});
+    refuse(part, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N"}, "does not go with force_N_per_mm3", issues);
+    scene.body_forces.push_back({.name = entry.name(),
+                                 .body = entry.text("body"),
+                                 .force_N_per_mm3 = part.pair("force_N_per_mm3").value_or(none),
+                                 .history = part.text("history")});
+  }
 }
 
 }  // namespace
@@ -56,14 +74,16 @@ void add_body_force(const Entry& entry, Scene& scene, Issues& issues) {
 void add_loads(const Entry& root, Scene& scene, Issues& issues) {
   for (const auto& entry : root.all("load")) {
     const bool on_edge = entry.given("edge"), at_point = entry.given("point_mm");
+    const auto parts = parts_of(entry, issues);
+    const auto has_force = [](const Entry& part) { return part.given("force_N_per_mm3"); };
     if (on_edge && at_point)
       issues.push_back({entry.key(), "", "acts on an edge, at a point or in a body; not on two of them"});
     else if (on_edge)
-      add_boundary_load(entry, scene, issues);
+      add_boundary_load(entry, parts, scene, issues);
     else if (at_point)
-      add_point_load(entry, scene, issues);
-    else if (entry.given("force_N_per_mm3"))
-      add_body_force(entry, scene, issues);
+      add_point_load(entry, parts, scene, issues);
+    else if (std::any_of(parts.begin(), parts.end(), has_force))
+      add_body_force(entry, parts, scene, issues);
     else
       issues.push_back({entry.key(), "", "needs edge, point_mm, or body with force_N_per_mm3"});
   }

@@ -5,33 +5,64 @@ namespace reye::scene {
 namespace {
 
 struct Keys {
-  std::string_view moved, loaded, other;  ///< `other`: the force key of the other kind of problem
+  std::string_view moved, loaded, spring;
+  std::vector<std::string_view> other;  ///< those of the other kind of problem, force and spring
 };
 
 Keys keys_of(std::string_view motion, base::Analysis analysis) {
-  if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", ""};
-  if (analysis == base::Analysis::axisymmetric) return {"motion_mm", "force_N", "force_N_per_mm"};
-  return {"motion_mm", "force_N_per_mm", "force_N"};
+  if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", "spring_N_mm_per_mm", {}};
+  if (analysis == base::Analysis::axisymmetric) return {"motion_mm", "force_N", "spring_N_per_mm", {"force_N_per_mm", "spring_N_per_mm2"}};
+  return {"motion_mm", "force_N_per_mm", "spring_N_per_mm2", {"force_N", "spring_N_per_mm"}};
+}
+
+/// Whether a part has keys of the other kind of problem; they are refused.
+bool of_other_problem(const Entry& part, const Keys& keys, base::Analysis analysis, Issues& issues) {
+  bool found = false;
+  for (const auto other : keys.other) {
+    if (!part.given(other)) continue;
+    found = true;
+    refuse(part, {other}, takes_instead(analysis, other.starts_with("force") ? keys.loaded : keys.spring), issues);
+  }
+  return found;
+}
+
+/// Adds one part: all parts of a motion impose it, or all of them load it.
+void add_part(const Entry& part, const Keys& keys, body::Motion& motion, Issues& issues) {
+  if (part.given(keys.spring) && !part.given(keys.moved) && !part.given(keys.loaded)) return;
+  if (!exactly_one(part, {keys.moved, keys.loaded}, issues)) return;
+  const bool moved = part.given(keys.moved), far_end = moved && motion.stiffness != 0.0;
+  const auto drive = moved && !far_end ? body::Drive::moved : body::Drive::loaded;
+  const auto key = moved ? keys.moved : keys.loaded;
+  if (motion.drive != body::Drive::free && motion.drive != drive)
+    return refuse(part, {key}, "does not go with the " + std::string(moved ? keys.loaded : keys.moved) + " of the parts before it: a "
+                  "motion is imposed, or a force leaves it to the equations", issues);
+  motion.drive = drive;
+  motion.parts.push_back({part.number(key) * (far_end ? motion.stiffness : 1.0), part.text("history")});
+}
+
+/// The spring of a motion, in the one of its parts that has it.
+void add_spring(const std::vector<Entry>& parts, const Keys& keys, body::Motion& motion, Issues& issues) {
+  for (const auto& part : parts) {
+    if (!part.given(keys.spring)) continue;
+    if (motion.stiffness != 0.0) refuse(part, {keys.spring}, "is the second spring of this motion; write one, with the sum of both", issues);
+    motion.stiffness = part.number(keys.spring);
+    motion.drive = body::Drive::loaded;
+  }
 }
 
 body::Motion motion_of(const Entry& support, std::string_view name, base::Analysis analysis, Issues& issues) {
-  const auto place = support.at(name);
-  if (!place.is_table())
-    return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free, .history = {}};
-  const auto keys = keys_of(name, analysis);
+  const auto parts = support.parts(name);
+  if (parts.empty()) return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free};
   if (name == "rotation" && analysis == base::Analysis::axisymmetric) {
-    issues.push_back({place.key(), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
+    issues.push_back({support.key(name), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
     return {};
   }
-  if (!keys.other.empty() && place.given(keys.other)) {
-    refuse(place, {keys.other}, takes_instead(analysis, keys.loaded), issues);
-    return {};
-  }
-  if (!exactly_one(place, {keys.moved, keys.loaded}, issues)) return {};
-  const bool moved = place.given(keys.moved);
-  return {.drive = moved ? body::Drive::moved : body::Drive::loaded,
-          .amplitude = place.number(moved ? keys.moved : keys.loaded),
-          .history = place.text("history")};
+  const auto keys = keys_of(name, analysis);
+  body::Motion motion;
+  add_spring(parts, keys, motion, issues);
+  for (const auto& part : parts)
+    if (!of_other_problem(part, keys, analysis, issues)) add_part(part, keys, motion, issues);
+  return motion;
 }
 
 bool loaded(const body::Support& support) {
@@ -52,9 +83,10 @@ void check_rigid(const Entry& entry, const body::Support& support, Issues& issue
     refuse(entry, {"rigid"}, "a point is no edge", issues);
   } else if (!support.rigid) {
     refuse(entry, {"rotation"}, "needs a rigid edge", issues);
+    const bool sprung = support.x.stiffness > 0.0 || support.y.stiffness > 0.0;
     if (loaded(support))
       issues.push_back({entry.key("rigid"), entry.written("rigid"),
-                        "a force or moment needs a rigid edge; or use [load]"});
+                        sprung ? "a spring needs a rigid edge" : "a force or moment needs a rigid edge; or use [load]"});
   }
   if (!support.point_mm) refuse(entry, {"body"}, "an edge has its own body", issues);
 }

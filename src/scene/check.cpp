@@ -71,12 +71,12 @@ bool listed(std::string_view choices, const std::string& value) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// A motion may also be a table; the message must not hide that.
+/// A motion may also be a table, or a list of them; the message must not hide that.
 std::string or_a_table(const Spec& place) {
   std::string names;
   for (const auto& [name, child] : place.named)
     if (!child->key || child->key->type != Type::refused) names += (names.empty() ? "" : ", ") + name;
-  return names.empty() ? "" : ", or a table of " + names;
+  return names.empty() ? "" : ", or a table of " + names + (place.list_or_table ? ", or a list of such tables" : "");
 }
 
 std::string history_rule(const Node& history) {

@@ -48,14 +48,14 @@ ElementChoice choice_of(const Scene& scene, std::size_t c) {
 
 bool only_forces_drive(const Scene& scene) {
   const auto cycled = cycled_histories(scene);
+  const auto varies = [&](const auto& driven) { return cycled.contains(driven.history); };
   bool moved = false, loaded = false;
   for (const auto& support : scene.supports)
     for (const auto& motion : {support.x, support.y, support.rotation}) {
-      if (!cycled.contains(motion.history)) continue;
-      moved = moved || (motion.drive == body::Drive::moved && motion.amplitude != 0.0);
+      if (std::none_of(motion.parts.begin(), motion.parts.end(), varies)) continue;
+      moved = moved || ((motion.drive == body::Drive::moved || motion.stiffness > 0.0) && nonzero(motion));
       loaded = loaded || motion.drive == body::Drive::loaded;
     }
-  const auto varies = [&](const auto& load) { return cycled.contains(load.history); };
   loaded = loaded || std::any_of(scene.boundary_loads.begin(), scene.boundary_loads.end(), varies) ||
            std::any_of(scene.point_loads.begin(), scene.point_loads.end(), varies) ||
            std::any_of(scene.body_forces.begin(), scene.body_forces.end(), varies);

@@ -93,11 +93,16 @@ constexpr Key table[] = {
      "linear with friction and wear that only forces drive"},
     {"contact.*.implicit", Type::flag, "", "true", any, "an increment's own wear stands inside its equations"},
     {"contact.*.imposed_sliding_mm", Type::number, "mm", "", any,
-     "slip as a number per play of a step; without it slip comes from the motion"},
+     "slip as a number, shared evenly by each play of a step; or a table of the keys below, or a list of such tables, which add "
+     "up; without it slip comes from the motion"},
     {"contact.*.imposed_out_of_plane_mm", Type::number, "mm", "", any,
      "the same out of the plane: friction mu p works and wears there and leaves no shear in the plane"},
     {"contact.*.imposed_turn_rad", Type::number, "rad", "", any,
      "the same about the axis, axisymmetric problems: slip = angle x r"},
+    {"contact.*.{imposed_sliding_mm,imposed_out_of_plane_mm}[?].value", Type::number, "mm", "required", any, "slip at factor 1"},
+    {"contact.*.imposed_turn_rad[?].value", Type::number, "rad", "required", any, "angle at factor 1"},
+    {"contact.*.{imposed_sliding_mm,imposed_out_of_plane_mm,imposed_turn_rad}[?].history", Type::text, "", "", any,
+     "slip goes as its factor does while a step plays it, forth and back; without it evenly"},
     {"contact.*.search_mm", Type::number, "mm", "", positive,
      "facets farther apart are not paired; without it chosen from the bodies"},
     {"contact.*.c_normal", Type::number, "", "1.0", positive, "factor of the normal complementarity function in the first iterations"},
@@ -136,18 +141,24 @@ constexpr Key table[] = {
     {"support.*.rigid", Type::flag, "", "", any,
      "the edge moves as a rigid line; without it true when a rotation is named or a motion is loaded"},
     {"support.*.{x,y,tangent,normal}", Type::text, "", "free", one_of("fixed|free"),
-     "motion along x, y, or along the edge and out of it"},
-    {"support.*.{x,y,tangent,normal}.motion_mm", Type::number, "mm", "", any, "imposed motion"},
-    {"support.*.{x,y,tangent,normal}.force_N_per_mm", Type::number, "N/mm", "", any,
+     "motion along x, y, or along the edge and out of it; a table of the keys below, or a list of such tables, which add up"},
+    {"support.*.{x,y,tangent,normal}[?].motion_mm", Type::number, "mm", "", any, "imposed motion"},
+    {"support.*.{x,y,tangent,normal}[?].force_N_per_mm", Type::number, "N/mm", "", any,
      "force on the whole edge, plane problems"},
-    {"support.*.{x,y,tangent,normal}.force_N", Type::number, "N", "", any,
+    {"support.*.{x,y,tangent,normal}[?].force_N", Type::number, "N", "", any,
      "force on the whole ring, axisymmetric problems"},
-    {"support.*.{x,y,tangent,normal}.history", Type::text, "", "", any,
+    {"support.*.{x,y,tangent,normal}[?].spring_N_per_mm2", Type::number, "N/mm/mm", "", positive,
+     "spring between the whole edge and the ground, force per mm of its way, plane problems; may stand alone; motion_mm is then that "
+     "of its far end, and a force acts beside it"},
+    {"support.*.{x,y,tangent,normal}[?].spring_N_per_mm", Type::number, "N/mm", "", positive, "the same of the whole ring, axisymmetric problems"},
+    {"support.*.{x,y,tangent,normal}[?].history", Type::text, "", "", any,
      "its factor over a step; without it full from the start"},
-    {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"), "rotation of a rigid edge"},
-    {"support.*.rotation.motion_rad", Type::number, "rad", "", any, "imposed rotation"},
-    {"support.*.rotation.moment_N_mm_per_mm", Type::number, "N mm/mm", "", any, "moment about the edge's middle"},
-    {"support.*.rotation.history", Type::text, "", "", any, "its factor over a step"},
+    {"support.*.rotation", Type::text, "", "free", one_of("fixed|free"),
+     "rotation of a rigid edge; a table of the keys below, or a list of such tables, which add up"},
+    {"support.*.rotation[?].motion_rad", Type::number, "rad", "", any, "imposed rotation"},
+    {"support.*.rotation[?].moment_N_mm_per_mm", Type::number, "N mm/mm", "", any, "moment about the edge's middle"},
+    {"support.*.rotation[?].spring_N_mm_per_mm", Type::number, "N mm/mm/rad", "", positive, "the same for the rotation, moment per rad"},
+    {"support.*.rotation[?].history", Type::text, "", "", any, "its factor over a step"},
 
     {"load.*.edge", Type::text, "", "", any, "boundary under pressure or traction; or"},
     {"load.*.pressure_MPa", Type::number, "MPa", "", any, "pressure, > 0 pushes on the body"},
@@ -160,6 +171,9 @@ constexpr Key table[] = {
     {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},
     {"load.*.force_N_per_mm3", Type::pair, "N/mm^3", "", any, "force per volume on the body"},
     {"load.*.history", Type::text, "", "", any, "its factor over a step; without it full from the start"},
+    {"load.*.parts[].pressure_MPa", Type::number, "MPa", "", any, "a load as a list of parts, which add up: each with its own value"},
+    {"load.*.parts[].{traction_MPa,force_N_per_mm,force_N,force_N_per_mm3}", Type::pair, "", "", any, "as above"},
+    {"load.*.parts[].history", Type::text, "", "", any, "and its own history"},
 
     {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1"},
 
@@ -248,7 +262,10 @@ Spec& below(Spec& place, std::string name) {
   const bool list = name.ends_with("[]"), list_or_table = name.ends_with("[?]");
   name.resize(std::min(name.size(), name.find('[')));
   for (auto& [known, child] : place.named)
-    if (known == name) return *child;
+    if (known == name) {
+      child->list_or_table = child->list_or_table || list_or_table;
+      return *child;
+    }
   place.named.emplace_back(name, std::make_unique<Spec>());
   place.named.back().second->list = list;
   place.named.back().second->list_or_table = list_or_table;

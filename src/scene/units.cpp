@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scene/histories.hpp"
 #include "scene/validate.hpp"
 
 namespace reye::scene {
@@ -52,22 +53,14 @@ void look_at_coefficients(const Entry& wear, Issues& found) {
          "no wear is measured below 1e-14 1/MPa; in 1/Pa it would be ", 1e6);
 }
 
-double largest_factor(const Scene& scene, const std::string& history) {
-  const auto found = scene.histories.find(history);
-  if (found == scene.histories.end()) return 1.0;
-  double most = 0.0;
-  for (const auto& corner : found->second) most = std::max(most, std::abs(corner[1]));
-  return most;
-}
-
 void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
   for (const char* name : {"x", "y", "tangent", "normal"}) {
-    const auto motion = support.at(name);
-    if (!motion.is_table() || !motion.given("motion_mm")) continue;
-    const double way = motion.number("motion_mm"), most = std::abs(way) * largest_factor(scene, motion.text("history"));
-    if (most < least_motion_mm || most >= smallest_motion_mm) continue;
-    found.push_back({motion.key("motion_mm"), motion.written("motion_mm"),
-                     text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g", most, way * 1e3)});
+    for (const auto& part : support.parts(name)) {
+      const double way = part.number("motion_mm"), most = std::abs(way) * largest_factor(scene, part.text("history"));
+      if (most < least_motion_mm || most >= smallest_motion_mm) continue;
+      found.push_back({part.key("motion_mm"), part.written("motion_mm"),
+                       text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g", most, way * 1e3)});
+    }
   }
 }
 

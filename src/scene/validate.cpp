@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "scene/histories.hpp"
 #include "scene/nearest.hpp"
 
 namespace reye::scene {
@@ -44,9 +45,14 @@ constexpr std::string_view motions[] = {"x", "y", "tangent", "normal", "rotation
 void check_histories(const Entry& root, const Names& histories, Issues& issues) {
   for (const auto& support : root.all("support"))
     for (const auto motion : motions)
-      if (const auto place = support.at(motion); place.is_table())
-        refer(place, "history", "history", histories, issues);
-  for (const auto& load : root.all("load")) refer(load, "history", "history", histories, issues);
+      for (const auto& part : support.parts(motion)) refer(part, "history", "history", histories, issues);
+  for (const auto& contact : root.all("contact"))
+    for (const auto sliding : {"imposed_sliding_mm", "imposed_out_of_plane_mm", "imposed_turn_rad"})
+      for (const auto& part : contact.parts(sliding)) refer(part, "history", "history", histories, issues);
+  for (const auto& load : root.all("load")) {
+    refer(load, "history", "history", histories, issues);
+    for (const auto& part : load.all("parts")) refer(part, "history", "history", histories, issues);
+  }
 }
 
 void check_step(const Entry& step, const Names& histories, Issues& issues) {
@@ -69,35 +75,41 @@ void check_period(const Entry& step, const Scene& scene, Issues& issues) {
     }
 }
 
-/// True when a history that rises by this much in a cycle turns bodies by whole turns, and moves nothing else.
-bool turns_wholly(const Entry& root, const std::string& history, double rise) {
-  bool turns = false;
-  const auto drives = [&](const Entry& place) { return place.is_table() && place.text("history") == history; };
-  for (const auto& support : root.all("support"))
-    for (const auto motion : motions) {
-      const auto place = support.at(motion);
-      if (!drives(place)) continue;
-      if (motion != "rotation" || !place.given("motion_rad")) return false;
-      const double count = place.number("motion_rad") * rise / (2.0 * std::numbers::pi);
-      constexpr double small = 1e-6;
-      if (std::abs(count - std::round(count)) > small) return false;
-      turns = true;
+/// True when a history that rises by this much in a cycle turns bodies by whole turns or is a way to slide, and moves nothing else.
+bool may_go_on(const Scene& scene, const std::string& history, double rise) {
+  bool goes_on = false;
+  const auto driven = [&](const base::Part& part) { return part.history == history; };
+  const auto any_driven = [&](const base::Parts& parts) { return std::any_of(parts.begin(), parts.end(), driven); };
+  for (const auto& contact : scene.contacts) goes_on = goes_on || any_driven(contact.imposed_sliding) || any_driven(contact.imposed_turn);
+  const auto whole = [&](double angle_rad) {
+    constexpr double small = 1e-6;
+    const double count = angle_rad * rise / (2.0 * std::numbers::pi);
+    return std::abs(count - std::round(count)) <= small;
+  };
+  for (const auto& support : scene.supports) {
+    if (any_driven(support.x.parts) || any_driven(support.y.parts)) return false;
+    for (const auto& part : support.rotation.parts) {
+      if (!driven(part)) continue;
+      if (support.rotation.drive != body::Drive::moved || !whole(part.value)) return false;
+      goes_on = true;
     }
-  for (const auto& load : root.all("load"))
-    if (load.text("history") == history) return false;
-  return turns;
+  }
+  const auto loads = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& load) { return load.history == history; });
+  };
+  return goes_on && !loads(scene.boundary_loads) && !loads(scene.point_loads) && !loads(scene.body_forces);
 }
 
 /// A cycle ends where it began, but for whole turns: the jump back to its start would be played inside the next one's first
 /// increment, once in a block of many cycles.
-void check_cycle(const Entry& root, const Entry& step, const Scene& scene, Issues& issues) {
+void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
   if (step.number("cycles") <= 1.0 || !step.flag("wear")) return;
   for (const auto& name : step.texts("play")) {
     const auto found = scene.histories.find(name);
     if (found == scene.histories.end() || found->second.empty()) continue;
     const auto factor = [](double v) { std::ostringstream text; text << v; return text.str(); };
     const double start = found->second.front()[1], end = found->second.back()[1];
-    if (start != end && !turns_wholly(root, name, end - start))
+    if (start != end && !may_go_on(scene, name, end - start))
       issues.push_back({step.key("play"), step.written("play"),
                         "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " + factor(start) +
                             "; give it the way back: a last corner [1, " + factor(start) + "]"});
@@ -110,7 +122,7 @@ void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& step : root.all("step")) {
     check_step(step, histories, issues);
     check_period(step, scene, issues);
-    check_cycle(root, step, scene, issues);
+    check_cycle(step, scene, issues);
     if (step.given("name") && !seen.insert(step.text("name")).second)
       issues.push_back({step.key("name"), step.written("name"), "another step has this name"});
   }
@@ -138,17 +150,6 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& support : root.all("support")) refer(support, "body", "body", bodies, issues);
   for (const auto& load : root.all("load")) refer(load, "body", "body", bodies, issues);
   for (const auto& probe : root.at("output").all("probes")) refer(probe, "body", "body", bodies, issues);
-}
-
-/// Histories that a motion or load names.
-std::set<std::string> used(const Scene& scene) {
-  std::set<std::string> names;
-  for (const auto& support : scene.supports)
-    for (const auto& motion : {support.x, support.y, support.rotation}) names.insert(motion.history);
-  for (const auto& load : scene.boundary_loads) names.insert(load.history);
-  for (const auto& load : scene.point_loads) names.insert(load.history);
-  for (const auto& load : scene.body_forces) names.insert(load.history);
-  return names;
 }
 
 /// Why lives do not go as 1 / (wear coefficient); empty when they do. With a fixed jump of N cycles a run depends on
@@ -229,11 +230,11 @@ Issues suspicious(const Entry& root, const Scene& scene) {
   suspicious_values(root, scene, found);
   std::set<std::string> played;
   for (const auto& step : scene.steps) played.insert(step.play.begin(), step.play.end());
-  const auto named = used(scene);
+  const auto named = acting_histories(scene);
   for (const auto& [name, history] : scene.histories) {
     const auto key = root.at("history").key(name);
     if (!played.count(name)) found.push_back({key, "", "no step plays it; its factor stays 0"});
-    if (!named.count(name)) found.push_back({key, "", "no support or load names it"});
+    if (!named.count(name)) found.push_back({key, "", "no support, load or imposed sliding names it"});
   }
   return found;
 }

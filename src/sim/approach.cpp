@@ -65,7 +65,7 @@ double driving_force(const Problem& problem, const scene::Step& step, const solv
   const auto& op = system.bodies[b];
   for (const auto& column : support_columns(op))
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
-      force += column.direction.dot(d) * m.amplitude * peak_factor(problem, step, m.history);
+      for (const auto& part : m.parts) force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
   const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
   for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
@@ -115,8 +115,7 @@ std::optional<double> free_way(const Problem& problem, const solver::System& sys
 
 bool held_along(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
   for (const auto& column : support_columns(system.bodies[b])) {
-    const auto drive = motion_of(problem, b, column).drive;
-    if (std::abs(column.direction.dot(d)) > 1e-6 && (drive == Drive::fixed || drive == Drive::moved)) return true;
+    if (std::abs(column.direction.dot(d)) > 1e-6 && holds(motion_of(problem, b, column))) return true;
   }
   return false;
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "mesh/measure.hpp"
+#include "scene/histories.hpp"
 #include "sim/drive.hpp"
 #include "sim/warnings.hpp"
 
@@ -135,9 +136,8 @@ void add_to_steps(scene::Scene& scene) {
 }
 
 bool driven_by_force(const body::BodyInput& input) {
-  const auto loaded = [](const body::Support& s) {
-    return s.x.drive == body::Drive::loaded || s.y.drive == body::Drive::loaded || s.rotation.drive == body::Drive::loaded;
-  };
+  const auto pushes = [](const body::Motion& m) { return m.drive == body::Drive::loaded && !m.parts.empty(); };
+  const auto loaded = [&](const body::Support& s) { return pushes(s.x) || pushes(s.y) || pushes(s.rotation); };
   return !input.boundary_loads.empty() || !input.point_loads.empty() || !input.body_forces.empty() ||
          std::any_of(input.supports.begin(), input.supports.end(), loaded);
 }
@@ -158,7 +158,7 @@ double farthest_way_of_all(const Problem& problem) {
       for (const auto* motion : {&support.x, &support.y, &support.rotation})
         if (motion->drive == body::Drive::moved)
           way = motion == &support.rotation ? std::numeric_limits<double>::infinity()
-                                            : std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
+                                            : std::max(way, scene::largest_value(problem.scene, motion->parts));
   }
   return way;
 }
@@ -185,7 +185,7 @@ double farthest_way(const Problem& problem, const PlacedContact& contact) {
     for (const auto& support : problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y})
         if (motion->drive == body::Drive::moved)
-          way = std::max(way, std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history));
+          way = std::max(way, scene::largest_value(problem.scene, motion->parts));
   };
   look_at(contact.secondary.body);
   for (const auto& ref : contact.primary) look_at(ref.body);

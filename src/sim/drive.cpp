@@ -16,25 +16,27 @@ double factor_at(const scene::History& history, double progress) {
   return history.back()[1];
 }
 
-double largest_factor(const scene::Scene& scene, const std::string& history) {
-  if (history.empty()) return 1.0;
-  double most = 0.0;
-  for (const auto& corner : scene.histories.at(history)) most = std::max(most, std::abs(corner[1]));
-  return most;
-}
-
 namespace {
 
 constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
+
+/// What parts change by between two moments of a step.
+double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to) {
+  double sum = 0.0;
+  for (const auto& [value, history] : parts) {
+    if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
+    const auto& corners = scene.histories.at(history);
+    sum += value * (factor_at(corners, to) - factor_at(corners, from));
+  }
+  return sum;
+}
 
 /// Largest angle by which a support turns its body between two moments of a step [rad].
 double turned_between(const scene::Scene& scene, const scene::Step& step, double from, double to) {
   double most = 0.0;
   for (const auto& support : scene.supports) {
-    const auto& [drive, amplitude, history] = support.rotation;
-    if (drive != body::Drive::moved || std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
-    const auto& corners = scene.histories.at(history);
-    most = std::max(most, std::abs(amplitude * (factor_at(corners, to) - factor_at(corners, from))));
+    if (support.rotation.drive == body::Drive::moved)
+      most = std::max(most, std::abs(played_between(scene, step, support.rotation.parts, from, to)));
   }
   return most;
 }
@@ -74,6 +76,12 @@ double of(const std::map<std::string, double>& factors, const std::string& histo
   return history.empty() ? 1.0 : factors.at(history);
 }
 
+double sum_at(const base::Parts& parts, const std::map<std::string, double>& factors) {
+  double sum = 0.0;
+  for (const auto& part : parts) sum += part.value * of(factors, part.history);
+  return sum;
+}
+
 const body::Motion& motion(const body::Support& support, int which) {
   return which == 0 ? support.x : which == 1 ? support.y : support.rotation;
 }
@@ -86,16 +94,38 @@ const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
   return std::visit([](const auto& b) -> const std::vector<body::LoadColumn>& { return b.loads(); }, op);
 }
 
-contact::IncrementOptions contact_options(const contact::ContactOptions& options, const scene::Step& step, double share,
-                                          double jump) {
+/// What is slid between two moments of a step: parts without history evenly, where `evenly` says so.
+double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to, bool evenly) {
+  double sum = played_between(scene, step, parts, from, to);
+  for (const auto& part : parts)
+    if (evenly && part.history.empty()) sum += part.value * (to - from);
+  return sum;
+}
+
+/// The sign of what slides first: of the first part that does.
+double first_way(const scene::Scene& scene, const base::Parts& parts) {
+  for (const auto& [value, history] : parts) {
+    double way = value;
+    if (!history.empty()) {
+      const auto& corners = scene.histories.at(history);
+      const auto moved = std::find_if(corners.begin(), corners.end(), [&](const auto& c) { return c[1] != corners.front()[1]; });
+      way = moved == corners.end() ? 0.0 : value * ((*moved)[1] - corners.front()[1]);
+    }
+    if (way != 0.0) return way < 0.0 ? -1.0 : 1.0;
+  }
+  return 1.0;
+}
+
+contact::IncrementOptions contact_options(const scene::Scene& scene, const contact::ContactOptions& options, const scene::Step& step,
+                                          double from, double to, double jump) {
   contact::IncrementOptions o;
   o.jump = jump;
   o.wear = step.wear && options.wear.wears();
-  o.duration_s = step.period_s * share;
-  if (options.imposed && (o.wear || !options.wear.wears())) {
-    o.imposed_slip = options.imposed_sliding_mm * share;
-    o.imposed_turn = options.imposed_turn_rad * share;
-  }
+  o.duration_s = step.period_s * (to - from);
+  const bool evenly = o.wear || !options.wear.wears();
+  o.imposed_slip = slid_between(scene, step, options.imposed_sliding, from, to, evenly);
+  o.imposed_turn = slid_between(scene, step, options.imposed_turn, from, to, evenly);
+  o.first_way = first_way(scene, options.imposed_sliding);
   return o;
 }
 
@@ -114,8 +144,9 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
       const auto& m = motion(problem.inputs[b].supports[column.support], column.motion);
       const int global = system.offset[b] + column.column;
       if (m.drive == Drive::fixed) controls.prescribed.emplace_back(global, 0.0);
-      if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, m.amplitude * of(factors, m.history));
-      if (m.drive == Drive::loaded) controls.forces.emplace_back(global, m.amplitude * of(factors, m.history));
+      if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, sum_at(m.parts, factors));
+      if (m.drive == Drive::loaded) controls.forces.emplace_back(global, sum_at(m.parts, factors));
+      if (m.stiffness > 0.0) controls.springs.push_back({global, m.stiffness});
     }
     const auto& list = loads(system.bodies[b]);
     Vector f(static_cast<Eigen::Index>(list.size()));
@@ -123,7 +154,7 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
     controls.load_factors.push_back(std::move(f));
   }
   for (const auto& contact : problem.contacts) {
-    controls.contacts.push_back(contact_options(contact.options, step, to - from, jump));
+    controls.contacts.push_back(contact_options(problem.scene, contact.options, step, from, to, jump));
     controls.contacts.back().inset = inset_at(contact, factors);
   }
   for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
@@ -147,6 +178,18 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
     for (const auto& column : columns(system.bodies[b]))
       from[system.offset[b] + column.column] = state.renewed_at[problem.support_of[b][column.support]][column.motion];
   for (auto& [column, value] : controls.prescribed) value -= from.at(column);
+  for (auto& spring : controls.springs) spring.rest -= from.at(spring.column);
+}
+
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions) {
+  std::vector<std::optional<double>> moments(problem.supports.size());
+  for (std::size_t s = 0; s < moments.size(); ++s)
+    if (problem.scene.analysis != base::Analysis::axisymmetric && problem.supports[s].support.rigid) moments[s] = 0.0;
+  for (int b = 0; b < problem.body_count(); ++b)
+    for (const auto& column : columns(system.bodies[b]))
+      if (auto& moment = moments[problem.support_of[b][column.support]]; moment && column.motion == 2)
+        *moment += reactions[system.offset[b] + column.column];
+  return moments;
 }
 
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {

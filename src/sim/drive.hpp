@@ -10,9 +10,6 @@ inline const std::string overlap_left = "drawn overlap";
 /// Factor of a history at a progress in [0, 1], linear between its corners.
 double factor_at(const scene::History& history, double progress);
 
-/// The largest factor of a history in size; of none, 1.
-double largest_factor(const scene::Scene& scene, const std::string& history);
-
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
@@ -35,6 +32,10 @@ void set_friction(solver::Controls& controls, const Problem& problem, double cyc
 /// Prescribed motions counted from where the references of their bodies were renewed.
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
                         const State& state);
+
+/// Moment on the body of each support of the scene that is a rigid edge, about the middle of the edge; none in axisymmetry,
+/// where no edge turns.
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions);
 
 /// Force on the body of each support of the scene, in x and y.
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);

@@ -70,7 +70,7 @@ void check_groups(const Problem& p, std::vector<Issue>& issues) {
     for (const auto& motion : body::unheld_together(bodies, p.scene.analysis == base::Analysis::axisymmetric))
       issues.push_back({"body." + p.inputs[group.front()].name, "",
                         motion + " of " + names + " together is free: no support of any of them holds it, so that no force along it has "
-                        "anything to push against; give one of them a support that is fixed or moved there"});
+                        "anything to push against; give one of them a support that is fixed or moved there, or a spring"});
   }
 }
 

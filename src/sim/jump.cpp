@@ -109,9 +109,13 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
 
 /// Rows of the halves with their share of what the end of the block was corrected by.
 void correct(IncrementRecord& row, double share, const IncrementRecord& before, const IncrementRecord& after) {
-  row.depth_max_secondary_mm += share * (after.depth_max_secondary_mm - before.depth_max_secondary_mm);
-  row.depth_max_primary_mm += share * (after.depth_max_primary_mm - before.depth_max_primary_mm);
-  row.energy_mJ += share * (after.energy_mJ - before.energy_mJ);
+  const auto add = [share](auto& to, const auto& from, const auto& end) {
+    to.depth_max_secondary_mm += share * (end.depth_max_secondary_mm - from.depth_max_secondary_mm);
+    to.depth_max_primary_mm += share * (end.depth_max_primary_mm - from.depth_max_primary_mm);
+    to.energy_mJ += share * (end.energy_mJ - from.energy_mJ);
+  };
+  add(row, before, after);
+  for (std::size_t c = 0; c < row.contacts.size(); ++c) add(row.contacts[c], before.contacts[c], after.contacts[c]);
 }
 
 /// The error that a block from `start` to `end` of its step may have: errors fade as more is worn, until the end of the

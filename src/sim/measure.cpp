@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace reye::sim {
 
@@ -197,6 +198,15 @@ Vec2 pressing_direction(const Vec2& pressure, base::Analysis analysis) {
 
 }  // namespace
 
+std::pair<double, double> forces_of(const contact::ContactState& state, base::Analysis analysis) {
+  const Carried force = carried(state);
+  if (force.pressure.norm() == 0.0) return {0.0, 0.0};
+  const Vec2 n = pressing_direction(force.pressure, analysis);
+  Vec2 along(-n.y(), n.x());
+  if (along.x() < 0.0 || (along.x() == 0.0 && along.y() < 0.0)) along = -along;
+  return {force.all.dot(n), -force.all.dot(along)};
+}
+
 ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,
                          const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed) {
   ContactSummary c;
@@ -207,13 +217,7 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   if (peak > 0.0) c.peak_pressure_MPa = peak;
   c.contact_half_width_mm = contact_half_width(s, setup.analysis);
   if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction, setup.analysis);
-  if (const Carried force = carried(state); force.pressure.norm() > 0.0) {
-    const Vec2 n = pressing_direction(force.pressure, setup.analysis);
-    Vec2 along(-n.y(), n.x());
-    if (along.x() < 0.0 || (along.x() == 0.0 && along.y() < 0.0)) along = -along;
-    c.normal_force = force.all.dot(n);
-    c.tangential_force = -force.all.dot(along);
-  }
+  std::tie(c.normal_force, c.tangential_force) = forces_of(state, setup.analysis);
   c.dissipated_energy = setup.options.wear.wears() ? state.worn_work : state.frictional_work;
   const auto book = ledger(state);
   c.secondary = side_summary(s, book.removed_secondary);

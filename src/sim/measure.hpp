@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "sim/problem.hpp"
 
@@ -43,6 +44,9 @@ std::vector<double> depths(const mortar::Surface& surface, const std::vector<dou
 double deepest(const mortar::Surface& surface, const std::vector<double>& removed);
 
 wear::Ledger ledger(const contact::ContactState& state);
+
+/// Normal and tangential force of a contact, as ContactSummary has them.
+std::pair<double, double> forces_of(const contact::ContactState& state, base::Analysis analysis);
 
 ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,
                          const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);

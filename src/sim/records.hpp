@@ -15,6 +15,14 @@ namespace reye::sim {
 using base::Vec2;
 using base::Vector;
 
+/// One contact in a row of the history. Forces as in ContactSummary, energy per mm in plane problems.
+struct ContactRow {
+  double pressure_max_MPa = 0.0;
+  double depth_max_secondary_mm = 0.0, depth_max_primary_mm = 0.0;
+  double energy_mJ = 0.0;
+  double normal_force = 0.0, tangential_force = 0.0;
+};
+
 /// One row of history.csv: the end of an accepted increment.
 struct IncrementRecord {
   std::string step;
@@ -25,7 +33,9 @@ struct IncrementRecord {
   double depth_max_secondary_mm = 0.0;
   double depth_max_primary_mm = 0.0;
   double energy_mJ = 0.0;             ///< per mm in plane problems
+  std::vector<ContactRow> contacts;   ///< one per contact of the scene; above are the largest of them, and the sum of energies
   std::vector<Vec2> support_forces;   ///< on the body, in x and y, one per support of the scene
+  std::vector<std::optional<double>> support_moments;  ///< about the middle of the edge, of rigid edges in plane problems
 };
 
 enum class Side { secondary, primary };

@@ -8,7 +8,7 @@
 
 #include "material/parameters.hpp"
 #include "mesh/measure.hpp"
-#include "sim/drive.hpp"
+#include "scene/histories.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {
@@ -49,7 +49,7 @@ void warn_of_motions(Problem& problem) {
   const double reach = all.diagonal().norm();
   for (const auto& placed : problem.supports)
     for (const auto* motion : {&placed.support.x, &placed.support.y}) {
-      const double way = std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history);
+      const double way = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::moved || way <= reach) continue;
       warn(problem.warnings, {"units", "support " + placed.support.name,
                               text("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in um must be divided by 1000.",
@@ -79,13 +79,13 @@ std::string why_crushed(const Problem& problem, int body) {
   const char* unit = problem.scene.analysis == base::Analysis::axisymmetric ? "N on the" : "N/mm on";
   for (const auto& support : problem.inputs[body].supports)
     for (const auto* motion : {&support.x, &support.y}) {
-      const double size = size_of(problem, body, support), force = std::abs(motion->amplitude) * largest_factor(problem.scene, motion->history);
-      if (motion->drive != body::Drive::loaded || size == 0.0 || force <= least * size) continue;
+      const double size = size_of(problem, body, support), force = scene::largest_value(problem.scene, motion->parts);
+      if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size) continue;
       return text("the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g %%; ", support.name.c_str(), force,
                   unit, size, problem.scene.analysis == base::Analysis::axisymmetric ? "mm^2" : "mm", name.c_str(), E, 100.0 * force / (E * size)) + mend;
     }
   for (const auto& load : problem.inputs[body].boundary_loads) {
-    const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) * largest_factor(problem.scene, load.history);
+    const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) * scene::largest_factor(problem.scene, load.history);
     if (pressure > least)
       return text("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ", load.name.c_str(), pressure, name.c_str(), E,
                   100.0 * pressure / E) + mend;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cad/zone.hpp"
+#include "scene/histories.hpp"
 #include "sim/roundness.hpp"
 #include "sim/warnings.hpp"
 #include "sim/zones.hpp"
@@ -44,7 +45,7 @@ double largest_motion(const scene::Scene& scene) {
   double most = 0.0;
   for (const auto& support : scene.supports)
     for (const auto* motion : {&support.x, &support.y})
-      if (motion->drive == body::Drive::moved) most = std::max(most, std::abs(motion->amplitude));
+      if (motion->drive == body::Drive::moved) most = std::max(most, scene::largest_value(scene, motion->parts));
   return most;
 }
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "sim/drawn_gap.hpp"
-#include "sim/drive.hpp"
+#include "scene/histories.hpp"
 #include "sim/roundness.hpp"
 #include "sim/warn_contact.hpp"
 #include "sim/warn_setup.hpp"
@@ -74,8 +74,8 @@ std::optional<double> pressing_force(const Problem& problem, const PlacedContact
       const double angle = support.angle_deg * std::numbers::pi / 180.0;
       const Vec2 x(std::cos(angle), std::sin(angle));
       const auto along = [&](const body::Motion& motion, const Vec2& axis) {
-        if (motion.drive == body::Drive::loaded)
-          force = std::max(force, std::abs(motion.amplitude * axis.dot(d)) * largest_factor(problem.scene, motion.history));
+        if (motion.drive == body::Drive::loaded && motion.stiffness == 0.0)
+          force = std::max(force, scene::largest_value(problem.scene, motion.parts) * std::abs(axis.dot(d)));
       };
       along(support.x, x);
       along(support.y, Vec2(-x.y(), x.x()));

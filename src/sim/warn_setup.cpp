@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <tuple>
 
 #include "body/conflicts.hpp"
+#include "scene/histories.hpp"
 #include "sim/drive.hpp"
 #include "sim/warnings.hpp"
 
@@ -33,17 +33,6 @@ std::vector<base::Issue> support_conflicts(Problem& problem) {
 
 namespace {
 
-/// Histories that a motion or load names.
-std::set<std::string> acting_histories(const scene::Scene& scene) {
-  std::set<std::string> names;
-  for (const auto& support : scene.supports)
-    for (const auto* motion : {&support.x, &support.y, &support.rotation}) names.insert(motion->history);
-  for (const auto& load : scene.boundary_loads) names.insert(load.history);
-  for (const auto& load : scene.point_loads) names.insert(load.history);
-  for (const auto& load : scene.body_forces) names.insert(load.history);
-  return names;
-}
-
 /// Runs of one direction in a history: what is not resolved in time by one increment each.
 int strokes(const scene::History& history) {
   int count = 0;
@@ -57,15 +46,22 @@ int strokes(const scene::History& history) {
   return count;
 }
 
+/// Whether anything slides in every play of a step that wears, whatever it plays.
+bool slides_evenly(const contact::ContactOptions& contact) {
+  const auto even = [](const base::Part& part) { return part.history.empty(); };
+  return std::any_of(contact.imposed_sliding.begin(), contact.imposed_sliding.end(), even) ||
+         std::any_of(contact.imposed_turn.begin(), contact.imposed_turn.end(), even);
+}
+
 bool wears(const contact::ContactOptions& contact) { return contact.wear.wears(); }
 
 }  // namespace
 
 void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
   const bool wear = std::any_of(scene.contacts.begin(), scene.contacts.end(), wears);
-  const bool imposed = std::any_of(scene.contacts.begin(), scene.contacts.end(), [](const auto& c) { return c.imposed; });
+  const bool evenly = std::any_of(scene.contacts.begin(), scene.contacts.end(), slides_evenly);
   const bool counted = std::any_of(scene.steps.begin(), scene.steps.end(), [](const auto& s) { return s.cycles > 0.0; });
-  const auto acting = acting_histories(scene);
+  const auto acting = scene::acting_histories(scene);
   const auto acts = [&](const std::string& name) { return acting.contains(name); };
   for (std::size_t i = 0; i < scene.steps.size(); ++i) {
     const auto& step = scene.steps[i];
@@ -75,8 +71,8 @@ void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
       warn(warnings, {"no_cycles", about, "The step wears but has no cycles: it is played once and counts as none, so that no limit "
                       "can be reached at a cycle; write cycles = ..., or wear = false if it only loads."});
     if (step.cycles == 0.0) continue;
-    if (!imposed && std::none_of(step.play.begin(), step.play.end(), acts)) {
-      warn(warnings, {"plays_nothing", about, "Its cycles play no history that a support or load names: nothing moves in them; write "
+    if (!evenly && std::none_of(step.play.begin(), step.play.end(), acts)) {
+      warn(warnings, {"plays_nothing", about, "Its cycles play no history that a support, a load or an imposed sliding names: nothing moves in them; write "
                       "play = [...]."});
       continue;
     }

@@ -6,6 +6,7 @@
 
 #include "body/operator.hpp"
 #include "mesh/measure.hpp"
+#include "scene/histories.hpp"
 #include "sim/drive.hpp"
 #include "sim/kinematics.hpp"
 #include "sim/measure.hpp"
@@ -51,16 +52,17 @@ struct Seen {
 
 /// The way that the sides slide along one another in one play of the step: as supports move them, or as is imposed.
 double way_of_play(const Seen& c, const scene::Step& step) {
-  if (c.placed.options.imposed) return std::abs(c.placed.options.imposed_sliding_mm);
   double way = 0.0;
+  if (c.placed.options.imposed) {
+    const auto& parts = c.placed.options.imposed_sliding;
+    for (const auto& part : parts)
+      if (part.history.empty()) way += std::abs(part.value);
+    return way + scene::path_of(c.problem.scene, step, parts);
+  }
   const auto look = [&](int body) {
     for (const auto& support : c.problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y}) {
-        if (motion->drive != body::Drive::moved || std::find(step.play.begin(), step.play.end(), motion->history) == step.play.end()) continue;
-        const auto& history = c.problem.scene.histories.at(motion->history);
-        double path = 0.0;
-        for (std::size_t i = 1; i < history.size(); ++i) path += std::abs(history[i][1] - history[i - 1][1]);
-        way = std::max(way, std::abs(motion->amplitude) * path);
+        if (motion->drive == body::Drive::moved) way = std::max(way, scene::path_of(c.problem.scene, step, motion->parts));
       }
   };
   look(c.placed.secondary.body);

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "body/turning.hpp"
 #include "cad/turned_zone.hpp"
+#include "scene/histories.hpp"
 #include "sim/zones.hpp"
 
 namespace reye::sim {
@@ -17,14 +18,7 @@ constexpr double most_nodes = 1500.0;  ///< on one zone: twice as many columns a
 
 /// The least and the largest value that a motion takes.
 std::array<double, 2> range_of(const scene::Scene& scene, const body::Motion& motion) {
-  if (motion.drive != body::Drive::moved) return {0.0, 0.0};
-  double least = 0.0, most = motion.history.empty() ? 1.0 : 0.0;
-  if (!motion.history.empty())
-    for (const auto& corner : scene.histories.at(motion.history)) {
-      least = std::min(least, corner[1]);
-      most = std::max(most, corner[1]);
-    }
-  return {std::min(least * motion.amplitude, most * motion.amplitude), std::max(least * motion.amplitude, most * motion.amplitude)};
+  return motion.drive == body::Drive::moved ? scene::range_of(scene, motion.parts) : std::array{0.0, 0.0};
 }
 
 double length(const std::array<double, 2>& range) { return range[1] - range[0]; }

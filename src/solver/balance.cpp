@@ -46,6 +46,10 @@ std::vector<Vector> Increment::deformations(const System& system, const base::Tw
 Vector Increment::residual(const System& system, const Controls& controls, const base::TwoPart& q,
                            const std::vector<Vector>& v) const {
   Vector r = -loads_;
+  for (const auto& [column, stiffness, rest] : controls.springs) {
+    const int at = reduction().index(column);
+    r[at] += stiffness * (q.high[at] - rest + q.low[at]);
+  }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b), at = reduction().first(body);
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b])) {

@@ -32,6 +32,9 @@ class Condenser {
   /// Tangent of a body whose columns start at `at`.
   void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
 
+  /// A spring from a column to the ground.
+  void stiffen(int column, double stiffness) { At_(column, column) += stiffness; }
+
   /// Where the tangent of a body whose columns start at `at` stands, transposed.
   Eigen::Ref<Matrix> tangent(int at, Eigen::Index size) { return At_.block(at, at, size, size); }
 

@@ -7,6 +7,22 @@ namespace reye::solver {
 
 using contact::ContactStatus;
 
+namespace {
+
+/// Multipliers whose shear points the way that an increment slides where sliding is imposed: that it reverses is known, and
+/// wear by what friction works, |shear x slip|, has no slope to be found across zero.
+std::vector<Vec2> along_sliding(const contact::ContactState& before, double slip) {
+  auto lambda = before.lambda;
+  for (std::size_t j = 0; j < lambda.size(); ++j) {
+    const Vec2 tangent(-before.normal[j].y(), before.normal[j].x());
+    const double shear = lambda[j].dot(tangent);
+    if (shear * slip < 0.0) lambda[j] -= 2.0 * shear * tangent;
+  }
+  return lambda;
+}
+
+}  // namespace
+
 void Increment::forget() {
   contacts_.forget();
   last_step_.resize(0);
@@ -28,7 +44,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   const double continues = predicted && !guess ? controls.continues : 0.0;
   contacts_.begin(system, before, controls, guess);
   lambda_.resize(system.contacts.size());
-  for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = guess ? guess->lambda[c] : before.contacts[c].lambda;
+  for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = guess ? guess->lambda[c] : along_sliding(before.contacts[c], controls.contacts[c].imposed_slip);
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), continues);
@@ -192,6 +208,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
       if (reduction().turning(body))
         window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
     }
+    for (const auto& spring : controls.springs) condenser_.stiffen(window_.index(reduction().index(spring.column)), spring.stiffness);
     for (std::size_t c = 0; c < faces.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
   }

@@ -51,10 +51,17 @@ struct Guess {
   std::vector<std::vector<contact::ContactStatus>> status;  ///< per contact
 };
 
+/// A spring between a column and the ground: force stiffness (rest - q) on the column.
+struct Spring {
+  int column = 0;  ///< global
+  double stiffness = 0.0, rest = 0.0;
+};
+
 /// What is imposed at the end of one increment, and how its contacts behave during it.
 struct Controls {
   std::vector<std::pair<int, double>> prescribed;  ///< global column, value
   std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
+  std::vector<Spring> springs;
   std::vector<Vector> load_factors;                ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
   const Guess* guess = nullptr;  ///< of systems of rigid and linear bodies

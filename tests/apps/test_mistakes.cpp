@@ -237,7 +237,7 @@ TEST(Mistakes, Steps) {
        {{R"(name = "wear"
 play = ["stroke"])", R"(name = "wear")"}, {R"(play = ["press"])", R"(play = ["press", "stroke"])"}},
        "", 0,
-       R"(warning: scene.toml:32: plays_nothing, step wear: Its cycles play no history that a support or load names: nothing moves in them; write play = [...].)" "\n"},
+       R"(warning: scene.toml:32: plays_nothing, step wear: Its cycles play no history that a support, a load or an imposed sliding names: nothing moves in them; write play = [...].)" "\n"},
       {"no cycles beside a limit", "check",
        {{R"(cycles = 20
 )", R"()"}, {R"(jump = 10
@@ -265,7 +265,7 @@ play = ["stroke"])", R"(name = "wear")"}, {R"(play = ["press"])", R"(play = ["pr
 press = [[)"}},
        "", 0,
        R"(warning: scene.toml:26: history.spare: no step plays it; its factor stays 0)" "\n"
-       R"(warning: scene.toml:26: history.spare: no support or load names it)" "\n"},
+       R"(warning: scene.toml:26: history.spare: no support, load or imposed sliding names it)" "\n"},
       {"a history misspelt", "check",
        {{R"(play = ["stroke"])", R"(play = ["strokes"])"}},
        "", 2,
@@ -314,7 +314,7 @@ TEST(Mistakes, Supports) {
 [history])", R"(rotation = "fixed"
 [history])"}},
        "", 2,
-       R"(scene.toml:5: body.slider: translation along y of slider and base together is free: no support of any of them holds it, so that no force along it has anything to push against; give one of them a support that is fixed or moved there)" "\n"},
+       R"(scene.toml:5: body.slider: translation along y of slider and base together is free: no support of any of them holds it, so that no force along it has anything to push against; give one of them a support that is fixed or moved there, or a spring)" "\n"},
       {"a body that may turn", "check",
        {{R"(rotation = "fixed"
 )", R"()"}, {R"(friction = 0.3

@@ -27,7 +27,7 @@ Support named(const std::string& name, const std::string& edge, Motion x, Motion
   return s;
 }
 
-const Motion fixed{Drive::fixed, 0.0, ""};
+const Motion fixed{Drive::fixed};
 
 body::BodyInput beam(std::vector<Support> supports, base::Analysis analysis = base::Analysis::plane_strain) {
   auto in = support::elastic(1000.0, 0.3, analysis);
@@ -87,7 +87,7 @@ TEST(conflicts, what_agrees_stands) {
   Support oblique = named("c", "bottom", moved(0.1 * std::sqrt(0.5)));
   oblique.angle_deg = 45.0;
   EXPECT_TRUE(of(beam({named("a", "left", moved(0.1), fixed), oblique})).empty());
-  oblique.x.amplitude = 0.1;
+  oblique.x = moved(0.1);
   EXPECT_EQ(of(beam({named("a", "left", moved(0.1), fixed), oblique})).size(), 1u);
 }
 

@@ -109,9 +109,9 @@ TEST(linear_body, rigid_edge_carries_force_and_moment) {
   head.name = "head";
   head.edge = "top";
   head.angle_deg = 30.0;
-  head.x = {Drive::loaded, 12.0, ""};
-  head.y = {Drive::loaded, -31.0, ""};
-  head.rotation = {Drive::loaded, 17.0, ""};
+  head.x = {Drive::loaded, {{12.0, ""}}};
+  head.y = {Drive::loaded, {{-31.0, ""}}};
+  head.rotation = {Drive::loaded, {{17.0, ""}}};
   const body::LinearBody b(body::make_shape(m), in);
   ASSERT_EQ(b.dofs(), 6);
   const auto s = support::solve_linear(b, in);
@@ -305,7 +305,7 @@ TEST(linear_body, axis_of_symmetry_is_held) {
   in.supports[0].x.drive = Drive::free;
   auto& head = in.supports[1];
   head.name = head.edge = "top";
-  head.y = {Drive::loaded, -50.0, ""};
+  head.y = {Drive::loaded, {{-50.0, ""}}};
   in.contact_boundaries = {"left"};
   const body::LinearBody b(body::make_shape(m), in);
   const auto s = support::solve_linear(b, in);

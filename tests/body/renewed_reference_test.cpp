@@ -73,9 +73,8 @@ TEST_P(renewed_reference, stays_in_equilibrium) {
   EXPECT_EQ(renewed.accepted(start, start.y, q).F0, start.F0);
 
   auto further = in;
-  further.supports[0].x.amplitude *= 1.2;
-  further.supports[0].y.amplitude *= 1.2;
-  further.supports[0].rotation.amplitude *= 1.2;
+  for (auto* motion : {&further.supports[0].x, &further.supports[0].y, &further.supports[0].rotation})
+    for (auto& part : motion->parts) part.value *= 1.2;
   // From the accepted state, one increment to 1.2: on the old mesh in total motions, on the renewed one in the rest.
   const auto increment = [](const NonlinearBody& body, const body::Interior& before, Vector at_q,
                             const body::BodyInput& to, double counted) {
@@ -89,7 +88,7 @@ TEST_P(renewed_reference, stays_in_equilibrium) {
         if (m.drive == Drive::free) continue;
         at.S.row(c.column).setZero();
         at.S(c.column, c.column) = 1.0;
-        rhs[c.column] = m.amplitude * counted - at_q[c.column];  // zero where fixed
+        rhs[c.column] = support::total(m) * counted - at_q[c.column];  // zero where fixed
       }
       const Vector dq = algebra::solve_dense(at.S, rhs);
       now.y += body.interior_step(at, dq);

@@ -142,7 +142,7 @@ TEST(turning, is_objective) {
   const Eigen::Matrix2d R = body::rotation(angle);
   const auto solved = [&](double turn) {
     auto in = input(Guide::edge);
-    in.supports[0].y = in.supports[0].x = {Drive::fixed, 0.0, ""};
+    in.supports[0].y = in.supports[0].x = {Drive::fixed};
     in.supports[0].rotation = moved(turn);
     const Vec2 traction = turn == 0.0 ? Vec2{1.0, 2.0} : Vec2(R * Vec2{1.0, 2.0});
     in.boundary_loads = {{"p", "right", 4.0, traction, {{0.2, 1.1}}, ""}};
@@ -177,7 +177,7 @@ TEST(turning, is_decided_by_supports) {
   const auto turns = [&](const body::BodyInput& in) { return body::pivot_of(m, in).has_value(); };
   for (Guide guide : all_guides) EXPECT_TRUE(turns(input(guide)));
   auto held = input(Guide::edge);
-  held.supports[0].rotation = {Drive::fixed, 0.0, ""};
+  held.supports[0].rotation = {Drive::fixed};
   EXPECT_FALSE(turns(held));
   EXPECT_EQ(body::keeps_direction(m, held), "");
   auto clamped = input(Guide::edge);

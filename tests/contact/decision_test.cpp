@@ -45,7 +45,6 @@ TEST(decision, own_wear_stays_out) {
       for (int iteration : {1, 7}) {
         auto options = frictional(0.3);
         options.imposed = true;
-        options.imposed_sliding_mm = slip;
         options.wear = {LawKind::archard, 1e-6, 0.0};
         options.c_normal = options.c_tangential = c0;
         auto c = flat(options);
@@ -119,8 +118,8 @@ TEST(decision, imposed_sliding_starts_in_slip) {
   for (double sliding : {-2.0, 2.0}) {
     auto options = frictional(0.25);
     options.imposed = true;
-    options.imposed_sliding_mm = sliding;
     auto c = flat(options);
+    c.increment.imposed_slip = sliding;
     support::press(c, 100.0, 0.0);
     const auto face = support::interface_of(c, 0);
     EXPECT_EQ(count(face, ContactStatus::slip), 6);

@@ -129,7 +129,6 @@ TEST(linearisation, threshold) {
 TEST(linearisation, imposed_sliding) {
   auto options = frictional(0.2, {LawKind::archard, alpha, alpha});
   options.imposed = true;
-  options.imposed_sliding_mm = -0.5;
   over_states(options, 1, ContactStatus::slip, [](ContactCase& c) { c.increment.imposed_slip = -0.05; });
 }
 
@@ -218,7 +217,6 @@ TEST(linearisation, length_on_x) {
 TEST(linearisation, imposed_sliding_of_curved_facets) {
   auto options = frictional(0.2, {LawKind::archard, alpha, alpha});
   options.imposed = true;
-  options.imposed_sliding_mm = -0.5;
   over_curved_states(options, 1, ContactStatus::slip, [](ContactCase& c) { c.increment.imposed_slip = -0.05; });
 }
 

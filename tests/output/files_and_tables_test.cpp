@@ -45,13 +45,15 @@ TEST(Number, RoundTripsEveryDouble) {
   }
 }
 
-// history.csv has exactly the columns of the contract, then two per support.
+// history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid edges.
 TEST(History, HasTheColumnsOfTheContract) {
   using reye::base::Analysis;
-  EXPECT_EQ(history_header({"holder"}, Analysis::plane_stress),
+  EXPECT_EQ(history_header({{"pad"}, {{"holder", true}}}, Analysis::plane_stress),
             "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
-            "energy_mJ_per_mm,holder_force_x_N_per_mm,holder_force_y_N_per_mm\n");
-  EXPECT_EQ(history_header({"a", "b"}, Analysis::axisymmetric),
+            "energy_mJ_per_mm,pad_pressure_max_MPa,pad_depth_max_secondary_mm,pad_depth_max_primary_mm,pad_energy_mJ_per_mm,"
+            "pad_normal_force_N_per_mm,pad_tangential_force_N_per_mm,holder_force_x_N_per_mm,holder_force_y_N_per_mm,"
+            "holder_moment_N_mm_per_mm\n");
+  EXPECT_EQ(history_header({{}, {{"a"}, {"b"}}}, Analysis::axisymmetric),
             "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
             "energy_mJ,a_force_x_N,a_force_y_N,b_force_x_N,b_force_y_N\n");
 }
@@ -60,13 +62,18 @@ TEST(History, HasTheColumnsOfTheContract) {
 TEST(History, RowReadsBack) {
   auto record = sample::increment(7, 1000.0 / 3.0);
   record.step = "press, \"hard\"\nand long";
+  record.support_moments[1] = 2.0 / 3.0;
+  auto columns = sample::columns;
+  columns.supports[1].moment = true;
   const Table table =
-      parse_csv(history_header({"holder", "shaker"}, reye::base::Analysis::plane_strain) + history_row(record));
+      parse_csv(history_header(columns, reye::base::Analysis::plane_strain) + history_row(record));
   ASSERT_EQ(table.rows(), 1u);
   EXPECT_EQ(table.word(table.column("step")[0]), "press, \"hard\" and long");
   EXPECT_EQ(table.column("cycle")[0], record.cycle);
   EXPECT_EQ(table.column("pressure_max_MPa")[0], record.pressure_max_MPa);
   EXPECT_EQ(table.column("shaker_force_x_N_per_mm")[0], record.support_forces[1].x());
+  EXPECT_EQ(table.column("shaker_moment_N_mm_per_mm")[0], *record.support_moments[1]);
+  EXPECT_EQ(table.column("pad_tangential_force_N_per_mm")[0], record.contacts[0].tangential_force);
 }
 
 // A step whose name looks like a number is still a name.
@@ -74,7 +81,7 @@ TEST(History, StepMayBeCalledByANumber) {
   auto record = sample::increment(1, 0.0);
   record.step = "2";
   const Table table =
-      parse_csv(history_header({"holder", "shaker"}, reye::base::Analysis::plane_strain) + history_row(record));
+      parse_csv(history_header(sample::columns, reye::base::Analysis::plane_strain) + history_row(record));
   EXPECT_EQ(table.word(table.column("step")[0]), "2");
 }
 

@@ -100,11 +100,16 @@ inline sim::Frame frame(double cycle, int nx = 8) {
   return f;
 }
 
+/// The columns of those rows.
+inline const reye::output::HistoryColumns columns{{"pad"}, {{"holder"}, {"shaker"}}};
+
 inline sim::IncrementRecord increment(int k, double cycle) {
   const double t = k / 40.0, force = 12.0 * std::sin(2.0 * M_PI * t);
   return {.step = "wear, main", .cycle = cycle, .progress = t, .newton = 3, .pressure_max_MPa = 400.0 / 3.0,
           .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
-          .energy_mJ = 0.9 * cycle + t, .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}};
+          .energy_mJ = 0.9 * cycle + t, .contacts = {{.pressure_max_MPa = 400.0 / 3.0, .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
+                        .energy_mJ = 0.9 * cycle + t, .normal_force = 18.5, .tangential_force = force}},
+          .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}, .support_moments = {{}, {}}};
 }
 
 inline sim::RemeshRecord remesh(double cycle) {

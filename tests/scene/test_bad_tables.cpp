@@ -77,6 +77,25 @@ TEST(BadScene, Tables) {
       {"motion both",
        {{"force_N_per_mm = -18.5,", "force_N_per_mm = -18.5, motion_mm = 0.1,"}},
        "scene.toml:37: support.holder.y: takes only one of motion_mm, force_N_per_mm"},
+      {"parts of two kinds",
+       {{"{ force_N_per_mm = -18.5, history = \"press\" }", "[{ force_N_per_mm = -18.5 }, { motion_mm = 0.1, history = \"pres\" }]"}},
+       "scene.toml:37: support.holder.y[1].motion_mm = 0.1: does not go with the force_N_per_mm of the parts before it: a motion is "
+       "imposed, or a force leaves it to the equations\n"
+       R"(scene.toml:37: support.holder.y[1].history = "pres": there is no history "pres"; did you mean "press"?)"},
+      {"parts of a load beside its own value",
+       {{"[history] ", "[load.a]\nedge = \"top\"\npressure_MPa = 1\nparts = [{ pressure_MPa = 2 }, { force_N_per_mm = [1, 0] }]\n[history] "}},
+       "scene.toml:47: load.a.pressure_MPa = 1: stands in each of the parts\n"
+       "scene.toml:48: load.a.parts[1]: needs pressure_MPa, traction_MPa or both\n"
+       "scene.toml:48: load.a.parts[1].force_N_per_mm = [1, 0]: does not go with edge"},
+      {"springs",
+       {{"{ force_N_per_mm = -18.5, history = \"press\" }",
+         "[{ spring_N_per_mm2 = 5, force_N_per_mm = 1 }, { spring_N_per_mm2 = 6 }, { spring_N_per_mm = 7 }]"}},
+       "scene.toml:37: support.holder.y[1].spring_N_per_mm2 = 6: is the second spring of this motion; write one, with the sum of both\n"
+       "scene.toml:37: support.holder.y[2].spring_N_per_mm = 7: a plane scene takes spring_N_per_mm2"},
+      {"sliding without value",
+       {{"friction  = 0.9", "friction = 0.9\nimposed_sliding_mm = { history = \"strok\" }"}},
+       "scene.toml:30: contact.pad.imposed_sliding_mm.value: missing\n"
+       R"(scene.toml:30: contact.pad.imposed_sliding_mm.history = "strok": there is no history "strok"; did you mean "stroke"?)"},
       {"motion neither",
        {{"force_N_per_mm = -18.5, ", ""}},
        "scene.toml:37: support.holder.y: needs one of motion_mm, force_N_per_mm"},

@@ -283,7 +283,7 @@ TEST(BadScene, Values) {
        R"(scene.toml:22: boundary.round = "circle": must be a table)"},
       {"motion word",
        {{R"(x        = "fixed")", R"(x = "fix")"}},
-       R"(scene.toml:35: support.holder.x = "fix": must be "fixed" or "free", or a table of motion_mm, force_N_per_mm, force_N, history)"},
+       R"(scene.toml:35: support.holder.x = "fix": must be "fixed" or "free", or a table of motion_mm, force_N_per_mm, force_N, spring_N_per_mm2, spring_N_per_mm, history, or a list of such tables)"},
       {"syntax",
        {{"nu    = 0.3", "nu = = 0.3"}},
        "scene.toml:8: is not TOML: Error while parsing value: could not determine value type"},

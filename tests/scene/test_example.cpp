@@ -84,11 +84,11 @@ TEST(Example, Supports) {
   EXPECT_EQ(holder.x.drive, body::Drive::fixed);
   EXPECT_EQ(holder.rotation.drive, body::Drive::fixed);
   EXPECT_EQ(holder.y.drive, body::Drive::loaded);
-  EXPECT_EQ(holder.y.amplitude, -18.5);
-  EXPECT_EQ(holder.y.history, "press");
+  EXPECT_EQ(holder.y.parts.at(0).value, -18.5);
+  EXPECT_EQ(holder.y.parts.at(0).history, "press");
   EXPECT_EQ(shaker.x.drive, body::Drive::moved);
-  EXPECT_EQ(shaker.x.amplitude, 0.025);
-  EXPECT_EQ(shaker.x.history, "stroke");
+  EXPECT_EQ(shaker.x.parts.at(0).value, 0.025);
+  EXPECT_EQ(shaker.x.parts.at(0).history, "stroke");
 }
 
 /// Steps, histories, limits and output, with the defaults of the table where the example is silent.

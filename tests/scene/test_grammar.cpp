@@ -33,19 +33,49 @@ TEST(Grammar, Archard) {
   EXPECT_EQ(contact.wear.primary, 0.0);
   EXPECT_EQ(contact.friction, 0.0);
   EXPECT_TRUE(contact.imposed);
-  EXPECT_EQ(contact.imposed_sliding_mm, 1000.0);
+  EXPECT_EQ(contact.imposed_sliding.at(0).value, 1000.0);
   EXPECT_FALSE(contact.implicit_wear);
   EXPECT_EQ(contact.search_mm, 0.5);
   EXPECT_EQ(contact.c_normal, 2.0);
   EXPECT_EQ(contact.c_tangential, 3.0);
 }
 
+/// Imposed sliding is a number, or parts that may follow histories.
+TEST(Grammar, SlidingInParts) {
+  const auto pad = changed(law, "imposed_sliding_mm = [{ value = 30.0, history = \"stroke\" }, { value = -2.0 }]\n" + law).contacts.at(0);
+  EXPECT_TRUE(pad.imposed && !pad.out_of_plane);
+  ASSERT_EQ(pad.imposed_sliding.size(), 2U);
+  EXPECT_EQ(pad.imposed_sliding[0].value, 30.0);
+  EXPECT_EQ(pad.imposed_sliding[0].history, "stroke");
+  EXPECT_EQ(pad.imposed_sliding[1].value, -2.0);
+  EXPECT_TRUE(pad.imposed_sliding[1].history.empty());
+}
+
+/// A spring leaves a motion to the equations; a far end that moves is a force, its stiffness times the way.
+TEST(Grammar, Springs) {
+  const auto s = with("[support.mount]\nedge = \"left\"\nx = { spring_N_per_mm2 = 100.0 }\n"
+                      "y = [{ spring_N_per_mm2 = 50.0, motion_mm = 0.5, history = \"press\" }, { force_N_per_mm = 3.0 }]\n"
+                      "rotation = { spring_N_mm_per_mm = 7.0, moment_N_mm_per_mm = 2.0 }\n");
+  const auto& mount = s.supports.at(2);
+  EXPECT_TRUE(mount.rigid);
+  EXPECT_EQ(mount.x.drive, body::Drive::loaded);
+  EXPECT_EQ(mount.x.stiffness, 100.0);
+  EXPECT_TRUE(mount.x.parts.empty());
+  EXPECT_EQ(mount.y.stiffness, 50.0);
+  ASSERT_EQ(mount.y.parts.size(), 2U);
+  EXPECT_EQ(mount.y.parts[0].value, 25.0);
+  EXPECT_EQ(mount.y.parts[0].history, "press");
+  EXPECT_EQ(mount.y.parts[1].value, 3.0);
+  EXPECT_EQ(mount.rotation.stiffness, 7.0);
+  EXPECT_EQ(mount.rotation.parts.at(0).value, 2.0);
+}
+
 /// Sliding out of the plane is a length, or in axisymmetry an angle about the axis.
 TEST(Grammar, SlidingOutOfThePlane) {
   const auto length = changed(law, "imposed_out_of_plane_mm = 20.0\n" + law).contacts.at(0);
   EXPECT_TRUE(length.imposed && length.out_of_plane);
-  EXPECT_EQ(length.imposed_sliding_mm, 20.0);
-  EXPECT_EQ(length.imposed_turn_rad, 0.0);
+  EXPECT_EQ(length.imposed_sliding.at(0).value, 20.0);
+  EXPECT_TRUE(length.imposed_turn.empty());
   EXPECT_FALSE(changed(law, "imposed_sliding_mm = 20.0\n" + law).contacts.at(0).out_of_plane);
 }
 
@@ -110,12 +140,39 @@ TEST(Grammar, Supports) {
   EXPECT_EQ(pin.y.drive, body::Drive::free);
   EXPECT_TRUE(roller.edge_axes);
   EXPECT_EQ(roller.y.drive, body::Drive::moved);
-  EXPECT_EQ(roller.y.amplitude, 0.1);
-  EXPECT_TRUE(roller.y.history.empty());
+  EXPECT_EQ(roller.y.parts.at(0).value, 0.1);
+  EXPECT_TRUE(roller.y.parts.at(0).history.empty());
   EXPECT_EQ(wedge.angle_deg, 30.0);
   EXPECT_TRUE(crank.rigid);
   EXPECT_EQ(crank.rotation.drive, body::Drive::loaded);
-  EXPECT_EQ(crank.rotation.amplitude, 4.0);
+  EXPECT_EQ(crank.rotation.parts.at(0).value, 4.0);
+}
+
+/// A component may be a list of parts, each with its own value and history; a table alone is a list of one.
+TEST(Grammar, PartsOfASum) {
+  const auto s = with("[support.crank]\nedge = \"arm\"\nrotation = [{ motion_rad = 6.28, history = \"press\" }, { motion_rad = 0.1, history = \"stroke\" }]\n"
+                      "[load.both]\nedge = \"top\"\nparts = [{ pressure_MPa = 5.0, history = \"press\" }, { traction_MPa = [1, 2] }]\n"
+                      "[load.tip]\npoint_mm = [1.0, 2.0]\n"
+                      "[[load.tip.parts]]\nforce_N_per_mm = [3.0, 4.0]\n[[load.tip.parts]]\nforce_N_per_mm = [0.5, 0.0]\nhistory = \"stroke\"\n"
+                      "[load.weight]\nbody = \"flat\"\nparts = [{ force_N_per_mm3 = [0, -1] }, { force_N_per_mm3 = [2, 0], history = \"stroke\" }]\n");
+  const auto& turn = s.supports.at(2).rotation;
+  EXPECT_EQ(turn.drive, body::Drive::moved);
+  ASSERT_EQ(turn.parts.size(), 2U);
+  EXPECT_EQ(turn.parts[0].value, 6.28);
+  EXPECT_EQ(turn.parts[1].value, 0.1);
+  EXPECT_EQ(turn.parts[0].history, "press");
+  EXPECT_EQ(turn.parts[1].history, "stroke");
+  ASSERT_EQ(s.boundary_loads.size(), 2U);
+  EXPECT_EQ(s.boundary_loads[0].pressure_MPa, 5.0);
+  EXPECT_EQ(s.boundary_loads[0].history, "press");
+  EXPECT_EQ(s.boundary_loads[1].pressure_MPa, 0.0);
+  EXPECT_EQ(s.boundary_loads[1].traction_MPa, base::Vec2(1.0, 2.0));
+  ASSERT_EQ(s.point_loads.size(), 2U);
+  EXPECT_EQ(s.point_loads[1].force_N_per_mm, base::Vec2(0.5, 0.0));
+  EXPECT_EQ(s.point_loads[1].point_mm, base::Vec2(1.0, 2.0));
+  ASSERT_EQ(s.body_forces.size(), 2U);
+  EXPECT_EQ(s.body_forces[1].history, "stroke");
+  EXPECT_EQ(s.supports[0].y.parts.size(), 1U);
 }
 
 /// The keys of a load tell its kind.
@@ -191,7 +248,7 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.title, "ring");
   EXPECT_TRUE(s.geometry.axisymmetric);
   EXPECT_EQ(s.body_material.at("b").b_bar, false);
-  EXPECT_EQ(s.supports[0].y.amplitude, 5.0);
+  EXPECT_EQ(s.supports[0].y.parts.at(0).value, 5.0);
   EXPECT_EQ(s.point_loads[0].force_N_per_mm, base::Vec2(0.0, 1.0));
   EXPECT_EQ(*s.limits[0].area_mm2, 2.0);
   EXPECT_TRUE(s.limits[0].stop);
@@ -335,5 +392,5 @@ TEST(Grammar, Locking) {
 TEST(Grammar, Warnings) {
   const auto s = changed("press  = [[", "idle = [[0, 0], [1, 1]]\npress  = [[");
   EXPECT_EQ(s.warnings, (std::vector<std::string>{"scene.toml:46: history.idle: no step plays it; its factor stays 0",
-                                                  "scene.toml:46: history.idle: no support or load names it"}));
+                                                  "scene.toml:46: history.idle: no support, load or imposed sliding names it"}));
 }

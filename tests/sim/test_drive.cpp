@@ -61,7 +61,7 @@ TEST(Drive, FarTurnsAreDivided) {
   scene.histories["turn"] = {{0.0, 0.0}, {0.5, 1.0}, {1.0, 1.0}};
   scene.histories["press"] = {{0.0, 0.0}, {1.0, 1.0}};
   body::Support shaft;
-  shaft.rotation = {body::Drive::moved, 1.2, "turn"};
+  shaft.rotation = {body::Drive::moved, {{1.2, "turn"}}};
   scene.supports = {shaft};
   scene::Step step;
   step.increments = 2;

@@ -32,7 +32,6 @@ support::Assembly column(double k, double c0, double friction = 0.0) {
   o.friction = friction;
   o.wear = {wear::LawKind::archard, k, 0.0};
   o.imposed = true;
-  o.imposed_sliding_mm = stroke;
   o.c_normal = o.c_tangential = c0;
   support::touch(a, o, {0, "bottom"}, {1, "top"});
   return a;

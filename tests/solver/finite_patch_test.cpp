@@ -70,8 +70,8 @@ body::BodyInput input_of(const Patch& s) {
 
 body::BodyInput lower_input(const Patch& s) {
   auto in = input_of(s);
-  in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed, 0.0, ""}, s.degrees()),
-                 support::pin("pin", s.turned({0, -1}), {body::Drive::fixed, 0.0, ""}, s.degrees())};
+  in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed}, s.degrees()),
+                 support::pin("pin", s.turned({0, -1}), {body::Drive::fixed}, s.degrees())};
   in.boundary_loads.push_back(load(s, "bottom", {0, -1}));
   for (const auto& [from, to] : {std::pair{0.0, s.a}, {s.b, s.width}}) {
     if (to <= from) continue;

@@ -167,7 +167,7 @@ Assembly in_unit(double length) {
   a.inputs[1].material = support::elastic(2000.0 / (length * length), 0.25).material;
   a.modulus_MPa /= length * length;
   a.inputs[1].supports[0].rigid = true;
-  a.inputs[1].supports[0].rotation = {body::Drive::fixed, 0.0, ""};
+  a.inputs[1].supports[0].rotation = {body::Drive::fixed};
   return a;
 }
 

@@ -40,7 +40,7 @@ std::vector<fem::BoundaryLoad> sides(const Patch& s) { return {load(s, "right", 
 body::BodyInput lower_input(const Patch& s) {
   auto in = support::elastic(E, nu);
   const double G = E / (2.0 * (1.0 + nu));
-  in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed, 0.0, ""}, s.angle),
+  in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed}, s.angle),
                  support::pin("pin", support::turned(Vec2(0, -1), s.angle * std::numbers::pi / 180.0),
                               support::moved(-lateral * s.a - s.shear / G), s.angle)};
   in.boundary_loads = sides(s);

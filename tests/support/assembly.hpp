@@ -70,9 +70,9 @@ inline solver::Controls controls_of(const Assembly& a, const solver::System& sys
     for (const auto& column : columns) {
       const auto& m = motion_of(a.inputs[b], column);
       const int at = system.offset[b] + column.column;
-      if (m.drive == body::Drive::loaded) c.forces.emplace_back(at, factor * m.amplitude);
+      if (m.drive == body::Drive::loaded) c.forces.emplace_back(at, factor * total(m));
       if (m.drive == body::Drive::fixed) c.prescribed.emplace_back(at, 0.0);
-      if (m.drive == body::Drive::moved) c.prescribed.emplace_back(at, factor * m.amplitude);
+      if (m.drive == body::Drive::moved) c.prescribed.emplace_back(at, factor * total(m));
     }
     c.load_factors.push_back(factor * base::Vector::Ones(static_cast<int>(loads.size())));
   }
@@ -100,7 +100,7 @@ inline base::Vec2 traction(const contact::Setup& setup, const contact::ContactSt
 }
 
 /// A node-wise support of an edge that holds x or y, in axes turned by `angle_deg`.
-inline body::Support guide(const std::string& name, const std::string& edge, char axis, body::Motion motion = {body::Drive::fixed, 0.0, ""},
+inline body::Support guide(const std::string& name, const std::string& edge, char axis, body::Motion motion = {body::Drive::fixed},
                            double angle_deg = 0.0) {
   body::Support s;
   s.name = name;
@@ -111,7 +111,7 @@ inline body::Support guide(const std::string& name, const std::string& edge, cha
 }
 
 /// A support of the node nearest to a point that holds x.
-inline body::Support pin(const std::string& name, const base::Vec2& at, body::Motion motion = {body::Drive::fixed, 0.0, ""},
+inline body::Support pin(const std::string& name, const base::Vec2& at, body::Motion motion = {body::Drive::fixed},
                          double angle_deg = 0.0) {
   body::Support s = guide(name, "", 'x', motion, angle_deg);
   s.point_mm = at;

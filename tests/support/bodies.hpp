@@ -22,8 +22,14 @@ inline body::BodyInput elastic(double E_MPa, double nu, base::Analysis analysis 
   return made_of(material::LinearElastic{E_MPa, nu}, base::Kinematics::small, analysis);
 }
 
-inline body::Motion moved(double amplitude) { return {body::Drive::moved, amplitude, ""}; }
-inline body::Motion loaded(double amplitude) { return {body::Drive::loaded, amplitude, ""}; }
+/// What the parts of a motion add up to, each with all of its value.
+inline double total(const body::Motion& motion) {
+  double sum = 0.0;
+  for (const auto& part : motion.parts) sum += part.value;
+  return sum;
+}
+inline body::Motion moved(double amplitude) { return {body::Drive::moved, {{amplitude, ""}}}; }
+inline body::Motion loaded(double amplitude) { return {body::Drive::loaded, {{amplitude, ""}}}; }
 
 /// Both directions of every node of an edge held.
 inline body::Support fixed_edge(const std::string& name, const std::string& edge) {
@@ -59,10 +65,10 @@ inline LinearSolution solve_linear(const body::LinearBody& b, const body::BodyIn
   base::Vector force = base::Vector::Zero(b.dofs());
   for (const auto& c : b.support_columns()) {
     const body::Motion& m = motion_of(input, c);
-    if (m.drive == body::Drive::loaded) force[c.column] += m.amplitude;
+    if (m.drive == body::Drive::loaded) force[c.column] += total(m);
     if (m.drive != body::Drive::fixed && m.drive != body::Drive::moved) continue;
     imposed.push_back(c.column);
-    s.q[c.column] = m.drive == body::Drive::moved ? m.amplitude : 0.0;
+    s.q[c.column] = m.drive == body::Drive::moved ? total(m) : 0.0;
   }
   base::Vector rhs = force - b.residual(s.q, s.factors);
   for (int column : imposed) {
@@ -99,11 +105,11 @@ inline NonlinearSolution solve_nonlinear(const body::NonlinearBody& b, const bod
       double off = 0.0;  // prescribed motion still to be made
       for (const auto& c : b.support_columns()) {
         const body::Motion& m = motion_of(input, c);
-        if (m.drive == body::Drive::loaded) rhs[c.column] += factor * m.amplitude;
+        if (m.drive == body::Drive::loaded) rhs[c.column] += factor * total(m);
         if (m.drive != body::Drive::fixed && m.drive != body::Drive::moved) continue;
         lin.S.row(c.column).setZero();
         lin.S(c.column, c.column) = lin.force_scale + 1.0;
-        const double jump = (m.drive == body::Drive::moved ? factor * m.amplitude : 0.0) - s.q[c.column];
+        const double jump = (m.drive == body::Drive::moved ? factor * total(m) : 0.0) - s.q[c.column];
         rhs[c.column] = jump * lin.S(c.column, c.column);
         off = std::max(off, std::abs(jump));
       }
