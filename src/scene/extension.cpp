@@ -22,10 +22,11 @@ std::string cycles_key_of(const Node& root) {
   const auto* steps = root.find("step");
   if (!steps || steps->children.empty()) return {};
   const auto& last = steps->children.back();
-  const auto* name = last.find("name");
+  const auto* given = last.find("name");
+  const auto name = given ? given->text : "step " + std::to_string(steps->children.size());
   const auto* spectrum = root.find("spectrum");
   const auto* repeated = spectrum ? spectrum->find("steps") : nullptr;
-  if (repeated && std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return name && n.text == name->text; }))
+  if (repeated && std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return n.text == name; }))
     return {};
   return last.key + ".cycles";
 }
@@ -111,6 +112,8 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
     issue.rule += only_these;
     wrong.push_back(std::move(issue));
   }
+  if (wrong.empty() && fixed_part(before.root, was) != fixed_part(after.root, now.text))
+    wrong.push_back({"", "", std::string("tables stand in another order than in the run that is to go on") + only_these});
   if (wrong.empty() && was_fixed != now.fixed_sha256)
     wrong.push_back({"geometry", "", std::string("its files, or those of profiles, are not those of the run that is to go on") + only_these});
   if (wrong.empty() && now.accuracy > 0.0)
