@@ -63,6 +63,8 @@ std::vector<AxisPiece> axis_pieces(const Edge& edge, double width) {
     }
     before = edge.arc[i];
   }
+  const bool ring = edge.first() == edge.last() && side_of(edge.first().x(), width) != 0;
+  if (ring && sides.size() > 1) return axis_pieces(begun_at(edge, cuts[1]), width);  // no joint where the file begins it
   if (sides.empty()) sides.push_back(0);
   cuts.push_back(edge.length());
   std::vector<AxisPiece> pieces;

@@ -25,7 +25,7 @@ wear      = { law = "energy", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 
 inline void add_geometry(const Place& place) {
   const std::string text = blocks_geo;
   place.write("blocks.geo", text);
-  place.write("left.geo", changed(text, {{"{1, 0, 0, 2, 1}", "{-1, 0, 0, 2, 1}"}}));
+  place.write("left.geo", changed(text, {{"{1, 0, 0, 2, 1}", "{-3, 0, 0, 2, 1}"}}));
   place.write("twice.geo",
               "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {1, 0, 0, 2, 1};\nRectangle(2) = {1, 0, 0, 2, 1};\n"
               "Rectangle(3) = {0, -1, 0, 4, 1};\nPhysical Surface(\"base\") = {3};\n");

@@ -177,7 +177,7 @@ geometry)"},
         {R"("blocks.geo")", R"("left.geo")"},
         {R"(force_N_per_mm)", R"(force_N)"}},
        "",
-       R"(scene.toml:8: body.slider: reaches x = -1; in an axisymmetric scene x is the radius and nothing lies at x < 0)"},
+       R"(scene.toml:8: body.slider: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0)"},
       {"fine zone in the void",
        {{R"(wear )", R"(fine_zone = { centre_mm = [50.0, 50.0], half_width_mm = 0.1, depth_mm = 0.1, size_mm = 0.01 }
 wear )"}},

@@ -558,7 +558,7 @@ none = { body = "base", box_mm = [7, 7, 8, 8] }
        {{R"(geometry)", R"(analysis = "axisymmetric"
 geometry)"}, {R"(["blocks.geo"])", R"(["left.geo"])"}, {R"(force_N_per_mm)", R"(force_N)"}, {R"(at_mm = [4.0, -0.5])", R"(at_mm = [3.0, -0.5])"}},
        "", 2,
-       R"(scene.toml:9: body.base: reaches x = -1; in an axisymmetric scene x is the radius and nothing lies at x < 0)" "\n"},
+       R"(scene.toml:9: body.base: lies on both sides of the axis and is not mirror-symmetric about it: it reaches from x = -1 to 3, has 1 mm^2 at x < 0 and 3 mm^2 at x > 0, and its outline at [3, -1] lies 2 mm from the mirrored other half; draw it symmetric about x = 0, or its half x >= 0 alone)" "\n"},
   });
 }
 

@@ -86,6 +86,20 @@ TEST(half, solids_cut_through_their_axis) {
   EXPECT_NE(issues_of(options).find("; an axisymmetric scene takes what lies at x >= 0: give [2.5, 8]"), std::string::npos);
 }
 
+// A ball drawn as one circle must be cut into one arc, wherever its file begins the circle.
+TEST(half, a_ring_is_cut_into_one_arc) {
+  for (const char* seam : {"0", "1", "Pi/2", "Pi"}) {
+    const std::string begin(seam);
+    GeometryOptions options = of_script("disc.geo", "SetFactory(\"OpenCASCADE\");\nCircle(1) = {0, 0, 0, 2, " + begin + ", " + begin +
+                                                        " + 2*Pi};\nCurve Loop(1) = {1};\nPlane Surface(1) = {1};\nPhysical Surface(\"pin\") = {1};\n");
+    options.fine_zones.clear();
+    const Geometry geometry = build(options);
+    EXPECT_NEAR(geometry.facts[0].area_mm2, 2.0 * std::numbers::pi, 1e-9) << seam;
+    ASSERT_EQ(geometry.drawings[0].part.loops.size(), 1U) << seam;
+    EXPECT_EQ(geometry.drawings[0].part.loops[0].size(), 2U) << seam << ": an arc and the axis";
+  }
+}
+
 // A section that is not mirror-symmetric, or lies beside the axis, must be refused with the sizes that differ.
 TEST(half, a_section_that_is_none_is_refused_with_its_sizes) {
   EXPECT_EQ(said_of("Rectangle(1) = {-3, 0, 0, 7, 2};\nPhysical Surface(\"pin\") = {1};\n"),

@@ -122,17 +122,13 @@ TEST(refusals, nearest_edge_is_one) {
 
 // In an axisymmetric scene anything at negative radius must be refused, round-off must not.
 TEST(refusals, negative_radius) {
-  GeometryOptions options = blocks();
+  GeometryOptions options;
   options.axisymmetric = true;
-  EXPECT_EQ(issues_of(options),
-            "body.punch: reaches x = -1; in an axisymmetric scene x is the radius and nothing lies at x < 0\n"
-            "body.block: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0");
-  const std::string path =
-      temporary_file("axis.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-1e-10, 0, 0, 1, 1};\n");
-  options = GeometryOptions{};
-  options.files = {path};
+  options.files = {temporary_file("left.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-3, 0, 0, 2, 1};\n")};
+  options.bodies = {body_at("disc", -2, 0.5)};
+  EXPECT_EQ(issues_of(options), "body.disc: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0");
+  options.files = {temporary_file("axis.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-1e-10, 0, 0, 1, 1};\n")};
   options.bodies = {body_at("disc", 0.5, 0.5)};
-  options.axisymmetric = true;
   EXPECT_EQ(mesh::bounding_box(build(options).bodies[0].X)[0], 0.0);
 }
 

@@ -116,6 +116,23 @@ TEST(Sweep, Grid) {
   EXPECT_EQ(scene.steps[2].jump, 150.0);
 }
 
+/// One of several fine zones is varied by its index, a single one without.
+TEST(Sweep, FineZones) {
+  const test::Folder folder;
+  const std::string one = "{ centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }";
+  const auto size = [&](const std::string& zones, const std::string& variation, std::size_t zone) {
+    test::Folder::write("scene.toml", test::replaced(test::example, one, zones));
+    test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
+    const auto sweep = scene::sweep_of("scene.toml", {variation});
+    return scene::read_text(sweep.members.at(0).text, "member/scene.toml").geometry.fine_zones.at(zone).size_mm;
+  };
+  EXPECT_EQ(size(one, "contact.pad.fine_zone.size_mm=0.02", 0), 0.02);
+  EXPECT_EQ(size("[" + one + ", " + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 1), 0.03);
+  EXPECT_EQ(size("[" + one + ", " + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 0), 0.01);
+  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone.size_mm=0.03", 0), base::InputError) << "it needs its index";
+  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 0), base::InputError) << "there is one zone";
+}
+
 /// Everything wrong with the variations is told at once, each with its rule.
 TEST(Sweep, Refusals) {
   const std::string range =
