@@ -42,10 +42,10 @@ MeshError played(scene::Scene scene) {
   const Problem problem = prepare(scene, &cache);
   const auto as_it_came = [](const body::ShapePtr& shape) { return shape->drawing->part.mesh.has_value(); };
   if (std::all_of(problem.shapes.begin(), problem.shapes.end(), as_it_came))
-    return {RunStatus::failed, "the meshes came with their files as they are", {}, {}};
+    return {RunStatus::failed, "the meshes came with their files as they are", {}, {}, {}, 0.0};
   State state = initial_state(problem);
   const Summary summary = run(problem, state, {}, cache);
-  if (summary.status != RunStatus::done) return {summary.status, summary.reason, {}, {}};
+  if (summary.status != RunStatus::done) return {summary.status, summary.reason, {}, {}, {}, 0.0};
   return mesh_error(problem, state, cache, {});
 }
 

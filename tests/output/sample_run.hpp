@@ -91,7 +91,7 @@ inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame
 
 /// nx sets the fineness, so that two frames can differ in topology.
 inline sim::Frame frame(double cycle, int nx = 8) {
-  sim::Frame f{.cycle = cycle, .step = "wear", .bodies = {}, .surfaces = {}};
+  sim::Frame f{.cycle = cycle, .step = "wear", .bodies = {}, .surfaces = {}, .bonds = {}};
   f.bodies.push_back(body_frame("flat", block(nx, 2, -0.5), -0.01));
   f.bodies.push_back(body_frame("pad, upper", block(nx, 2, 0.0), -0.02));
   f.bodies.push_back(body_frame("bar", bar(), -0.03));

@@ -57,7 +57,7 @@ TEST(BodiesVtu, SecondOrder) {
   triangle.X = {{0, 0}, {1, 0}, {0, 1}};
   triangle.cells = {mesh::cell_of({0, 1, 2})};
   triangle.outline = {{0, 1, 2, 0}};
-  reye::sim::Frame frame{.cycle = 0.0, .step = "", .bodies = {}, .surfaces = {}};
+  reye::sim::Frame frame{.cycle = 0.0, .step = "", .bodies = {}, .surfaces = {}, .bonds = {}};
   frame.bodies.push_back(sample::body_frame("triangle", mesh::to_second_order(triangle), 0.0));
   frame.bodies.push_back(sample::body_frame("block", mesh::to_second_order(sample::block(2, 1, 0.0)), 0.0));
   const auto grid = read_bodies(frame);

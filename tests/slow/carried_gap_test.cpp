@@ -27,4 +27,4 @@ TEST_P(CarriedGapScenes, KeepPressureAndDepth) {
 INSTANTIATE_TEST_SUITE_P(Geo, CarriedGapScenes,
                          testing::Values(WornScene{"pin_worn_flat"}, WornScene{"block_on_ring"}, WornScene{"fretting_deep"},
                                          WornScene{"pin_in_hole"}, WornScene{"ball_worn_flat"}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& scene) { return std::string(scene.param.name); });

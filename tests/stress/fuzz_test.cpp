@@ -3,7 +3,7 @@
 using namespace reye;
 
 // A scene with damaged text must be checked or refused with a sentence, never end by a signal, hang or take all memory.
-TEST(Fuzz, Scenes) { test::expect_ends(test::damaged_scene, 0, 200, 20); }
+TEST(Fuzz, Scenes) { test::expect_ends(test::damaged_scene, 0, 250, 25); }
 
 // The same of damaged geometry files.
-TEST(Fuzz, GeometryFiles) { test::expect_ends(test::damaged_geometry, 0, 100, 20); }
+TEST(Fuzz, GeometryFiles) { test::expect_ends(test::damaged_geometry, 0, 50, 20); }
