@@ -29,6 +29,16 @@ struct NonlinearBody::Linearised::Kept {
 
 struct NonlinearBody::Impl : NonlinearEquations {
   using NonlinearEquations::NonlinearEquations;
+
+  /// What is out of balance at u, r = [r_i; r_c], as the factorised tangent condenses it.
+  void condense(Vector r, const Vector& u, Linearised& out) const {
+    Linearised::Kept& kept = *out.kept;
+    kept.r = std::move(r);
+    out.r = kept.condensation.condense(kept.r);
+    out.interior_residual = interior() > 0 ? kept.r.head(interior()).cwiseAbs().maxCoeff() : 0.0;
+    out.force_scale = kept.f.largest;
+    out.deformation = u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
+  }
 };
 
 NonlinearBody::NonlinearBody(ShapePtr shape, const BodyInput& input)
@@ -92,13 +102,16 @@ void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const Tw
   kept.KB = kept.K * kept.B;
   kept.reduced = kept.B.transpose() * kept.KB;
   impl_->add_turning(r, v, kept.reduced);
-  kept.r = kept.B.transpose() * r;
   impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric()); });
   out.S = kept.condensation.schur();
-  out.r = kept.condensation.condense(kept.r);
-  out.interior_residual = impl_->interior() > 0 ? kept.r.head(impl_->interior()).cwiseAbs().maxCoeff() : 0.0;
-  out.force_scale = kept.f.largest;
-  out.deformation = u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
+  impl_->condense(kept.B.transpose() * r, u, out);
+}
+
+void NonlinearBody::measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
+                            Linearised& at) const {
+  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
+  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, at.kept->f); });
+  impl_->condense(impl_->expansion(v).transpose() * impl_->unbalanced(at.kept->f, u, load_factors), u, at);
 }
 
 Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) const {

@@ -215,6 +215,8 @@ class NonlinearBody {
   };
   void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                  Linearised& out) const;
+  /// r at another state, condensed by the tangent that `at` has: what a chord needs. Costs no factorisation.
+  void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors, Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
   std::string least_balanced(const Linearised& at) const;

@@ -56,7 +56,7 @@ void serialize(Archive& archive, SolverState& s) {
 
 template <class Archive>
 void serialize(Archive& archive, Guess& s) {
-  archive(s.dq, s.lambda, s.status);
+  archive(s.dq, s.inside, s.lambda, s.status);
 }
 
 }  // namespace reye::solver

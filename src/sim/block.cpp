@@ -77,7 +77,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     }
   count_from_renewal(controls, problem, system, state);
   if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
-  if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to, system);
+  if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to);
   solver::SolveResult result;
   {
     Timer timer(cache, "solver");

@@ -164,10 +164,12 @@ void check_interior(const body::Interior& interior, const body::Operator& op, co
     require(finite(point.strain) && finite(point.accumulated) && point.accumulated >= 0.0, "body " + body + " has a plastic strain that is none");
 }
 
-void check_guess(const solver::Guess& guess, const solver::System& system) {
+void check_guess(const solver::Guess& guess, const solver::System& system, const std::vector<body::Interior>& interiors) {
   require(guess.dq.size() == system.dofs && finite(guess.dq) && guess.lambda.size() == system.contacts.size() &&
-              guess.status.size() == system.contacts.size(),
+              guess.status.size() == system.contacts.size() && guess.inside.size() == system.bodies.size(),
           "an increment led elsewhere than it can");
+  for (std::size_t b = 0; b < interiors.size(); ++b)
+    require(guess.inside[b].size() == interiors[b].y.size() && finite(guess.inside[b]), "an increment led elsewhere than it can");
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto nodes = static_cast<std::size_t>(system.contacts[c].secondary_count());
     require(guess.lambda[c].size() == nodes && finite(guess.lambda[c]) && guess.status[c].size() == nodes, "an increment led elsewhere than it can");
@@ -205,7 +207,7 @@ void check_state(const Problem& problem, const State& state, Cache& cache) {
   if (state.approached) check_solution(problem, state, system);
   for (const auto& [progress, guess] : state.recall.played) {
     require(counted(progress.first, 1.0) && counted(progress.second, 1.0), "an increment was played at no progress");
-    check_guess(guess, system);
+    check_guess(guess, system, state.solution.interiors);
   }
 }
 

@@ -13,9 +13,8 @@ struct Recall {
   std::map<std::pair<double, double>, solver::Guess> played;  ///< by progress, from and to
 };
 
-/// Of the increment of `step` between these progresses; null where it was not yet played on these meshes, and for nonlinear
-/// bodies, which Newton leads by their tangents.
-const solver::Guess* recalled(const Recall& recall, int step, double from, double to, const solver::System& system);
+/// Of the increment of `step` between these progresses; null where it was not yet played on these meshes.
+const solver::Guess* recalled(const Recall& recall, int step, double from, double to);
 
 void note(Recall& recall, int step, double from, double to, const solver::SolverState& before, const solver::SolverState& after);
 

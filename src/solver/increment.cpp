@@ -47,13 +47,13 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = guess ? guess->lambda[c] : along_sliding(before.contacts[c], controls.contacts[c].imposed_slip);
   take_columns(system, controls);
   suspects_ = {};
-  nonlinear_.begin(system, before, controls, reduction(), continues);
+  nonlinear_.begin(system, before, controls, reduction(), guess, continues);
   base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
   if (guess) q += reduction().restrict_to(guess->dq);
   if (continues > 0.0) q += continues * reduction().restrict_to(last_step_);
   // A nonlinear body is led to what is imposed by its tangent, not torn there.
   for (const auto& [column, value] : controls.prescribed)
-    if (!nonlinear_.own(column)) {
+    if (guess || !nonlinear_.own(column)) {
       q.high[reduction().index(column)] = value;
       q.low[reduction().index(column)] = 0.0;
     }
@@ -226,6 +226,15 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
 double Increment::way(const Vector& dq) const { return dq.size() ? dq.cwiseProduct(arm_).lpNorm<Eigen::Infinity>() : 0.0; }
 
 std::string Increment::renew(base::TwoPart& q) { return nonlinear_.renew(q, lambda_); }
+
+std::string Increment::linearise(const base::TwoPart& q) {
+  try {
+    nonlinear_.linearise(q, lambda_);
+    return {};
+  } catch (const base::SolveError& error) {
+    return error.what();
+  }
+}
 
 std::string Increment::not_found(const System& system, const std::vector<Iteration>& table, const NewtonOptions& options,
                                  bool circles) const {

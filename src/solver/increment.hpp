@@ -44,8 +44,10 @@ class Increment {
   /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
   /// takes lambda along. Throws base::SolveError when the matrix is singular.
   Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
-  /// Linearises nonlinear bodies anew where contact left them. Returns why it can not be done.
+  /// Takes nonlinear bodies to where contact left them, with the tangent they have. Returns why it can not be done.
   std::string renew(base::TwoPart& q);
+  /// Linearises them there. Returns why it can not be done.
+  std::string linearise(const base::TwoPart& q);
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
   bool accept(const System& system, const base::TwoPart& q, SolverState& state);
 

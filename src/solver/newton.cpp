@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
 #include "body/turning.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
 constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
 constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
+constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
@@ -72,13 +74,15 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     report.reason = error.what();
     return result;
   }
+  report.tangents = increment_.nonlinear() ? 1 : 0;
   /// Of the tolerances.
   const auto error_of = [&](const Iteration& row) {
     return std::max(row.force / options_.force_tolerance, row.condition / options_.condition_tolerance);
   };
   ActiveSetWatch watch;
-  ChordRule rule;
-  bool late = false, on_chord = false;
+  ChordRule rule, tangents;
+  bool late = false, on_chord = false, keeps_tangent = false, on_tangent_kept = false;
+  double least = std::numeric_limits<double>::infinity();  ///< force out of balance so far
   int renewals = 0, limit = most_on_one_tangent, last = options_.max_iterations, steps = 0;
   for (int iteration = 0, since = 0; iteration <= last; ++iteration, ++since) {
     const bool fresh = !increment_.nonlinear() || since == 0;  // what is measured is the truth, not a linear body's
@@ -107,9 +111,17 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       return result;
     }
     const double off = error_of(row);
+    if (fresh && increment_.nonlinear()) {
+      if (from == Start::predicted && row.force > worse * least) {
+        report.reason = "the start that was predicted leads away from balance";
+        return result;
+      }
+      least = std::min(least, row.force);
+      keeps_tangent = tangents.allows(row.force, 0) && options_.chords;
+    }
     bool chord = options_.chords && rule.allows(off, changes);
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
-    bool met = iteration > 0 && changes == 0 && off < (on_chord && chord ? 1e-2 : 1.0);
+    bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
     if (met && !late && increment_.decide(options_.max_iterations, from, one_by_one ? Allowed::one : Allowed::all) != 0) {
       met = chord = false;
@@ -145,6 +157,15 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       continue;
     }
     if (iteration == last || watch.stuck()) break;
+    if (since == 0 && renewals > 0) {
+      on_tangent_kept = keeps_tangent;
+      if (!keeps_tangent) {
+        ++report.tangents;
+        report.reason = increment_.linearise(q);
+        if (!report.reason.empty()) return result;
+        increment_.measure(system, controls, q, fresh);
+      }
+    }
     const bool narrowed = narrowing && !chord && increment_.narrow(system, controls, q);
     if (narrowed) {
       increment_.place(system, q);
@@ -185,19 +206,21 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   // on the way. There friction starts as it was, and gives way.
   if (rubs(system, before, controls)) starts.push_back(Start::sheared);
   SolveResult result;
-  int solves = 0, matrices = 0;
+  int solves = 0, matrices = 0, tangents = 0;
   for (const Start from : starts) {
     // The start before may have led the reach to where contact is not.
     if (from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
     SolveResult found = iterate(system, before, controls, from, options_.limit_reach);
     solves += found.report.solves;
     matrices += found.report.matrices;
+    tangents += found.report.tangents;
     const bool converged = found.report.converged;
     if (converged || from != Start::sheared) result = std::move(found);  // a start that may not fit gives no reason
     if (converged) break;
   }
   result.report.solves = solves;
   result.report.matrices = matrices;
+  result.report.tangents = tangents;
   if (result.report.converged) increment_.remember(before, result.state);
   return result;
 }

@@ -10,11 +10,12 @@ namespace {
 
 constexpr int most_halvings = 5;   ///< of a step that turns an element inside out
 constexpr int most_shortened = 3;  ///< of one that makes the imbalance grow
+constexpr double unbalanced = 0.1;  ///< of the forces: less than that is no sign of a step too long
 
 }  // namespace
 
 void NonlinearBodies::begin(const System& system, const SolverState& before, const Controls& controls,
-                            const Reduction& reduction, double share) {
+                            const Reduction& reduction, const Guess* guess, double share) {
   system_ = &system;
   before_ = &before;
   controls_ = &controls;
@@ -26,6 +27,7 @@ void NonlinearBodies::begin(const System& system, const SolverState& before, con
     if (!body(b)) continue;
     any_ = true;
     interior_[b] = before.interiors[b].y;
+    if (guess) interior_[b] += guess->inside[b];
     if (share > 0.0) interior_[b] += share * last_step_[b];
   }
 }
@@ -43,6 +45,14 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
   anchor_lambda_ = lambda;
 }
 
+void NonlinearBodies::measure(const base::TwoPart& q, const Multipliers& lambda) {
+  for (std::size_t b = 0; b < interior_.size(); ++b)
+    if (const auto* own = body(b))
+      own->measure(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b]);
+  anchor_ = q;
+  anchor_lambda_ = lambda;
+}
+
 std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
   Vector way = (q - anchor_).high;
   std::vector<Vector> inside(interior_.size());
@@ -55,9 +65,9 @@ std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
   const double imbalance = inside_imbalance();
   for (int halvings = 0;; ++halvings) {
     try {
-      linearise(q, lambda);
-      // Near the solution the imbalance falls: this guard is for steps that leave the reach of their tangent.
-      if (imbalance == 0.0 || halvings == most_shortened || inside_imbalance() < 2.0 * imbalance) return {};
+      measure(q, lambda);
+      // This guard is for steps that leave the reach of their tangent. A first step, from balance, leaves some imbalance behind.
+      if (halvings == most_shortened || inside_imbalance() < std::max(2.0 * imbalance, unbalanced * force_scale())) return {};
     } catch (const base::SolveError& error) {
       if (halvings == most_halvings) return error.what();
     }

@@ -14,8 +14,9 @@ using Multipliers = std::vector<std::vector<Vec2>>;
 /// increment that `begin` started; what it was given must live as long.
 class NonlinearBodies {
  public:
-  /// From the accepted state; `share` > 0 goes on from there by that share of the last increment.
-  void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction, double share);
+  /// From the accepted state; a guess says where that will lead, `share` > 0 goes on by that share of the last increment.
+  void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction,
+             const Guess* guess, double share);
 
   bool any() const { return any_; }
   /// Whether a global column belongs to one of them.
@@ -24,8 +25,8 @@ class NonlinearBodies {
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress can not be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda);
-  /// Takes the interiors to where q has gone since the anchor and linearises there; where that can not be done, or is far
-  /// worse balanced, half the way is tried, and so on. Returns why it can not be done at all.
+  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can not be
+  /// done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not be done at all.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
 
   /// S of a body; null when it is not nonlinear.
@@ -47,6 +48,7 @@ class NonlinearBodies {
   void forget() { last_step_.clear(); }
 
  private:
+  void measure(const base::TwoPart& q, const Multipliers& lambda);
   using Linearised = body::NonlinearBody::Linearised;
   const body::NonlinearBody* body(std::size_t b) const { return std::get_if<body::NonlinearBody>(&system_->bodies[b]); }
   template <class Columns>

@@ -12,7 +12,7 @@ struct NewtonOptions {
   double force_tolerance = 1e-10;      ///< of the largest force in the system
   double condition_tolerance = 1e-9;   ///< of the largest multiplier
   bool limit_reach = true;             ///< condense out contact nodes that are far from contact
-  bool chords = true;                  ///< keep a factorised matrix while the error falls fast; false: Newton's every time
+  bool chords = true;                  ///< keep a factorised matrix, and a body's tangent, while the error falls fast; false: Newton's every time
 };
 
 /// One row of a Newton table.
@@ -28,6 +28,7 @@ struct SolveReport {
   std::vector<Iteration> table;
   int solves = 0;    ///< steps taken
   int matrices = 0;  ///< built and factorised for them
+  int tangents = 0;  ///< linearisations of the nonlinear bodies
 };
 
 struct SolveResult {

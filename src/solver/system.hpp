@@ -47,6 +47,7 @@ struct SolverState {
 /// What an increment is expected to lead to: where Newton starts. It steers, it does not decide the result.
 struct Guess {
   Vector dq;
+  std::vector<Vector> inside;                               ///< change of Interior::y, per body; empty but for nonlinear ones
   std::vector<std::vector<Vec2>> lambda;                    ///< per contact
   std::vector<std::vector<contact::ContactStatus>> status;  ///< per contact
 };
@@ -64,7 +65,7 @@ struct Controls {
   std::vector<Spring> springs;
   std::vector<Vector> load_factors;                ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
-  const Guess* guess = nullptr;  ///< of systems of rigid and linear bodies
+  const Guess* guess = nullptr;
   double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
 };
 

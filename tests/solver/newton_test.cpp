@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "material/parameters.hpp"
 #include "solver/blocks.hpp"
 
 namespace {
@@ -133,6 +134,27 @@ TEST(newton, chords_change_nothing_but_the_cost) {
     difference = std::max(difference, (chords.state.contacts[0].lambda[j] - steps.state.contacts[0].lambda[j]).norm());
   }
   EXPECT_LT(difference, 1e-9 * largest);
+}
+
+// So must tangents that nonlinear bodies keep, with fewer of them.
+TEST(newton, kept_tangents_change_nothing_but_the_cost) {
+  auto a = support::blocks({.friction = 0.3, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.03, .drag = 0.1, .angle = 0.4});
+  for (auto& input : a.inputs) {
+    input.kinematics = base::Kinematics::finite;
+    input.material = material::NeoHookean{1000.0, 0.3, material::Volumetric::log_squared};
+  }
+  const auto system = support::system_of(a);
+  const auto controls = support::controls_of(a, system);
+  const auto steps = solver::Newton(no_chords).solve(system, support::fresh(system), controls);
+  const auto kept = solver::Newton().solve(system, support::fresh(system), controls);
+  ASSERT_TRUE(steps.report.converged && kept.report.converged) << kept.report.reason;
+  EXPECT_EQ(steps.report.tangents + 1, static_cast<int>(steps.report.table.size())) << text(steps.report.table);
+  EXPECT_LT(kept.report.tangents, steps.report.tangents) << text(kept.report.table);
+  EXPECT_LT((kept.state.q - steps.state.q).norm(), 1e-10 * steps.state.q.norm());
+  for (std::size_t b = 0; b < steps.state.interiors.size(); ++b) {
+    const auto &y = kept.state.interiors[b].y.high, &exact = steps.state.interiors[b].y.high;
+    EXPECT_LT((y - exact).norm(), 1e-10 * exact.norm());
+  }
 }
 
 // A solve that runs out of iterations must be a result that says so, and keeps its table.

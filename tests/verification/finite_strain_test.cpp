@@ -208,7 +208,7 @@ TEST(FiniteStrain, RubberPinLedger) {
 TEST(FiniteStrain, PressedRing) {
   const auto run = played(scene_text("pressed_ring_plastic"));
   EXPECT_LE(run.summary.counts.cutbacks, 2);
-  for (const auto& r : run.records) EXPECT_LE(r.newton, 45) << "progress " << r.progress;  // chords count, too
+  for (const auto& r : run.records) EXPECT_LE(r.newton, 50) << "progress " << r.progress;  // steps on kept matrices and tangents count, too
   const auto& s = run.surface(sim::Side::secondary);
   const auto peak = std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end()) - s.pressure_MPa.begin();
   EXPECT_GT(s.x_mm[peak], 1.0);

@@ -153,6 +153,19 @@ TEST(Skips, CyclesAreRecalled) {
   EXPECT_LT(usual.state.counts.newton_iterations, 9 * forgetful.state.counts.newton_iterations / 10);
 }
 
+// The same of bodies that yield, once they have shaken down.
+TEST(Skips, CyclesOfPlasticBodiesAreRecalled) {
+  const std::string text = scene_text("plastic_fretting", {{"size_mm = 0.012", "size_mm = 0.04"},
+                                                           {"increments = 40", "increments = 12"},
+                                                           {"cycles = 400", "cycles = 100"}});
+  Player usual(text), forgetful(text);
+  forgetful.between = [&] { forgetful.state.recall = {}; };
+  usual.play();
+  forgetful.play();
+  expect_same(usual.state, forgetful.state, "plastic fretting");
+  EXPECT_LT(usual.state.counts.newton_iterations, 9 * forgetful.state.counts.newton_iterations / 10);
+}
+
 // Operators, their factorisations and all other derived data that are kept from block to block, and none of it.
 TEST(Skips, CacheIsKept) {
   for (const auto& [name, text] : scenes)
