@@ -17,7 +17,8 @@ namespace {
 constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
 constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
 constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
-constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit
+constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit,
+constexpr double far_out = 0.01;         ///< where that is more of the forces than this
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
@@ -112,14 +113,16 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     }
     const double off = error_of(row);
     if (fresh && increment_.nonlinear()) {
-      if (from == Start::predicted && row.force > worse * least) {
+      if (from == Start::predicted && row.force > std::max(worse * least, far_out)) {
         report.reason = "the start that was predicted leads away from balance";
         return result;
       }
       least = std::min(least, row.force);
       keeps_tangent = tangents.allows(row.force, 0) && options_.chords;
     }
+    const bool renewed = since == 0 && renewals > 0;
     bool chord = options_.chords && rule.allows(off, changes);
+    if (renewed && keeps_tangent && changes == 0) chord = true;  // contact's matrix goes with the tangent
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
     bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
@@ -157,7 +160,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       continue;
     }
     if (iteration == last || watch.stuck()) break;
-    if (since == 0 && renewals > 0) {
+    if (renewed) {
       on_tangent_kept = keeps_tangent;
       if (!keeps_tangent) {
         ++report.tangents;
