@@ -4,15 +4,19 @@
 #include "algebra/factor.hpp"
 #include "algebra/unsymmetric.hpp"
 #include "base/errors.hpp"
+#include "body/operator.hpp"
 
 namespace reye::body {
 
-/// The Schur complement of a tangent: by Cholesky while it is symmetric and definite, else by LU at three times the
-/// cost.
+/// The Schur complement of a tangent: by Cholesky while it is symmetric, or its symmetric part is asked for, and definite,
+/// else by LU at three times the cost.
 class Condensation {
  public:
-  void factorise(const base::SparseMatrix& K, int retained, bool symmetric) {
-    definite_ = symmetric && try_cholesky(K, retained);
+  void factorise(const base::SparseMatrix& K, int retained, bool symmetric, Tangent tangent) {
+    if (symmetric)
+      definite_ = try_cholesky(K, retained);
+    else
+      definite_ = tangent == Tangent::symmetric_part && try_cholesky(0.5 * (K + base::SparseMatrix(K.transpose())), retained);
     if (definite_) return;
     if (lu_)
       lu_->refactor(K);

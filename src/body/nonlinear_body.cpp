@@ -85,7 +85,7 @@ Interior NonlinearBody::start() const {
 }
 
 void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
-                              Linearised& out) const {
+                              Linearised& out, Tangent tangent) const {
   if (!out.kept || out.kept->owner != impl_) {
     out.kept = std::make_shared<Linearised::Kept>();
     out.kept->owner = impl_;
@@ -102,7 +102,7 @@ void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const Tw
   kept.KB = kept.K * kept.B;
   kept.reduced = kept.B.transpose() * kept.KB;
   impl_->add_turning(r, v, kept.reduced);
-  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric()); });
+  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric(), tangent); });
   out.S = kept.condensation.schur();
   impl_->condense(kept.B.transpose() * r, u, out);
 }

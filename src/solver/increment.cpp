@@ -38,7 +38,8 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (contacts_.choose(system, before, everything, limited)) window_.forget();
 }
 
-base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from) {
+base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
+                               body::Tangent tangent) {
   const bool predicted = from == contact::Start::predicted;
   const Guess* guess = predicted ? controls.guess : nullptr;
   const double continues = predicted && !guess ? controls.continues : 0.0;
@@ -57,7 +58,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
       q.high[reduction().index(column)] = value;
       q.low[reduction().index(column)] = 0.0;
     }
-  nonlinear_.linearise(q, lambda_);
+  nonlinear_.linearise(q, lambda_, tangent);
   return q;
 }
 
@@ -227,9 +228,9 @@ double Increment::way(const Vector& dq) const { return dq.size() ? dq.cwiseProdu
 
 std::string Increment::renew(base::TwoPart& q) { return nonlinear_.renew(q, lambda_); }
 
-std::string Increment::linearise(const base::TwoPart& q) {
+std::string Increment::linearise(const base::TwoPart& q, body::Tangent tangent) {
   try {
-    nonlinear_.linearise(q, lambda_);
+    nonlinear_.linearise(q, lambda_, tangent);
     return {};
   } catch (const base::SolveError& error) {
     return error.what();

@@ -25,7 +25,8 @@ class Increment {
 
   /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q; throws
   /// base::SolveError when a nonlinear body can not be linearised there.
-  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from);
+  base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
+                      body::Tangent tangent);
 
   /// Moves the surfaces to where q puts them, and integrates.
   void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }
@@ -47,7 +48,7 @@ class Increment {
   /// Takes nonlinear bodies to where contact left them, with the tangent they have. Returns why it can not be done.
   std::string renew(base::TwoPart& q);
   /// Linearises them there. Returns why it can not be done.
-  std::string linearise(const base::TwoPart& q);
+  std::string linearise(const base::TwoPart& q, body::Tangent tangent);
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
   bool accept(const System& system, const base::TwoPart& q, SolverState& state);
 

@@ -10,6 +10,8 @@
 
 namespace reye::solver {
 
+using body::Tangent;
+
 using contact::Start;
 
 namespace {
@@ -20,6 +22,7 @@ constexpr int marching = 10;             ///< iterations in a row with so few ch
 constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit,
 constexpr double far_out = 0.01;         ///< where that is more of the forces than this
 constexpr int settling = 5;              ///< iterations that follow the last change
+constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
 
 /// The mean length of a facet of a contact's surfaces.
@@ -70,7 +73,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   auto& report = result.report;
   base::TwoPart q;
   try {
-    q = increment_.begin(system, before, controls, from);
+    q = increment_.begin(system, before, controls, from, options_.chords ? Tangent::symmetric_part : Tangent::exact);
   } catch (const base::SolveError& error) {
     report.reason = error.what();
     return result;
@@ -164,7 +167,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       on_tangent_kept = keeps_tangent;
       if (!keeps_tangent) {
         ++report.tangents;
-        report.reason = increment_.linearise(q);
+        const bool exact = !options_.chords || report.tangents > symmetric_ones;
+        report.reason = increment_.linearise(q, exact ? Tangent::exact : Tangent::symmetric_part);
         if (!report.reason.empty()) return result;
         increment_.measure(system, controls, q, fresh);
       }

@@ -37,10 +37,10 @@ bool NonlinearBodies::own(int column) const {
   return body(static_cast<std::size_t>(next - system_->offset.begin()) - 1) != nullptr;
 }
 
-void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambda) {
+void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
   for (std::size_t b = 0; b < interior_.size(); ++b)
     if (const auto* own = body(b))
-      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b]);
+      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b], tangent);
   anchor_ = q;
   anchor_lambda_ = lambda;
 }

@@ -24,7 +24,7 @@ class NonlinearBodies {
 
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress can not be found.
-  void linearise(const base::TwoPart& q, const Multipliers& lambda);
+  void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
   /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can not be
   /// done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not be done at all.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
