@@ -47,6 +47,7 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   status_ = before.status;
   sign_.assign(setup.secondary.X.size(), 0.0);
   unmoved_.assign(setup.secondary.X.size(), 0);
+  left_.assign(setup.secondary.X.size(), 0);
   mobility_ = {};
   condition_.assign(setup.secondary.X.size(), {});
   begin_wear();
@@ -75,8 +76,30 @@ void Interface::integrate(const Points& xs, const Points& xm) {
 
 void Interface::integrate_here() {
   placement_.cut = setup_->cut;
+  left_.assign(setup_->secondary.X.size(), 0);
   records_ = &integrator_.values(placement_);
   differentiated_.assign(records_->size(), 0);
+  sum_rows();
+  if (leave_out_slivers()) sum_rows();
+  sum_start_of_increment();
+}
+
+double Interface::covered(int facet) const {
+  const int r = record_of_[setup_->secondary.facets[facet][0]][1];
+  if (r < 0 || (*records_)[r].facet != facet) return 0.0;
+  const auto& on_X = (*records_)[r].value.on_X;
+  return on_X[0] + on_X[1] + on_X[2];
+}
+
+void Interface::leave(const std::vector<int>& nodes, const std::vector<int>& facets) {
+  std::erase_if(*records_, [&](const FacetRecord& r) { return std::find(facets.begin(), facets.end(), r.facet) != facets.end(); });
+  for (int node : nodes) placement_.cut[node] = left_[node] = 1;
+  for (auto& record : *records_)
+    for (int node : setup_->secondary.facets[record.facet])
+      if (node >= 0 && left_[node]) {
+        integrator_.renew(placement_, record);
+        break;
+      }
   sum_rows();
   if (leave_out_slivers()) sum_rows();
   sum_start_of_increment();
@@ -154,11 +177,10 @@ void Interface::sum_start_of_increment() {
     for (int i = 0; i < 3; ++i)
       if (st.nodes[i] >= 0) x[i] = {placement_.xs[st.nodes[i]].x(), placement_.xs[st.nodes[i]].y()};
     normal_[j] = plain(mortar::nodal_normal(st, x));
-    worn_before_[j] = rows_[j].D * before_->pending_secondary[j] / setup_->secondary.area[j];
-    worn_before_[j] *= thickness(options_.thickness_secondary, j);
+    worn_before_[j] = rows_[j].D * secondary_start_[j];
     for (const auto& [l, M] : rows_[j].M) worn_before_[j] += M * primary_start_[l];
     for (const auto& [k, share] : rows_[j].off)
-      if (setup_->between(k)) worn_before_[j] += share * secondary_start_[k];
+      if (goes_with_neighbours(k)) worn_before_[j] += share * secondary_start_[k];
   }
 }
 
@@ -225,7 +247,8 @@ NodeConstants Interface::constants(int node) const {
   if (!options_.wear) c.law.kind = wear::LawKind::none;
   // The energy of control points that wear with the node stands at them: the node's density counts for all of its length.
   const double worn = worn_length_[node], own = worn / setup_->secondary.area[node];
-  c.start = {options_.jump, options_.duration_s, own * before_->energy_secondary[node], worn};
+  const double spent = before_->energy_secondary[node] + elsewhere(options_.energy_elsewhere, static_cast<std::size_t>(node));
+  c.start = {options_.jump, options_.duration_s, own * spent, worn};
   if (o.implicit_wear)
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
                        thickness(options_.thickness_secondary, node);
