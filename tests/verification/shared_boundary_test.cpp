@@ -45,6 +45,8 @@ double area_lost(const Played& run, int body) {
   return mesh::area(run.problem.shapes[body]->mesh) - mesh::area(run.state.shapes[body]->mesh);
 }
 
+const char* name_of(sim::Side side) { return side == sim::Side::secondary ? "secondary" : "primary"; }
+
 /// The figures of both contacts, each by itself and in sum; `side` of them is the flat.
 void expect_two_tracks(const Played& run, sim::Side side, double tolerance) {
   const auto& all = run.summary.contacts;
@@ -95,6 +97,15 @@ TEST(SharedBoundary, AcrossRemeshes) {
   }
 }
 
+/// A limit of depth must watch what all have worn, whichever contact it names.
+TEST(SharedBoundary, ALimitWatchesTheSum) {
+  const double half = 0.5 * cycles * 2.0 * (first_rate + second_rate);
+  const Replacements limit{{"[history]", "[limit.deep]\ncontact = \"second\"\ndepth_mm = " + std::to_string(half) + "\n\n[history]"}};
+  const auto run = played(scene_text("two_pins", shorter + limit));
+  ASSERT_TRUE(run.summary.life_cycles.at("deep").has_value());
+  EXPECT_NEAR(*run.summary.life_cycles.at("deep"), 0.5 * cycles, 0.6);
+}
+
 /// What one pin has left in the gap the other must find gone: with all wear waiting there a pin sinks as far as into a worn shape.
 TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
   const Replacements deep{{"mm3_per_J = 1e-3", "mm3_per_J = 2e-2"}, {"mm3_per_J = 3e-3", "mm3_per_J = 6e-2"},
@@ -110,8 +121,9 @@ TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
     const auto waiting = played(scene_text("two_pins", shorter + roles + deep + halfway + in_gap));
     const double worn = shaped.contact().secondary.max_depth_mm + shaped.contact().primary.max_depth_mm;
     EXPECT_GT(worn, 4e-3);
-    EXPECT_NEAR(waiting.summary.probes.at("head").y(), shaped.summary.probes.at("head").y(), 0.05 * worn);
-    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.02 * worn);
+    EXPECT_NEAR(waiting.summary.probes.at("head").y(), shaped.summary.probes.at("head").y(), 0.05 * worn)
+        << name_of(side);
+    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.02 * worn) << name_of(side);
   }
 }
 
