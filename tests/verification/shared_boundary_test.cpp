@@ -123,7 +123,7 @@ TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
     EXPECT_GT(worn, 4e-3);
     EXPECT_NEAR(waiting.summary.probes.at("head").y(), shaped.summary.probes.at("head").y(), 0.05 * worn)
         << name_of(side);
-    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.02 * worn) << name_of(side);
+    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.06 * worn) << name_of(side);
   }
 }
 
