@@ -118,6 +118,15 @@ void tell_contact(const sim::ContactSummary& c, bool ring) {
   spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
 }
 
+void tell_bond(const sim::BondSummary& b) {
+  const auto told = [](const char* what, const sim::TractionPeak& p) {
+    if (p.MPa == 0.0) return fmt::format("no {}", what);
+    return fmt::format("largest {} {:.4g} MPa at ({:.4g}, {:.4g}) mm, cycle {:.6g}{}", what, p.MPa, p.at_mm.x(), p.at_mm.y(), p.cycle,
+                       p.at_end ? ", at the end of the bond, where it grows as elements get shorter" : "");
+  };
+  spdlog::info("bond {}: {}; {}", b.name, told("tension", b.most.tension), told("shear", b.most.shear));
+}
+
 std::string told_life(const sim::Summary& s, const std::string& name, const std::optional<double>& cycles) {
   if (!cycles) return fmt::format("not reached in {:.6g} cycles: {:.3g} % of it", s.cycles, 100.0 * s.limit_share.at(name));
   const auto error = s.life_error.find(name);
@@ -129,6 +138,7 @@ void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::st
   spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
+  for (const auto& b : s.bonds) tell_bond(b);
   for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
   for (const auto& [name, band] : s.life_band)
     if (band.shortest_cycles)

@@ -47,6 +47,7 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   status_ = before.status;
   sign_.assign(setup.secondary.X.size(), 0.0);
   unmoved_.assign(setup.secondary.X.size(), 0);
+  left_.assign(setup.secondary.X.size(), 0);
   mobility_ = {};
   condition_.assign(setup.secondary.X.size(), {});
   begin_wear();
@@ -75,25 +76,12 @@ void Interface::integrate(const Points& xs, const Points& xm) {
 
 void Interface::integrate_here() {
   placement_.cut = setup_->cut;
+  left_.assign(setup_->secondary.X.size(), 0);
   records_ = &integrator_.values(placement_);
   differentiated_.assign(records_->size(), 0);
   sum_rows();
   if (leave_out_slivers()) sum_rows();
   sum_start_of_increment();
-}
-
-/// A node of which hardly anything is covered carries no multiplier; its share goes to the other node of the
-/// facet, or forces would be lost there: the dual functions of the others alone do not add up to one.
-bool Interface::leave_out_slivers() {
-  bool found = false;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const int node = static_cast<int>(j);
-    if (placement_.cut[j] || record_of_[node] == std::array{-1, -1} || touching(node)) continue;
-    placement_.cut[j] = found = true;
-    for (int r : record_of_[node])
-      if (r >= 0) integrator_.renew(placement_, (*records_)[r]);
-  }
-  return found;
 }
 
 void Interface::sum_rows() {
@@ -154,11 +142,10 @@ void Interface::sum_start_of_increment() {
     for (int i = 0; i < 3; ++i)
       if (st.nodes[i] >= 0) x[i] = {placement_.xs[st.nodes[i]].x(), placement_.xs[st.nodes[i]].y()};
     normal_[j] = plain(mortar::nodal_normal(st, x));
-    worn_before_[j] = rows_[j].D * before_->pending_secondary[j] / setup_->secondary.area[j];
-    worn_before_[j] *= thickness(options_.thickness_secondary, j);
+    worn_before_[j] = rows_[j].D * secondary_start_[j];
     for (const auto& [l, M] : rows_[j].M) worn_before_[j] += M * primary_start_[l];
     for (const auto& [k, share] : rows_[j].off)
-      if (setup_->between(k)) worn_before_[j] += share * secondary_start_[k];
+      if (goes_with_neighbours(k)) worn_before_[j] += share * secondary_start_[k];
   }
 }
 
@@ -225,7 +212,8 @@ NodeConstants Interface::constants(int node) const {
   if (!options_.wear) c.law.kind = wear::LawKind::none;
   // The energy of control points that wear with the node stands at them: the node's density counts for all of its length.
   const double worn = worn_length_[node], own = worn / setup_->secondary.area[node];
-  c.start = {options_.jump, options_.duration_s, own * before_->energy_secondary[node], worn};
+  const double spent = before_->energy_secondary[node] + elsewhere(options_.energy_elsewhere, static_cast<std::size_t>(node));
+  c.start = {options_.jump, options_.duration_s, own * spent, worn};
   if (o.implicit_wear)
     c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
                        thickness(options_.thickness_secondary, node);

@@ -31,6 +31,9 @@ struct IncrementOptions {
   /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);
   /// empty: one everywhere. It scales depth in the gap, never volume.
   std::vector<double> thickness_secondary, thickness_primary;
+  /// Per node, of a boundary on which other contacts wear, too: volume that they have booked and that waits in the gap, and
+  /// frictional work that they have done there; empty: none. It opens this gap, and counts to the threshold; it stays theirs.
+  std::vector<double> waiting_secondary, waiting_primary, energy_elsewhere;
 };
 
 /// What Newton starts an increment from. sticking: what was active stays so and sticks. sheared: it keeps the shear it
@@ -46,6 +49,9 @@ struct Mobility {
 
 /// The thickness factor of a node.
 inline double thickness(const std::vector<double>& factors, int node) { return factors.empty() ? 1.0 : factors[node]; }
+
+/// What other contacts have left at a node.
+inline double elsewhere(const std::vector<double>& values, std::size_t node) { return values.empty() ? 0.0 : values[node]; }
 
 /// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
 struct Entry {
@@ -82,6 +88,10 @@ class Interface {
 
   /// Mortar integrals at the current positions.
   void integrate(const Points& xs, const Points& xm);
+
+  /// Leaves nodes of the secondary to another contact that meets them, as slivers are left: the nodes beside them carry
+  /// their share. What covers `facets` is left out.
+  void leave(const std::vector<int>& nodes, const std::vector<int>& facets);
 
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
   /// In iteration 0 the start decides.
@@ -123,7 +133,9 @@ class Interface {
     if (setup_->options.bonded) return unmoved_[node];
     return options_.held || status_[node] == ContactStatus::slip || unmoved_[node];
   }
-  bool touching(int node) const { return rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
+  bool touching(int node) const { return !left_[node] && rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
+  /// Length on X of a facet of the secondary that is covered.
+  double covered(int facet) const;
 
   static constexpr double minimum_cover = 1e-3;
 
@@ -149,6 +161,8 @@ class Interface {
   std::optional<double> support_slip(int node) const;
   double sliding_sign() const;
   double shear_before(int node) const;
+  /// A node without multiplier whose share slides and wears with the nodes beside it.
+  bool goes_with_neighbours(int node) const { return setup_->between(node) || left_[node]; }
   void sum_rows();
   bool leave_out_slivers();
   void sum_start_of_increment();
@@ -186,6 +200,7 @@ class Interface {
   /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.
   std::vector<std::array<int, 2>> record_of_;
   std::vector<char> differentiated_;
+  std::vector<char> left_;  ///< per node: another contact's in this iteration
   std::vector<MortarRow> rows_;
   std::vector<std::vector<std::pair<int, double>>> cover_;
   std::vector<double> gap_, worn_before_, sign_, sign_last_;

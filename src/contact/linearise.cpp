@@ -93,7 +93,7 @@ void Interface::chain(int node, const Eleven& quantity, Add add) const {
     for (std::size_t i = 0; i < record.dofs.size(); ++i)
       add(record.dofs[i], d[Direction::gap_] * g[i] + d[cover_D] * D[i]);
     for (int k = 0; k < record.count; ++k) {
-      if (d[off_] == 0.0 || k == e || !setup_->between(setup_->secondary.facets[record.facet][k])) continue;
+      if (d[off_] == 0.0 || k == e || !goes_with_neighbours(setup_->secondary.facets[record.facet][k])) continue;
       const double* off = record.row(record.off(e, k));
       for (std::size_t i = 0; i < record.dofs.size(); ++i) add(record.dofs[i], d[off_] * off[i]);
     }
@@ -177,7 +177,7 @@ void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) co
   for_records(node, [&](const FacetRecord& record, int e) {
     for (int k = 0; k < record.count; ++k) {
       const int other = setup_->secondary.facets[record.facet][k];
-      if (k == e || !setup_->between(other) || secondary_depth_[other] == 0.0) continue;
+      if (k == e || !goes_with_neighbours(other) || secondary_depth_[other] == 0.0) continue;
       const double* doff = record.row(record.off(e, k));
       for (std::size_t i = 0; i < record.dofs.size(); ++i)
         out.push_back({2 * node, record.dofs[i], slope * secondary_depth_[other] * doff[i]});

@@ -40,6 +40,8 @@ struct ContactState {
   std::vector<double> pending_primary;
   std::vector<double> removed_secondary;  ///< removed volume per node since the start
   std::vector<double> removed_primary;
+  /// Volume that other contacts have taken off the shape at the node since the start; empty: no other wears this boundary.
+  std::vector<double> others_secondary, others_primary;
   std::vector<double> slip;               ///< path of slip per secondary node since the start [mm]
   std::vector<double> energy_secondary;   ///< frictional work per secondary node since the start [mJ per mm]
   double friction = 0.0;                  ///< mu of the last accepted increment

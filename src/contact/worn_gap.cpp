@@ -6,14 +6,17 @@ namespace reye::contact {
 /// Depths at the start, in the gap's own measure, and which control points wear with a node.
 void Interface::begin_wear() {
   const auto& s = setup_->secondary;
-  const auto depths = [](const std::vector<double>& volume, const mortar::Surface& on, const std::vector<double>& factors) {
+  const auto depths = [](const std::vector<double>& volume, const std::vector<double>& of_others, const mortar::Surface& on,
+                         const std::vector<double>& factors) {
     std::vector<double> depth(volume.size());
     for (std::size_t k = 0; k < depth.size(); ++k)
-      depth[k] = volume[k] / on.area[k] * thickness(factors, static_cast<int>(k));
+      depth[k] = (volume[k] + elsewhere(of_others, k)) / on.area[k] * thickness(factors, static_cast<int>(k));
     return depth;
   };
-  primary_depth_ = primary_start_ = depths(before_->pending_primary, setup_->primary, options_.thickness_primary);
-  secondary_depth_ = secondary_start_ = depths(before_->pending_secondary, s, options_.thickness_secondary);
+  primary_depth_ = primary_start_ =
+      depths(before_->pending_primary, options_.waiting_primary, setup_->primary, options_.thickness_primary);
+  secondary_depth_ = secondary_start_ =
+      depths(before_->pending_secondary, options_.waiting_secondary, s, options_.thickness_secondary);
   worn_length_ = s.area;
   between_.assign(s.X.size(), {});
   for (const auto& [a, b, c] : s.facets) {
@@ -54,11 +57,11 @@ void Interface::spread_wear() {
   }
 }
 
-/// What the node's multiplier carries of control points that have none.
+/// What the node's multiplier carries of control points that have none, and of nodes that are left to another contact.
 double Interface::shares_between(int node) const {
   double sum = 0.0;
   for (const auto& [k, share] : rows_[node].off)
-    if (setup_->between(k)) sum += share;
+    if (goes_with_neighbours(k)) sum += share;
   return sum;
 }
 
@@ -67,7 +70,7 @@ double Interface::worn_others(int node) const {
   double worn = 0.0;
   for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
   for (const auto& [k, share] : rows_[node].off)
-    if (setup_->between(k)) worn += share * secondary_depth_[k];
+    if (goes_with_neighbours(k)) worn += share * secondary_depth_[k];
   return worn;
 }
 

@@ -97,6 +97,29 @@ std::string band_of(const RunData& run, const std::string& limit) {
          " under the scatter of wear";
 }
 
+/// The largest tractions of the run, where and when; those at a free end of a bond are no figure to judge by.
+std::string bond_table(const RunData& run) {
+  std::vector<Row> rows;
+  bool singular = false;
+  for (const auto& [name, bond] : part(run.summary, "bonds").items())
+    for (const auto& [key, label] : {std::pair("tension", "tension"), std::pair("shear", "shear")}) {
+      const Json& most = part(bond, "most");
+      const std::string peak = std::string("peak_") + key;
+      const bool at_end = part(most, peak + "_at_end") == true;
+      singular = singular || at_end;
+      const bool placed = part(most, peak + "_x_mm").is_number();
+      rows.push_back({name + ", " + label, shown(most, peak + "_MPa", 4), shown(part(bond, "end"), peak + "_MPa", 4),
+                      shown(part(bond, "end"), std::string("mean_") + key + "_MPa", 4),
+                      placed ? "(" + shown(most, peak + "_x_mm") + ", " + shown(most, peak + "_y_mm") + "), cycle " +
+                                   shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "")
+                             : "–"});
+    }
+  return table({"Bond, MPa", "largest of the run", "largest at its end", "mean at its end", "where the largest, mm, and when"}, rows, {4}) +
+         (singular ? "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the largest value there "
+                     "grows as elements get shorter. Compare means, or one mesh with the same mesh.</p>\n"
+                   : "");
+}
+
 std::string life_table(const RunData& run) {
   std::vector<Row> rows;
   for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
@@ -174,7 +197,7 @@ std::string result_tables(const RunData& run) {
   if (!run.summary.is_object()) return {};
   const std::string right = life_table(run) + probe_table(run) + error_table(run);
   return "<h2>Results</h2>\n<div class=\"columns\">\n<div>" + contact_table(run) + "</div>\n<div>" + right +
-         "</div>\n</div>\n";
+         "</div>\n</div>\n" + bond_table(run);
 }
 
 std::string ledger_table(const RunData& run) {

@@ -20,6 +20,7 @@ RunWriter::RunWriter(std::string dir, const scene::Scene& scene)
   for (const auto& contact : scene.contacts) columns_.contacts.push_back(contact.name);
   for (const auto& support : scene.supports)
     columns_.supports.push_back({support.name, support.rigid && scene.analysis != base::Analysis::axisymmetric});
+  for (const auto& bond : scene.bonds) columns_.bonds.push_back(bond.name);
 }
 
 std::string RunWriter::path(const std::string& file) const { return (fs::path(dir_) / file).string(); }

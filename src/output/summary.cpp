@@ -34,6 +34,31 @@ Json contact(const sim::ContactSummary& c, const Suffixes& unit) {
           {"ledger_relative_error", value(c.ledger_relative_error)}};
 }
 
+/// A place is null where there is no such traction.
+void add_peak(Json& json, const std::string& name, const sim::TractionPeak& peak) {
+  const auto place = [&](double x) { return peak.MPa > 0.0 ? value(x) : Json(nullptr); };
+  json[name + "_MPa"] = value(peak.MPa);
+  json[name + "_x_mm"] = place(peak.at_mm.x());
+  json[name + "_y_mm"] = place(peak.at_mm.y());
+  json[name + "_cycle"] = place(peak.cycle);
+  json[name + "_at_end"] = peak.at_end;
+}
+
+Json bond(const sim::BondTraction& t) {
+  Json json = Json::object();
+  add_peak(json, "peak_tension", t.tension);
+  add_peak(json, "peak_shear", t.shear);
+  json["mean_tension_MPa"] = value(t.mean_tension_MPa);
+  json["mean_shear_MPa"] = value(t.mean_shear_MPa);
+  return json;
+}
+
+Json bonds(const sim::Summary& summary) {
+  Json all = Json::object();
+  for (const auto& b : summary.bonds) all[b.name] = {{"end", bond(b.end)}, {"most", bond(b.most)}};
+  return all;
+}
+
 Json counts(const sim::Counts& c) {
   return {{"blocks", c.blocks},
           {"increments", c.increments},
@@ -116,6 +141,7 @@ std::string summary_json(const sim::Summary& s) {
             {"version", version},
             {"scene_sha256", s.scene_sha256},
             {"life_band", bands(s)},
+            {"bonds", bonds(s)},
             {"room_seconds", Json::object()},
             {"skipped", s.skipped},
             {"cutback_reasons", s.cutback_reasons},

@@ -28,6 +28,9 @@ std::string history_header(const HistoryColumns& columns, base::Analysis analysi
     for (const char* axis : {"_force_x_", "_force_y_"}) line += ',' + csv_field(support + axis + unit.force);
     if (moment) line += ',' + csv_field(support + "_moment_N_mm_per_mm");
   }
+  for (const auto& bond : columns.bonds)
+    for (const char* column : {"_tension_max_MPa", "_shear_max_MPa", "_tension_mean_MPa", "_shear_mean_MPa"})
+      line += ',' + csv_field(bond + column);
   return line + '\n';
 }
 
@@ -45,6 +48,9 @@ std::string history_row(const sim::IncrementRecord& record) {
     line += ',' + number(record.support_forces[s].x()) + ',' + number(record.support_forces[s].y());
     if (record.support_moments[s]) line += ',' + number(*record.support_moments[s]);
   }
+  for (const auto& bond : record.bonds)
+    for (const double value : {bond.tension.MPa, bond.shear.MPa, bond.mean_tension_MPa, bond.mean_shear_MPa})
+      line += ',' + number(value);
   return line + '\n';
 }
 

@@ -24,9 +24,10 @@ struct HistoryColumns {
   };
   std::vector<std::string> contacts;
   std::vector<Support> supports;
+  std::vector<std::string> bonds{};
 };
 
-/// Header line of history.csv: six columns per contact, two of force and one of moment per support.
+/// Header line of history.csv: six columns per contact, two of force and one of moment per support, four per bond.
 std::string history_header(const HistoryColumns& columns, base::Analysis analysis);
 std::string history_row(const sim::IncrementRecord& record);
 

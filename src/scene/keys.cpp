@@ -81,7 +81,7 @@ constexpr Key table[] = {
      "end with smaller x (then smaller y), zero outside of its range; the path counts from the scene file"},
 
     {"contact.*.secondary", Type::text, "", "required", any,
-     "boundary that carries the multipliers; of a deformable body"},
+     "boundary that carries the multipliers; of a deformable body; several contacts may share it, each with its own primary ones"},
     {"contact.*.primary", Type::texts, "", "required", any, "boundaries it may touch"},
     {"contact.*.friction", Type::number, "", "0.0", at_least(0.0), "Coulomb coefficient; or over the cycles"},
     {"contact.*.friction.cycles", Type::numbers, "", "required", at_least(0.0),

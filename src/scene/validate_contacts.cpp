@@ -36,16 +36,26 @@ void check_bodies(const Entry& entry, const Scene& scene, const contact::Contact
                         "\"" + edge + "\" lies on the body of the secondary side, \"" + secondary->name + "\""});
 }
 
-/// A node carries one multiplier, so an edge is secondary once.
-void check_secondary_once(const std::vector<Entry>& entries, Issues& issues) {
+/// What is bonded carries traction everywhere: such an edge is secondary once. Contacts may share one, each against other edges.
+void check_shared_secondary(const std::vector<Entry>& entries, const std::vector<contact::ContactOptions>& joints, Issues& issues) {
+  const auto kind = [&](std::size_t i) { return std::string(joints[i].bonded ? "bond" : "contact"); };
+  const auto named = [&](std::size_t i) { return kind(i) + " \"" + joints[i].name + '"'; };
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const auto edge = entries[i].text("secondary");
-      if (edge.empty() || edge != entries[j].text("secondary")) continue;
-      issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
-                        "is already the secondary side of " + entries[j].key().substr(0, entries[j].key().find('.')) + " \"" +
-                            entries[j].name() + "\"; give one " + entries[i].key().substr(0, entries[i].key().find('.')) +
-                            " all its primary boundaries"});
+      if (joints[i].secondary.empty() || joints[i].secondary != joints[j].secondary) continue;
+      const auto& mine = joints[i].primary;
+      const auto both = std::find_first_of(mine.begin(), mine.end(), joints[j].primary.begin(), joints[j].primary.end());
+      if (joints[i].bonded && joints[j].bonded)
+        issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
+                          "is already the secondary side of " + named(j) + "; give one bond all its primary boundaries"});
+      else if (joints[i].bonded || joints[j].bonded)
+        issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
+                          "is already the secondary side of " + named(j) + ", and what is bonded meets nothing else"});
+      else if (both != mine.end())
+        issues.push_back({entries[i].key("primary"), entries[i].written("primary"),
+                          '"' + *both + "\" meets \"" + joints[i].secondary + "\" in " + named(j) + " already"});
+      else
+        continue;
       break;
     }
 }
@@ -87,7 +97,7 @@ void validate_contacts(const Entry& root, const Scene& scene, Issues& issues) {
     check_bodies(entries[i], scene, joints[i], issues);
   }
   const auto before = issues.size();
-  check_secondary_once(entries, issues);
+  check_shared_secondary(entries, joints, issues);
   if (issues.size() == before) check_ring(entries, scene, issues);
 }
 

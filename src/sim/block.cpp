@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/bond_traction.hpp"
 #include "sim/depth.hpp"
 #include "sim/measure.hpp"
 #include "sim/rules.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/thickness.hpp"
 #include "sim/timer.hpp"
 #include "sim/scene_line.hpp"
@@ -69,6 +71,12 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   const auto factors = factors_at(problem.scene, *span.step, to, held);
   auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
   set_friction(controls, problem, state.cycle);
+  auto left = left_by_others(problem, state);
+  for (std::size_t c = 0; c < left.size(); ++c) {
+    controls.contacts[c].waiting_secondary = std::move(left[c].waiting_secondary);
+    controls.contacts[c].waiting_primary = std::move(left[c].waiting_primary);
+    controls.contacts[c].energy_elsewhere = std::move(left[c].energy);
+  }
   for (std::size_t c = 0; c < controls.contacts.size(); ++c)
     if (controls.contacts[c].wear) {
       auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
@@ -108,6 +116,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     if (to > from) block.ends.push_back(to);
     block.newton = result.report.solves;
     watch_contacts(problem, state, system, span.step->wear);
+    watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
     state.shown = false;
     ++state.counts.increments;
     if (observer.increment && in_history)
@@ -117,18 +126,19 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   return {};
 }
 
-double deepest_of_all(const solver::System& system, const State& state) {
+double deepest_of_all(const Problem& problem, const solver::System& system, const State& state) {
   double depth = 0.0;
+  const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& contact = state.solution.contacts[c];
+    const auto& contact = shown[c];
     depth = std::max({depth, deepest(system.contacts[c].secondary, contact.removed_secondary),
                       deepest(system.contacts[c].primary, contact.removed_primary)});
   }
   return depth;
 }
 
-void tell_progress(const Playing& block, const State& state, const solver::System& system, int increment, int increments,
-                   double progress) {
+void tell_progress(const Playing& block, const Problem& problem, const State& state, const solver::System& system,
+                   int increment, int increments, double progress) {
   if (!block.observer.progress) return;
   const BlockSpan& span = block.span;
   Progress p;
@@ -138,7 +148,7 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
   p.increment = increment;
   p.increments = increments;
   p.newton = block.newton;
-  p.depth_max_mm = deepest_of_all(system, state);
+  p.depth_max_mm = deepest_of_all(problem, system, state);
   p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
   block.observer.progress(p);
 }
@@ -147,7 +157,7 @@ void tell_progress(const Playing& block, const State& state, const solver::Syste
 
 IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,
                            const solver::Controls& controls) {
-  IncrementRecord r = wear_of(system, state);
+  IncrementRecord r = wear_of(problem, system, state);
   r.contacts.resize(problem.contacts.size());
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     auto& row = r.contacts[c];
@@ -158,14 +168,16 @@ IncrementRecord figures_of(const Problem& problem, const State& state, const sol
   const Vector reactions = solver::reactions(system, state.solution, controls);
   r.support_forces = support_forces(problem, system, reactions);
   r.support_moments = support_moments(problem, system, reactions);
+  r.bonds = bond_tractions(problem, state, system, state.cycle);
   return r;
 }
 
-IncrementRecord wear_of(const solver::System& system, const State& state) {
+IncrementRecord wear_of(const Problem& problem, const solver::System& system, const State& state) {
   IncrementRecord r;
+  const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const auto& contact = state.solution.contacts[c];
+    const auto& contact = shown[c];
     ContactRow row;
     row.depth_max_secondary_mm = deepest(setup.secondary, contact.removed_secondary);
     row.depth_max_primary_mm = deepest(setup.primary, contact.removed_primary);
@@ -204,7 +216,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
     from = ends[i];
-    tell_progress(block, state, cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
+    tell_progress(block, problem, state, cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
     const bool shown_here = output.frames.every_increment || (output.frames.last_block && span.last);
     if (shown_here && i + 1 < ends.size()) {
       const double start = state.cycle;

@@ -68,7 +68,7 @@ bool can_renew(const Problem& problem, int body);
 bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
 /// A row of the history with only what has worn until now: largest depths and energy.
-IncrementRecord wear_of(const solver::System& system, const State& state);
+IncrementRecord wear_of(const Problem& problem, const solver::System& system, const State& state);
 
 /// A row of the history but for where it stands: what has worn, the peak pressure and what supports feel.
 IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,

@@ -21,7 +21,28 @@ std::vector<double> column(std::size_t count, Get get) {
   return values;
 }
 
+std::vector<double> carry_volume(const mortar::Surface& from, const std::vector<double>& volume, const mortar::Surface& to) {
+  return adapt::carry(from, {{"removed volume", SurfaceKind::summed, volume}}, to).fields[0].values;
+}
+
+/// Volumes at the nodes of a primary side, part by part.
+std::vector<double> carry_parts(const PlacedContact& placed, base::Analysis analysis, const std::vector<body::ShapePtr>& from,
+                                const std::vector<body::ShapePtr>& to, const std::vector<double>& volume) {
+  std::vector<double> carried;
+  auto first = volume.begin();
+  for (const auto& ref : placed.primary) {
+    const auto old = surface_of(ref, analysis, from);
+    const auto last = first + old.node_count();
+    std::vector<double> part(first, last);
+    first = last;
+    if (from[ref.body] != to[ref.body]) part = carry_volume(old, part, surface_of(ref, analysis, to));
+    carried.insert(carried.end(), part.begin(), part.end());
+  }
+  return carried;
+}
+
 void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, contact::ContactState& s, HeldTraction& held) {
+  if (!s.others_secondary.empty()) s.others_secondary = carry_volume(from, s.others_secondary, to);
   const std::size_t n = s.lambda.size();
   auto fields = adapt::carry(from,
                              {{"normal force", SurfaceKind::summed, held.normal},
@@ -61,21 +82,10 @@ void carry_contact(const PlacedContact& placed, base::Analysis analysis, const s
   const auto fresh = [&](const contact::BoundaryRef& ref) { return from[ref.body] != to[ref.body]; };
   bool any = fresh(placed.secondary);
   if (any) carry_secondary(surface_of(placed.secondary, analysis, from), surface_of(placed.secondary, analysis, to), state, held);
-  std::vector<double> removed;
-  auto first = state.removed_primary.begin();
-  for (const auto& ref : placed.primary) {
-    const auto old = surface_of(ref, analysis, from);
-    const auto last = first + old.node_count();
-    std::vector<double> part(first, last);
-    first = last;
-    if (fresh(ref)) {
-      any = true;
-      part = adapt::carry(old, {{"removed volume", SurfaceKind::summed, part}}, surface_of(ref, analysis, to)).fields[0].values;
-    }
-    removed.insert(removed.end(), part.begin(), part.end());
-  }
+  for (const auto& ref : placed.primary) any = any || fresh(ref);
   if (!any) return;
-  state.removed_primary = std::move(removed);
+  state.removed_primary = carry_parts(placed, analysis, from, to, state.removed_primary);
+  if (!state.others_primary.empty()) state.others_primary = carry_parts(placed, analysis, from, to, state.others_primary);
   state.pending_primary.assign(state.removed_primary.size(), 0.0);
   state.reference.assign(state.lambda.size(), contact::MortarRow{});
 }

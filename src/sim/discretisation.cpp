@@ -10,6 +10,7 @@
 #include "mesh/measure.hpp"
 #include "sim/measure.hpp"
 #include "sim/shape.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
@@ -40,9 +41,10 @@ double far_size(const cad::BodyOptions& body, const mesh::Mesh& mesh) {
 
 std::vector<SurfaceRecord> surfaces_of(const Problem& problem, const State& state, Cache& cache) {
   const auto& system = system_of(problem, state, cache);
+  const auto shown = as_shown(problem, state);
   std::vector<SurfaceRecord> all;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-    for (auto& s : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
+    for (auto& s : surface_records(system.contacts[c], shown[c], state.shapes, problem.contacts[c]))
       all.push_back(std::move(s));
   return all;
 }

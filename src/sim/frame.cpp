@@ -6,6 +6,7 @@
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
 #include "sim/overlap.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/timer.hpp"
 #include "sim/warnings.hpp"
 
@@ -65,10 +66,11 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
       shown = std::max(shown, depth[k]);
     }
   };
+  const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    paint(setup.secondary_nodes, depths(setup.secondary, state.solution.contacts[c].removed_secondary));
-    paint(setup.primary_nodes, depths(setup.primary, state.solution.contacts[c].removed_primary));
+    paint(setup.secondary_nodes, depths(setup.secondary, shown[c].removed_secondary));
+    paint(setup.primary_nodes, depths(setup.primary, shown[c].removed_primary));
   }
 }
 
@@ -104,8 +106,9 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
   const auto& output = problem.scene.output;
   if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
   count_from_start(state, frame);
+  const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-    for (auto& surface : surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.contacts[c]))
+    for (auto& surface : surface_records(system.contacts[c], shown[c], state.shapes, problem.contacts[c]))
       frame.surfaces.push_back(std::move(surface));
   for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
     const auto c = problem.contacts.size() + b;

@@ -123,6 +123,8 @@ void check_progress(const Problem& problem, const State& state) {
           "its counts are below zero");
 }
 
+bool optional(std::size_t size, std::size_t full) { return size == 0 || size == full; }
+
 void check_statuses(const std::vector<contact::ContactStatus>& statuses) {
   for (const auto status : statuses) require(status <= contact::ContactStatus::slip, "a node is neither open nor sticks nor slips");
 }
@@ -140,9 +142,10 @@ void check_contact(const contact::ContactState& s, const contact::Setup& setup) 
   require(s.lambda.size() == secondary && s.normal.size() == secondary && s.status.size() == secondary && s.slip.size() == secondary &&
               s.energy_secondary.size() == secondary && s.pending_secondary.size() == secondary && s.removed_secondary.size() == secondary,
           lacks);
+  require(optional(s.others_secondary.size(), secondary) && optional(s.others_primary.size(), primary), lacks);
   require(s.reference.size() == secondary && s.pending_primary.size() == primary && s.removed_primary.size() == primary, lacks);
   require(finite(s.lambda) && finite(s.normal) && finite(s.slip) && finite(s.energy_secondary) && finite(s.pending_secondary) &&
-              finite(s.pending_primary) && finite(s.removed_secondary) && finite(s.removed_primary) && finite(s.reference),
+              finite(s.pending_primary) && finite(s.removed_secondary) && finite(s.removed_primary) && finite(s.others_secondary) && finite(s.others_primary) && finite(s.reference),
           "contact " + setup.options.name + " has a value that is no number");
   for (const double sum : {s.friction, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary})
     require(finite(sum), "contact " + setup.options.name + " has a sum that is no number");
@@ -186,12 +189,12 @@ void check_solution(const Problem& problem, const State& state, const solver::Sy
 }
 
 void check_beside(const Problem& problem, const State& state) {
-  const auto optional = [](std::size_t size, std::size_t full) { return size == 0 || size == full; };
   require(optional(state.renewed_at.size(), problem.supports.size()) && finite(state.renewed_at), "a support stands nowhere");
   require(optional(state.displaced.size(), state.shapes.size()) && finite(state.displaced), "a body is displaced by no number");
   for (std::size_t b = 0; b < state.displaced.size(); ++b)
     require(optional(state.displaced[b].size(), state.shapes[b]->mesh.X.size()), "a body is displaced at nodes that it lacks");
   require(optional(state.watch.size(), problem.contacts.size()), "it has seen contacts that there are not");
+  require(optional(state.bonds.size(), problem.bonds.size()), "it has seen bonds that there are not");
   require(finite(state.small_strain_error), "its error of small strain is no number");
 }
 

@@ -176,10 +176,10 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
   trial.slips_throughout = slips_throughout(start, attempt.halves);
-  trial.uncorrected = wear_of(system, attempt.halves);
+  trial.uncorrected = wear_of(problem, system, attempt.halves);
   const auto by_halves = limit_measures(problem, system, attempt.halves);
   extrapolate(system, {start, attempt.once, attempt.half_way}, attempt.halves);
-  trial.corrected = wear_of(system, attempt.halves);
+  trial.corrected = wear_of(problem, system, attempt.halves);
   // The first half has half of the error of both; half of the block with its levelling comes a little later.
   const auto measures = limit_measures(problem, system, attempt.halves);
   for (auto& [name, value] : attempt.middle) {

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "sim/shared_wear.hpp"
+
 namespace reye::sim {
 
 using contact::ContactStatus;
@@ -237,11 +239,12 @@ double limit_measure(const scene::Limit& limit, const contact::Setup& setup, con
 
 std::map<std::string, double> limit_measures(const Problem& problem, const solver::System& system, const State& state) {
   std::map<std::string, double> measures;
+  const auto shown = as_shown(problem, state);
   for (const auto& limit : problem.scene.limits) {
     const auto found = std::find_if(problem.contacts.begin(), problem.contacts.end(),
                                     [&](const auto& c) { return c.options.name == limit.contact; });
     const auto c = static_cast<std::size_t>(found - problem.contacts.begin());
-    measures[limit.name] = limit_measure(limit, system.contacts[c], state.solution.contacts[c], state.shapes, *found);
+    measures[limit.name] = limit_measure(limit, system.contacts[c], shown[c], state.shapes, *found);
   }
   return measures;
 }

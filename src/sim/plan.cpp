@@ -11,6 +11,7 @@
 #include "sim/drawn_gap.hpp"
 #include "sim/drive.hpp"
 #include "sim/kinematics.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/widen_zones.hpp"
 
 namespace reye::sim {
@@ -211,6 +212,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
     tell_contact(p, system.contacts[c], plan);
     plan.lines.push_back(in_words(p, p.contacts[c]));
   }
+  for (auto& line : told_shared(p)) plan.lines.push_back(std::move(line));
   for (std::size_t b = 0; b < p.bonds.size(); ++b) tell_bond(system.contacts[p.contacts.size() + b], plan);
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());

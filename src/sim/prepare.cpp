@@ -19,6 +19,7 @@
 #include "sim/points.hpp"
 #include "sim/problem.hpp"
 #include "sim/profiles.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/sizes.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_setup.hpp"
@@ -295,6 +296,7 @@ Problem built(scene::Scene scene, Cache& cache) {
   warn_of_points(p);
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
+  for (auto& issue : shared_wear_issues(p)) issues.push_back(std::move(issue));
   for (auto& issue : unheld_issues(p)) issues.push_back(std::move(issue));
   for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
   for (auto& issue : place_drawn_gaps(p)) issues.push_back(std::move(issue));

@@ -100,6 +100,7 @@ struct State {
   std::optional<double> small_strain_error;      ///< largest estimate so far where small strain was chosen
   std::vector<Warning> warnings;                 ///< found in the run
   std::vector<ContactWatch> watch;               ///< what was seen of each contact
+  std::vector<BondTraction> bonds;               ///< the most that each bond has carried
   Counts counts;
   bool shown = false;                            ///< this very state is a frame already: none is written twice
   std::vector<std::string> cutback_reasons;      ///< of the first `told_cutbacks`

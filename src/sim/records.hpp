@@ -23,6 +23,21 @@ struct ContactRow {
   double normal_force = 0.0, tangential_force = 0.0;
 };
 
+/// Where a traction is largest.
+struct TractionPeak {
+  double MPa = 0.0;     ///< 0: there is none, nor a place
+  Vec2 at_mm{0.0, 0.0};
+  double cycle = 0.0;
+  bool at_end = false;  ///< within two facets of a free end of the bond, where it grows without bound as they shorten
+};
+
+/// What a bond carries, or the most that it has carried. Tension is what pulls it open.
+struct BondTraction {
+  TractionPeak tension, shear;
+  double mean_tension_MPa = 0.0;  ///< over its length; below zero where it is pressed
+  double mean_shear_MPa = 0.0;    ///< likewise, of the amount
+};
+
 /// One row of history.csv: the end of an accepted increment.
 struct IncrementRecord {
   std::string step;
@@ -34,6 +49,7 @@ struct IncrementRecord {
   double depth_max_primary_mm = 0.0;
   double energy_mJ = 0.0;             ///< per mm in plane problems
   std::vector<ContactRow> contacts;   ///< one per contact of the scene; above are the largest of them, and the sum of energies
+  std::vector<BondTraction> bonds;    ///< one per bond of the scene
   std::vector<Vec2> support_forces;   ///< on the body, in x and y, one per support of the scene
   std::vector<std::optional<double>> support_moments;  ///< about the middle of the edge, of rigid edges in plane problems
 };
@@ -87,6 +103,12 @@ struct ContactSummary {
   std::optional<double> ledger_relative_error;  ///< empty where nothing wears
 };
 
+/// A bond at the end of the last accepted increment, and the largest tractions at the end of any.
+struct BondSummary {
+  std::string name;
+  BondTraction end, most;
+};
+
 /// One body meshed anew. The jumps compare the equilibrium before the shape step with that on the new mesh.
 struct RemeshRecord {
   std::string step;
@@ -133,6 +155,7 @@ struct Summary {
   std::string reason;  ///< empty when done
   double cycles = 0.0;
   std::vector<ContactSummary> contacts;
+  std::vector<BondSummary> bonds;
   std::map<std::string, Vec2> probes;
   std::map<std::string, std::optional<double>> life_cycles;  ///< by limit
   std::map<std::string, double> life_error;                  ///< of the limits reached, where known [cycles]

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "sim/block.hpp"
+#include "sim/bond_traction.hpp"
 #include "sim/corners.hpp"
 #include "sim/discretisation.hpp"
 #include "sim/ending.hpp"
@@ -20,6 +21,7 @@
 #include "sim/probe.hpp"
 #include "sim/recording.hpp"
 #include "sim/rules.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/stick_edge.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
@@ -239,8 +241,10 @@ class Runner {
     }
     if (state_.approached) {
       const auto& system = system_of(p_, state_, cache_);
+      const auto shown = as_shown(p_, state_);
       for (std::size_t c = 0; c < p_.contacts.size(); ++c)
-        s.contacts.push_back(summarise(system.contacts[c], state_.solution.contacts[c], state_.shapes, p_.contacts[c]));
+        s.contacts.push_back(summarise(system.contacts[c], shown[c], state_.shapes, p_.contacts[c]));
+      s.bonds = bond_summaries(p_, state_, system);
       warn_of_run(p_, state_, s, observer_);
       if (!p_.scene.output.probes.empty()) s.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));
     }

@@ -10,6 +10,7 @@
 #include "sim/drive.hpp"
 #include "sim/gap.hpp"
 #include "sim/scene_line.hpp"
+#include "sim/shared_wear.hpp"
 #include "sim/timer.hpp"
 #include "sim/warn_contact.hpp"
 #include "sim/why_failed.hpp"
@@ -158,6 +159,7 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   Change change{state, std::move(reasons), held_tractions(system, state)};
   for (std::size_t b = 0; b < moved.size(); ++b)
     change.next.shapes[b] = moved[b].shape;
+  note_others(problem, change.next);
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (!asked[b].text.empty()) change.reasons[b] = asked[b];

@@ -16,6 +16,9 @@ struct PlacedNode {
   int free = 0;                               ///< number of its own free columns: they come last
 };
 
+/// The same column: those that contact acts on are all in the window. Throws std::logic_error for one that is not.
+int inside(int column);
+
 /// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node gives
 /// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. Once solved, the
 /// matrix serves other residuals, too: `again`.
@@ -46,8 +49,10 @@ class Condenser {
   void add_contact(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
                    const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window, const Vector& q);
 
-  /// Eliminates the multipliers of one contact; contacts come in the order of System::elimination.
-  void eliminate(int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes);
+  /// Eliminates the multipliers of all contacts, which come in the order of System::elimination; a node whose balance holds a
+  /// force of another node comes after that one.
+  void eliminate(const System& system, const std::vector<contact::Interface>& faces,
+                 const std::vector<std::vector<PlacedNode>>& nodes);
 
   /// Moves a column by a given amount.
   void fix(int column, double by);
@@ -76,14 +81,21 @@ class Condenser {
     Vector constant;
     std::vector<int> place;             ///< first column of a node, -1 when inactive
     std::vector<int> held;              ///< column of the matrix for a node's held multiplier, -1: it has none
-    std::vector<Share> from, to, met;   ///< dlambda from balances, into the rows it loads, into the conditions
+    std::vector<Share> met;             ///< dlambda into the conditions
     std::vector<Condition> conditions;
   };
-  void express(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim);
-  void load(const PlacedNode& node, Elimination& elim, int from, double factor);
+  /// One active node: its dlambda from balances, into the rows it loads.
+  struct Turn {
+    int contact = 0, node = 0;
+    std::vector<Share> from, to;
+  };
+  void place(const std::vector<contact::Interface>& faces);
+  void arrange(const System& system, const std::vector<contact::Interface>& faces, const std::vector<std::vector<PlacedNode>>& nodes);
+  void express(const contact::Interface& face, const PlacedNode& node, Turn& turn);
+  void load(const PlacedNode& node, Turn& turn, double factor);
   void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
                   const contact::Linearised& linearised);
-  void right_hand_side(const contact::Interface& face, Elimination& elim);
+  void right_hand_side(const System& system, const std::vector<contact::Interface>& faces);
   void turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
             const Window& window, const Vector& q);
   void turn(const std::vector<PlacedNode>& nodes, const Vector& force);
@@ -96,6 +108,7 @@ class Condenser {
   Matrix weight_;  ///< of the conditions in the components of dlambda: one condition per column
   std::vector<contact::Linearised> linearised_;
   std::vector<Elimination> elimination_;
+  std::vector<Turn> turns_;  ///< in the order of elimination
   std::vector<std::vector<Vec2>> turned_;  ///< per body: forces on its contact nodes
 };
 

@@ -129,6 +129,7 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
     }
     faces_[c].integrate(sides_[c].secondary, sides_[c].primary);
   }
+  divide(system.shared, faces_);
 }
 
 }  // namespace reye::solver

@@ -213,7 +213,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
     for (std::size_t c = 0; c < faces.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
   }
-  for (int c : system.elimination) condenser_.eliminate(c, faces[c], nodes[c]);
+  condenser_.eliminate(system, faces, nodes);
   for (const auto& [column, value] : controls.prescribed) {
     const int at = reduction().index(column);
     condenser_.fix(window_.index(at), value - q.high[at] - q.low[at]);

@@ -105,7 +105,7 @@ std::optional<Passage> passage(const contact::Interface& face, const Sides& befo
     return std::nullopt;
   std::vector<char> seen(now.secondary.size(), 0), met(now.primary.size(), 0);
   for (std::size_t j = 0; j < seen.size(); ++j) {
-    if (!face.touching(static_cast<int>(j))) continue;
+    if (face.rows()[j].cover <= contact::Interface::minimum_cover * setup.secondary.area[j]) continue;
     seen[j] = 1;
     for (const auto& [l, M] : face.rows()[j].M) met[l] = 1;
   }

@@ -153,6 +153,7 @@ bool Reach::encloses(int contact, const contact::Interface& face) const {
       continue;
     }
     if (!face.active(j)) continue;
+    if (!face.touching(j)) return false;  // another contact, which was out of reach there, has it
     if (rim(setup.secondary, near_secondary, j)) return false;
     for (const auto& [l, M] : face.rows()[j].M)
       if (!near_primary[l] || rim(setup.primary, near_primary, l)) return false;

@@ -90,6 +90,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
     system.dofs += std::visit([](const auto& b) { return b.dofs(); }, body);
   }
   system.elimination = ordered(system.contacts);
+  system.shared = shared_secondary(system.contacts);
   system.extent = extent_of(system.contacts);
   system.arm = arms(system);
   return system;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "body/operator.hpp"
-#include "contact/interface.hpp"
+#include "solver/division.hpp"
 
 /// Bodies and contacts joined into one system of equations, and what drives it.
 namespace reye::solver {
@@ -22,6 +22,7 @@ struct System {
   int dofs = 0;
   std::vector<contact::Setup> contacts;  ///< those of the scene, then its bonds
   std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
+  SharedSecondary shared;                ///< nodes and facets that are secondary in several contacts
   double extent = 0.0;                   ///< of all contact surfaces [mm]
   /// Per column, what makes its rotation a motion and its moment a force: `extent` where it turns, else one.
   Vector arm;

@@ -427,13 +427,13 @@ mesh = { far_size_mm = 0.25 })", R"([body.base]
 rigid = true)"}},
        "", 2,
        R"(scene.toml:14: contact.pad.wear: the primary side lies on the rigid body "base", which can not wear)" "\n"},
-      {"one edge secondary twice", "check",
+      {"the same two edges in two contacts", "check",
        {},
        R"([contact.more]
 secondary = "slider_bottom"
-primary = ["left"]
+primary = ["base_top"]
 )", 2,
-       R"(scene.toml:44: contact.more.secondary = "slider_bottom": is already the secondary side of contact "pad"; give one contact all its primary boundaries)" "\n"},
+       R"(scene.toml:45: contact.more.primary = ["base_top"]: "base_top" meets "slider_bottom" in contact "pad" already)" "\n"},
       {"energy law without friction", "check",
        {{R"(friction = 0.3
 )", R"()"}},

@@ -45,7 +45,8 @@ TEST(Number, RoundTripsEveryDouble) {
   }
 }
 
-// history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid edges.
+// history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid edges, then
+// four per bond.
 TEST(History, HasTheColumnsOfTheContract) {
   using reye::base::Analysis;
   EXPECT_EQ(history_header({{"pad"}, {{"holder", true}}}, Analysis::plane_stress),
@@ -56,6 +57,9 @@ TEST(History, HasTheColumnsOfTheContract) {
   EXPECT_EQ(history_header({{}, {{"a"}, {"b"}}}, Analysis::axisymmetric),
             "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
             "energy_mJ,a_force_x_N,a_force_y_N,b_force_x_N,b_force_y_N\n");
+  EXPECT_EQ(history_header({{}, {}, {"glue"}}, Analysis::plane_strain),
+            "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
+            "energy_mJ_per_mm,glue_tension_max_MPa,glue_shear_max_MPa,glue_tension_mean_MPa,glue_shear_mean_MPa\n");
 }
 
 // A history row reads back to the same doubles, whatever the step is called.
@@ -63,7 +67,11 @@ TEST(History, RowReadsBack) {
   auto record = sample::increment(7, 1000.0 / 3.0);
   record.step = "press, \"hard\"\nand long";
   record.support_moments[1] = 2.0 / 3.0;
+  record.bonds.resize(1);
+  record.bonds[0].shear.MPa = 1.0 / 7.0;
+  record.bonds[0].mean_tension_MPa = -1.0 / 9.0;
   auto columns = sample::columns;
+  columns.bonds = {"glue"};
   columns.supports[1].moment = true;
   const Table table =
       parse_csv(history_header(columns, reye::base::Analysis::plane_strain) + history_row(record));
@@ -74,6 +82,8 @@ TEST(History, RowReadsBack) {
   EXPECT_EQ(table.column("shaker_force_x_N_per_mm")[0], record.support_forces[1].x());
   EXPECT_EQ(table.column("shaker_moment_N_mm_per_mm")[0], *record.support_moments[1]);
   EXPECT_EQ(table.column("pad_tangential_force_N_per_mm")[0], record.contacts[0].tangential_force);
+  EXPECT_EQ(table.column("glue_shear_max_MPa")[0], record.bonds[0].shear.MPa);
+  EXPECT_EQ(table.column("glue_tension_mean_MPa")[0], record.bonds[0].mean_tension_MPa);
 }
 
 // A step whose name looks like a number is still a name.

@@ -67,6 +67,33 @@ TEST(Report, WarningsComeFirst) {
   EXPECT_LT(page.find("<h2>Warnings</h2>"), page.find("<h2>Results</h2>"));
 }
 
+// Of each bond the page tells the largest tension and shear with their places, and of those at a free end that they grow with the mesh.
+TEST(Report, BondsSayWhereTheyPull) {
+  sample::TemporaryFolder dir;
+  sample::write_run(dir.str(), 4);
+  EXPECT_FALSE(holds(page_of(dir.str()), "largest of the run"));
+  auto summary = sample::summary();
+  reye::sim::BondTraction most;
+  most.tension = {12.5, {1.0, 2.0}, 30.0, false};
+  most.shear = {4.25, {3.0, 2.0}, 20.0, false};
+  const auto page = [&] {
+    summary.bonds = {{"glue & more", most, most}};
+    atomic_write(dir / "summary.json", summary_json(summary));
+    write_report(dir.str(), false);
+    EXPECT_TRUE(well_formed(page_of(dir.str())));
+    return page_of(dir.str());
+  };
+  const std::string inside = page();
+  EXPECT_TRUE(holds(inside, "glue &amp; more, tension"));
+  EXPECT_TRUE(holds(inside, "(1, 2), cycle 30<"));
+  EXPECT_TRUE(holds(inside, ">4.25<"));
+  EXPECT_FALSE(holds(inside, "grows as elements get shorter"));
+  most.shear.at_end = true;
+  const std::string outside = page();
+  EXPECT_TRUE(holds(outside, "(3, 2), cycle 20, at the end of the bond<"));
+  EXPECT_TRUE(holds(outside, "grows as elements get shorter"));
+}
+
 // A killed run without summary, with half a row in its tables, still gives a page that says so.
 TEST(Report, WorksOnAKilledRun) {
   sample::TemporaryFolder dir;

@@ -8,7 +8,7 @@ using namespace reye;
 TEST(StateArchive, RecallReadsBack) {
   sim::State state;
   state.recall.step = 2;
-  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0), {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
+  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0), {}, {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
                                       {{contact::ContactStatus::slip, contact::ContactStatus::inactive}, {}}};
   const auto again = output::state_from_bytes(output::state_to_bytes(state)).recall;
   EXPECT_EQ(again.step, 2);

@@ -27,7 +27,7 @@ TEST(Summary, PlaneKeysAreTheContract) {
   const Json json = read(sample::summary());
   EXPECT_EQ(keys(json), (Keys{"title", "status", "reason", "cycles", "contacts", "probes", "life_cycles",
                               "estimated_error", "counts", "wall_s", "cpu_s", "peak_rss_MB", "version", "scene_sha256",
-                              "life_band", "room_seconds", "skipped", "cutback_reasons", "warnings"}));
+                              "life_band", "bonds", "room_seconds", "skipped", "cutback_reasons", "warnings"}));
   const Json& pad = json["contacts"]["pad"];
   EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
                              "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
@@ -39,6 +39,28 @@ TEST(Summary, PlaneKeysAreTheContract) {
             (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes", "cutbacks", "cycles_solved",
                   "refused_blocks"}));
   EXPECT_EQ(keys(json["probes"]["edge"]), (Keys{"u_x_mm", "u_y_mm"}));
+}
+
+// Of a bond the end and the most of the run are told, each peak with its place, which is null where nothing pulls.
+TEST(Summary, BondsTellWhereTheyPull) {
+  auto summary = sample::summary();
+  EXPECT_EQ(read(summary)["bonds"], Json::object());
+  reye::sim::BondTraction now, most;
+  now.mean_tension_MPa = -4.0;
+  most.tension = {12.5, {1.0, 2.0}, 30.0, true};
+  summary.bonds = {{"glue", now, most}};
+  const Json glue = read(summary)["bonds"]["glue"];
+  EXPECT_EQ(keys(glue), (Keys{"end", "most"}));
+  EXPECT_EQ(keys(glue["end"]), (Keys{"peak_tension_MPa", "peak_tension_x_mm", "peak_tension_y_mm", "peak_tension_cycle",
+                                     "peak_tension_at_end", "peak_shear_MPa", "peak_shear_x_mm", "peak_shear_y_mm",
+                                     "peak_shear_cycle", "peak_shear_at_end", "mean_tension_MPa", "mean_shear_MPa"}));
+  EXPECT_EQ(glue["end"]["mean_tension_MPa"], -4.0);
+  EXPECT_EQ(glue["end"]["peak_tension_MPa"], 0.0);
+  EXPECT_TRUE(glue["end"]["peak_tension_x_mm"].is_null());
+  EXPECT_EQ(glue["most"]["peak_tension_MPa"], 12.5);
+  EXPECT_EQ(glue["most"]["peak_tension_y_mm"], 2.0);
+  EXPECT_EQ(glue["most"]["peak_tension_cycle"], 30.0);
+  EXPECT_EQ(glue["most"]["peak_tension_at_end"], true);
 }
 
 // Axisymmetric scenes give forces, energies and volumes of the whole circumference.

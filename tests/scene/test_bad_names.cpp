@@ -24,12 +24,18 @@ TEST(BadScene, Names) {
       {"rigid secondary edge",
        {{R"(edge     = "bottom")", R"(edge = "face")"}},
        R"(scene.toml:27: contact.pad.secondary = "face": is the rigid edge of support "shaker"; the secondary side must deform)"},
-      {"secondary in two contacts",
+      {"the same two edges in two contacts",
        {{"[support.holder]", "[contact.other]\n"
+         R"(secondary = "face")" "\n"
+         R"(primary = ["top", "round"])" "\n"
+         "[support.holder]"}},
+       R"(scene.toml:35: contact.other.primary = ["top", "round"]: "round" meets "face" in contact "pad" already)"},
+      {"secondary in a contact and a bond",
+       {{"[support.holder]", "[bond.other]\n"
          R"(secondary = "face")" "\n"
          R"(primary = ["top"])" "\n"
          "[support.holder]"}},
-       R"(scene.toml:34: contact.other.secondary = "face": is already the secondary side of contact "pad"; give one contact all its primary boundaries)"},
+       R"(scene.toml:34: bond.other.secondary = "face": is already the secondary side of contact "pad", and what is bonded meets nothing else)"},
       {"ring of contacts",
        {{"[support.holder]", "[contact.back]\n"
          R"(secondary = "round")" "\n"

@@ -18,13 +18,16 @@ struct Outcome {
   sim::Problem problem;
   sim::State state;
   sim::Summary summary;
+  std::vector<sim::IncrementRecord> rows{};
   const contact::ContactState& bond() const { return state.solution.contacts[problem.contacts.size()]; }
 };
 
 Outcome run(const std::string& geometry, const std::string& scene) {
   Outcome outcome{support::problem_from({{"part.geo", geometry}, {"scene.toml", "geometry = [\"part.geo\"]\n" + scene}}), {}, {}};
   outcome.state = sim::initial_state(outcome.problem);
-  outcome.summary = sim::run(outcome.problem, outcome.state, {});
+  sim::Observer observer;
+  observer.increment = [&](const sim::IncrementRecord& row) { outcome.rows.push_back(row); };
+  outcome.summary = sim::run(outcome.problem, outcome.state, observer);
   return outcome;
 }
 
@@ -117,6 +120,52 @@ TEST(Bonds, PatchOfTensionAndShear) {
     }
 }
 
+// Summary and history must tell the tension and shear of a bond, their means, and the most of the run where the load falls again.
+TEST(Bonds, TellWhatTheyCarry) {
+  const auto falls = std::string(pulled).replace(std::string(pulled).find("[[0, 0], [1, 1]]"), 16, "[[0, 0], [0.5, 2], [1, 1]]");
+  const auto o = run(strip, materials(0.0) + bodies(1, "upper_bottom", "lower_top") + falls);
+  ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
+  ASSERT_EQ(o.summary.bonds.size(), 1U);
+  const auto& [name, end, most] = o.summary.bonds[0];
+  EXPECT_EQ(name, "glue");
+  EXPECT_NEAR(end.tension.MPa, 20.0, 1e-8);
+  EXPECT_NEAR(end.mean_tension_MPa, 20.0, 1e-8);
+  EXPECT_NEAR(end.shear.MPa, 3.0, 1e-8);
+  EXPECT_NEAR(end.mean_shear_MPa, 3.0, 1e-8);
+  EXPECT_NEAR(most.tension.MPa, 40.0, 1e-8);
+  EXPECT_NEAR(most.shear.MPa, 6.0, 1e-8);
+  EXPECT_NEAR(most.mean_tension_MPa, 40.0, 1e-8);
+  EXPECT_NEAR(most.tension.at_mm.y(), 2.0, 1e-12);
+  ASSERT_EQ(o.rows.size(), 2U);
+  EXPECT_NEAR(o.rows[0].bonds.at(0).tension.MPa, 40.0, 1e-8);
+  EXPECT_NEAR(o.rows[1].bonds.at(0).shear.MPa, 3.0, 1e-8);
+}
+
+// The peak at a free end of a bond between two materials, which grows as elements get shorter, must be named so; one that a load
+// makes in the middle, and one on a line of symmetry, must not.
+TEST(Bonds, APeakAtAFreeEndIsNamed) {
+  const auto load = [](const std::string& where) {
+    return "[support.base]\nedge = \"bottom\"\nx = \"fixed\"\ny = \"fixed\"\n[load.pull]\nedge = \"top\"\n" + where +
+           "traction_MPa = [0.0, 20.0]\nhistory = \"press\"\n[history]\npress = [[0, 0], [1, 1]]\n[[step]]\nplay = [\"press\"]\n"
+           "increments = 1\nwear = false\n";
+  };
+  const std::string symmetric = "[support.left]\nedge = \"lower_left\"\nx = \"fixed\"\n[support.left_above]\nedge = \"upper_left\"\nx = \"fixed\"\n";
+  const auto peak = [&](const std::string& more) {
+    const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + more);
+    EXPECT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
+    return o.summary.bonds.at(0).end.tension;
+  };
+  const auto everywhere = peak(load(""));
+  EXPECT_TRUE(everywhere.at_end);
+  EXPECT_TRUE(everywhere.at_mm.x() < 0.9 || everywhere.at_mm.x() > 3.1) << everywhere.at_mm.x();
+  const auto middle = peak(load("interval_mm = [1.7, 2.3]\n"));
+  EXPECT_FALSE(middle.at_end);
+  EXPECT_NEAR(middle.at_mm.x(), 2.0, 0.4);
+  const auto half = peak(load("interval_mm = [0.0, 0.5]\n") + symmetric);
+  EXPECT_FALSE(half.at_end);
+  EXPECT_LT(half.at_mm.x(), 0.5);
+}
+
 // Bodies that are bonded to one another are one linear body: each increment must take one solve, and one to see that it is met.
 TEST(Bonds, AreLinear) {
   const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + pulled);
@@ -190,6 +239,8 @@ wear = false
   const double foot = o.summary.probes.at("foot").y(), face = o.summary.probes.at("face").y();
   EXPECT_NEAR(foot / -given(1.0, 200e3, 0.3), 1.0, 1e-8);
   EXPECT_NEAR((face - foot) / -given(0.02, 3e3, 0.4), 1.0, 1e-8);
+  EXPECT_EQ(o.summary.bonds.at(0).most.tension.MPa, 0.0);  // nothing pulls
+  EXPECT_NEAR(o.summary.bonds.at(0).end.mean_tension_MPa, -50.0, 1e-6);
 }
 
 // A liner bonded into a hub must turn with it by any angle and feel nothing, though neither facets nor nodes match.
