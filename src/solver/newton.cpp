@@ -65,15 +65,26 @@ bool rubs(const System& system, const SolverState& before, const Controls& contr
   return false;
 }
 
+/// How an increment is tried: from where, and whether with tangents kept and symmetric while that pays.
+struct Attempt {
+  Start from;
+  bool chords;
+};
+
+bool nonlinear(const System& system) {
+  return std::any_of(system.bodies.begin(), system.bodies.end(),
+                     [](const auto& b) { return std::holds_alternative<body::NonlinearBody>(b); });
+}
+
 }  // namespace
 
 SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
-                            bool narrowing) {
+                            bool chords, bool narrowing) {
   SolveResult result;
   auto& report = result.report;
   base::TwoPart q;
   try {
-    q = increment_.begin(system, before, controls, from, options_.chords ? Tangent::symmetric_part : Tangent::exact);
+    q = increment_.begin(system, before, controls, from, chords ? Tangent::symmetric_part : Tangent::exact);
   } catch (const base::SolveError& error) {
     report.reason = error.what();
     return result;
@@ -121,10 +132,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
         return result;
       }
       least = std::min(least, row.force);
-      keeps_tangent = tangents.allows(row.force, 0) && options_.chords;
+      keeps_tangent = tangents.allows(row.force, 0) && chords;
     }
     const bool renewed = since == 0 && renewals > 0;
-    bool chord = options_.chords && rule.allows(off, changes);
+    bool chord = chords && rule.allows(off, changes);
     if (renewed && keeps_tangent && changes == 0) chord = true;  // contact's matrix goes with the tangent
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
     bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
@@ -144,7 +155,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       narrowing = false;
       if (!increment_.follow(system, controls, q)) {
         increment_.choose_reach(system, before, true, options_.limit_reach);
-        return iterate(system, before, controls, from, false);
+        return iterate(system, before, controls, from, chords, false);
       }
       rule = {};
       report.converged = on_chord = false;
@@ -167,7 +178,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       on_tangent_kept = keeps_tangent;
       if (!keeps_tangent) {
         ++report.tangents;
-        const bool exact = !options_.chords || report.tangents > symmetric_ones;
+        const bool exact = !chords || report.tangents > symmetric_ones;
         report.reason = increment_.linearise(q, exact ? Tangent::exact : Tangent::symmetric_part);
         if (!report.reason.empty()) return result;
         increment_.measure(system, controls, q, fresh);
@@ -206,18 +217,24 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
   increment_.choose_reach(system, before, turns_beyond_reach(system, before, controls), options_.limit_reach);
-  std::vector<Start> starts;
-  if (controls.guess || (controls.continues > 0.0 && increment_.follows(before))) starts.push_back(Start::predicted);
-  starts.push_back(Start::sticking);
+  std::vector<Attempt> attempts;
+  if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
+    attempts.push_back({Start::predicted, options_.chords});
+  attempts.push_back({Start::sticking, options_.chords});
   // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is lost
   // on the way. There friction starts as it was, and gives way.
-  if (rubs(system, before, controls)) starts.push_back(Start::sheared);
+  if (rubs(system, before, controls)) attempts.push_back({Start::sheared, options_.chords});
+  // Far from the solution kept and symmetric tangents may lead astray where Newton's own do not.
+  if (options_.chords && nonlinear(system)) {
+    if (attempts.front().from == Start::predicted) attempts.push_back({Start::predicted, false});
+    attempts.push_back({Start::sticking, false});
+  }
   SolveResult result;
   int solves = 0, matrices = 0, tangents = 0;
-  for (const Start from : starts) {
+  for (const auto& [from, chords] : attempts) {
     // The start before may have led the reach to where contact is not.
     if (from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
-    SolveResult found = iterate(system, before, controls, from, options_.limit_reach);
+    SolveResult found = iterate(system, before, controls, from, chords, options_.limit_reach);
     solves += found.report.solves;
     matrices += found.report.matrices;
     tangents += found.report.tangents;

@@ -9,7 +9,8 @@ namespace reye::solver {
 /// reach and the last increment, which steer but do not decide the result: `reset` forgets them.
 class Newton {
  public:
-  explicit Newton(NewtonOptions options = {}) : options_(options) {}
+  Newton() = default;
+  explicit Newton(NewtonOptions options) : options_(options) {}
 
   /// From the accepted state `before` to equilibrium under `controls`. A failure is a result with a reason.
   SolveResult solve(const System& system, const SolverState& before, const Controls& controls);
@@ -19,7 +20,7 @@ class Newton {
 
  private:
   SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
-                      bool narrowing);
+                      bool chords, bool narrowing);
 
   NewtonOptions options_;
   Increment increment_;

@@ -109,7 +109,7 @@ inline sim::IncrementRecord increment(int k, double cycle) {
           .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
           .energy_mJ = 0.9 * cycle + t, .contacts = {{.pressure_max_MPa = 400.0 / 3.0, .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
                         .energy_mJ = 0.9 * cycle + t, .normal_force = 18.5, .tangential_force = force}},
-          .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}, .support_moments = {{}, {}}};
+          .bonds = {}, .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}, .support_moments = {{}, {}}};
 }
 
 inline sim::RemeshRecord remesh(double cycle) {
