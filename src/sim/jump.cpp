@@ -21,7 +21,7 @@ constexpr double aim = 0.85;    ///< times what a block may have, for the next b
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
 constexpr double most_steeper = 1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
-constexpr double levelling = 0.04;  ///< of a block's cycles, in those that level it
+constexpr double levelling = 0.2;  ///< of a block's cycles, in those that level it: more than its extrapolation leaves uneven
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""The end of worn contacts under a tolerance of the cycle jump, beside that of the same scenes in short blocks of one size."""
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import wear_case as case
+
+TOLERANCE = "jump = { tolerance = 0.01 }"
+# scene: jumps as they stand there, and short ones; the last ones are chosen by the tolerance in the other run
+SCENES = {
+    "ball_worn_flat": [(5, 1)],
+    "pin_in_hole": [(2, 1)],
+    "block_on_ring": [(25, 8)],
+    "pin_worn_flat": [(25, 8)],
+    "fretting_deep": [(100, 50), (600, 300), (6000, 2000), (50000, 16000)],
+}
+
+
+def end(run):
+    """Depth, pressure in the middle of what carries, and its peak inside nine tenths of that."""
+    carrying = [r for r in run.last("secondary") if r["pressure_MPa"] > 0.0]
+    ends = [r["arc_length_mm"] for r in carrying]
+    middle, half = 0.5 * (max(ends) + min(ends)), 0.5 * (max(ends) - min(ends))
+    inside = [r["pressure_MPa"] for r in carrying if abs(r["arc_length_mm"] - middle) < 0.9 * half]
+    centre = min(carrying, key=lambda r: abs(r["arc_length_mm"] - middle))["pressure_MPa"]
+    return {"depth": run.contact["secondary"]["max_depth_mm"], "p0": centre, "peak": max(inside)}
+
+
+def main():
+    rows, measured = [], {}
+    ledger = 0.0
+    for scene, jumps in SCENES.items():
+        short = case.run(scene, f"{scene}_short", [(f"jump = {a}\n", f"jump = {b}\n") for a, b in jumps])
+        chosen = case.run(scene, f"{scene}_tolerance", [(f"jump = {a}\n", TOLERANCE + "\n") for a, _ in jumps])
+        a, b = end(short), end(chosen)
+        apart = {key: abs(b[key] / a[key] - 1.0) for key in a}
+        for run, figures in (short, a), (chosen, b):
+            ledger = max(ledger, run.contact["ledger_relative_error"])
+            rows.append([scene, run.folder.name.removeprefix(scene + "_"), *figures.values(),
+                         run.summary["counts"]["blocks"], run.summary["counts"]["remeshes"], run.summary["cpu_s"]])
+        measured |= {f"{scene}_{key}": value for key, value in apart.items()}
+        print(scene, *(f"{key} {100 * value:.2f} %" for key, value in apart.items()))
+    measured["ledger"] = ledger
+    case.write_csv("ends.csv", ["scene", "blocks_by", "depth_mm", "p0_MPa", "peak_inside_MPa", "blocks", "remeshes", "cpu_s"], rows)
+    case.write_measured(measured)
+
+
+main()
