@@ -91,17 +91,17 @@ std::string estimated(double error) {
   return text;
 }
 
-/// The first wears uneven pressure level, up to some 2 % of it; a second at the end of a step leaves half a per cent.
-int levelling_cycles(const BlockSpan& span) { return span.last ? 2 : 1; }
-
 /// Short cycles after a block, not extrapolated: what the correction or a fresh mesh left uneven is worn level before
-/// it is shown or jumped from. Their wear waits in the gap.
+/// it is shown or jumped from. Their wear waits in the gap. Each is half of what is left: the first wear what is uneven
+/// away, the last so little that pressures follow the stroke, which at the end of a step is what remains to be seen.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
   const bool last = span.last;
-  const int cycles = levelling_cycles(span);
-  span.jump /= cycles;
+  const int cycles = last ? 8 : 2;
+  double left = span.jump;
   for (int k = 1; k <= cycles && outcome.failure.empty() && !outcome.interrupted; ++k) {
     span.last = last && k == cycles;
+    span.jump = k == cycles ? left : 0.5 * left;
+    left -= span.jump;
     outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
   }
   return outcome;

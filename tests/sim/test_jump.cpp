@@ -85,9 +85,9 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
   EXPECT_NE(std::find_if(r.log.begin(), r.log.end(), [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
   const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
-  EXPECT_EQ(r.told.size(), 1 + 8 + (2 * 8 * static_cast<std::size_t>(blocks) + 2 * 8));  // two cycles level the end
+  EXPECT_EQ(r.told.size(), 1 + 8 + (2 * 8 * static_cast<std::size_t>(blocks) + 8 * 8));  // eight cycles level the end
   EXPECT_TRUE(std::is_sorted(r.told.begin(), r.told.end()));
-  EXPECT_EQ(counts.cycles_solved, 1 + 3 * (blocks + counts.refused_blocks) + 2);
+  EXPECT_EQ(counts.cycles_solved, 1 + 3 * (blocks + counts.refused_blocks) + 8);
 }
 
 // Going on from any block's end must change no bit of a controlled run.
