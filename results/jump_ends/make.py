@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The end of worn contacts under a tolerance of the cycle jump, beside that of the same scenes in short blocks of one size."""
+import math
 import pathlib
 import sys
 
@@ -27,6 +28,11 @@ def end(run):
     return {"depth": run.contact["secondary"]["max_depth_mm"], "p0": centre, "peak": max(inside)}
 
 
+def conforming(depth, radius=5.0, force=40.0):
+    """Mean pressure of a pin worn flat to `depth`: nearly that of its middle."""
+    return force / (2.0 * math.sqrt(radius**2 - (radius - depth) ** 2))
+
+
 def main():
     rows, measured = [], {}
     ledger = 0.0
@@ -40,6 +46,9 @@ def main():
             rows.append([scene, run.folder.name.removeprefix(scene + "_"), *figures.values(),
                          run.summary["counts"]["blocks"], run.summary["counts"]["remeshes"], run.summary["cpu_s"]])
         measured |= {f"{scene}_{key}": value for key, value in apart.items()}
+        if scene == "pin_worn_flat":
+            for name, figures in ("short", a), ("tolerance", b):
+                measured[f"{scene}_{name}_closed_form"] = abs(figures["p0"] / conforming(figures["depth"]) - 1.0)
         print(scene, *(f"{key} {100 * value:.2f} %" for key, value in apart.items()))
     measured["ledger"] = ledger
     case.write_csv("ends.csv", ["scene", "blocks_by", "depth_mm", "p0_MPa", "peak_inside_MPa", "blocks", "remeshes", "cpu_s"], rows)

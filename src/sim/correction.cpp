@@ -70,7 +70,7 @@ std::array<std::vector<char>, 2> passed_nodes(const Twice& t, const State& end, 
   const auto before = slipped(t.start, c);
   const auto& halves = end.solution.contacts[c];
   for (std::size_t j = 0; j < before.size(); ++j) {
-    const bool slips = halves.energy_secondary[j] > t.middle[c].energy_secondary[j];
+    const bool slips = halves.slip[j] > t.middle[c].slip[j];
     passed[0][j] |= static_cast<bool>(before[j]) != slips;
     if (!passed[0][j]) continue;
     for (const auto& [l, M] : halves.reference[j].M) passed[1][l] = 1;
@@ -87,12 +87,12 @@ std::vector<double> correction(const std::vector<double>& trusted, const std::ve
   for (std::size_t j = 0; j < d.size(); ++j) {
     d[j] = trusted[j] * (halves[j] - once[j]);
     left += halves[j] - once[j] - d[j];
-    share += trusted[j] * worn[j];
+    share += (1.0 - trusted[j]) * worn[j];
   }
   if (left != 0.0 && share <= 0.0) return {};
   double cut = 0.0, gained = 0.0;
   for (std::size_t j = 0; j < d.size(); ++j) {
-    const double wanted = d[j] + (share > 0.0 ? left * trusted[j] * worn[j] / share : 0.0);
+    const double wanted = d[j] + (share > 0.0 ? left * (1.0 - trusted[j]) * worn[j] / share : 0.0);
     d[j] = std::max(wanted, -available[j]);
     cut += d[j] - wanted;
     gained += std::max(d[j], 0.0);

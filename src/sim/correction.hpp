@@ -16,7 +16,7 @@ struct Twice {
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed);
 
 /// Of an error that the correction takes, this share is not counted: what is of second order is smaller than what is corrected.
-inline constexpr double settled = 1.0 / 3.0;
+inline constexpr double settled = 0.5;
 
 /// Error of the end of a block that was played twice: per contact and side that wears, sum_j |V_j - V'_j| over sum_j V_j, V the
 /// volumes removed since the start, and the difference of the largest depths over the largest depth; the largest of all. Of
@@ -27,9 +27,10 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
 bool slips_throughout(const State& start, const State& end);
 
 /// Adds what two halves have corrected once more: with an error linear in the cycles, V + (V - V_once) is of second
-/// order. Each node takes its share by `trust`, and what others leave of the sum in proportion to what it wore, so that
-/// volumes, work and energy are all extrapolated alike and the ledger stays. A contact where no node is to be trusted, or
-/// one would get material back that waits in no gap, stays as the halves left it.
+/// order. Each node takes its share by `trust`; what remains of the sum goes to the nodes that are not trusted, in
+/// proportion to what they wore there, so that volumes, work and energy are all extrapolated alike and the ledger stays: where
+/// load and path give the sum, what the middle gains is what the edges lose. A contact where a node
+/// would get material back that waits in no gap, stays as the halves left it.
 void extrapolate(const solver::System& system, const Twice& twice, State& halves);
 
 }  // namespace reye::sim

@@ -135,10 +135,10 @@ TEST(Jump, ExtrapolationKeepsSums) {
   for (std::size_t j = 0; j < before.removed_secondary.size(); ++j) {
     const double wave = 0.1 * (static_cast<double>(j % 3) - 1.0);
     once.solution.contacts[0].removed_secondary[j] = 2.0 + wave;
-    middle[0].removed_secondary[j] = middle[0].energy_secondary[j] = 1.0;
+    middle[0].removed_secondary[j] = middle[0].energy_secondary[j] = middle[0].slip[j] = 1.0;
     halves.solution.contacts[0].removed_secondary[j] = 2.0 - wave;
     halves.solution.contacts[0].pending_secondary[j] = 0.15;
-    once.solution.contacts[0].energy_secondary[j] = halves.solution.contacts[0].energy_secondary[j] = 2.0;
+    for (auto* end : {&once, &halves}) end->solution.contacts[0].energy_secondary[j] = end->solution.contacts[0].slip[j] = 2.0;
   }
   const double expected = 2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
   sim::extrapolate(system, {start, once, middle}, halves);
