@@ -149,6 +149,39 @@ TEST(Jump, ExtrapolationKeepsSums) {
   EXPECT_NEAR(c.removed_secondary[2], 1.9 - 0.15, 1e-14);  // no more than waits
 }
 
+// Without friction no energy is dissipated, and wear by Archard's law must be extrapolated all the same; what an edge that
+// passed leaves of the sum must not be taken from nodes that are three elements away.
+TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
+  const auto problem = test::problem_of(test::block_scene);
+  sim::Cache cache;
+  const sim::State fresh = sim::initial_state(problem);
+  const auto& system = sim::system_of(problem, fresh, cache);
+  sim::State start = fresh;
+  start.solution.contacts = {contact::fresh_state(system.contacts[0])};
+  const auto& X = system.contacts[0].secondary.X;
+  const auto by_x = [&](auto a, auto b) { return a.x() < b.x(); };
+  const auto edge = std::min_element(X.begin(), X.end(), by_x) - X.begin(), far = std::max_element(X.begin(), X.end(), by_x) - X.begin();
+  for (auto& status : start.solution.contacts[0].status) status = contact::ContactStatus::slip;
+  sim::State once = start, halves = start;
+  auto middle = start.solution.contacts;
+  for (std::size_t j = 0; j < X.size(); ++j) {
+    middle[0].removed_secondary[j] = middle[0].slip[j] = 1.0;
+    for (auto* end : {&once, &halves}) {
+      auto& c = end->solution.contacts[0];
+      c.slip[j] = 2.0;
+      c.removed_secondary[j] = c.pending_secondary[j] = end == &halves ? 2.0 : 1.9;
+    }
+  }
+  once.solution.contacts[0].removed_secondary[edge] = 2.5;
+  middle[0].removed_secondary[edge] = 0.0;  // the edge passed here in the second half
+  const double expected = 2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
+  sim::extrapolate(system, {start, once, middle}, halves);
+  const auto& c = halves.solution.contacts[0];
+  EXPECT_NEAR(sum(c.removed_secondary), expected, 1e-13);
+  EXPECT_NEAR(c.removed_secondary[far], 2.1, 1e-14);
+  EXPECT_LT(c.removed_secondary[edge], 2.0);
+}
+
 // The correction must vanish where an edge passed, and rise over three elements from there.
 TEST(Jump, TrustRisesOverThreeElements) {
   const auto problem = test::problem_of(test::block_scene);
