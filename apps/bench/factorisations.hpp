@@ -4,6 +4,7 @@
 
 #include "fem/stiffness.hpp"
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// What is shared by the benches that count in plain factorisations.
 namespace reye::bench {

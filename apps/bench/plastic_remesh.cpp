@@ -8,6 +8,8 @@
 #include "material/hardening.hpp"
 #include "scene/read.hpp"
 #include "sim/block.hpp"
+#include "sim/prepare.hpp"
+#include "sim/shape.hpp"
 
 /// Plastic bodies pressed together and meshed anew many times: what is left of their plastic strain, against the same
 /// bodies pressed the same way on their first mesh.

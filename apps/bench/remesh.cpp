@@ -7,6 +7,9 @@
 #include "factorisations.hpp"
 #include "scene/read.hpp"
 #include "sim/block.hpp"
+#include "sim/prepare.hpp"
+#include "sim/remesh.hpp"
+#include "sim/shape.hpp"
 
 /// What a remesh costs beyond gmsh, in plain factorisations of the stiffness of the bodies that are meshed anew; both
 /// measured in turn in one run.

@@ -6,6 +6,8 @@
 #include "output/run_writer.hpp"
 #include "scene/extension.hpp"
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::apps {
 

@@ -26,6 +26,7 @@
 #include "sim/run.hpp"
 #include "sim/scene_line.hpp"
 #include "sim/warnings.hpp"
+#include "sim/prepare.hpp"
 
 namespace reye::apps {
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/printable.hpp"
+#include "sim/records.hpp"
 
 namespace reye::apps {
 

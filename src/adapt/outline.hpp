@@ -2,8 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "adapt/shape_step.hpp"
 #include "adapt/strip.hpp"
+#include "adapt/worn_boundary.hpp"
+#include "base/analysis.hpp"
 #include "mesh/mesh.hpp"
 
 namespace reye::adapt {

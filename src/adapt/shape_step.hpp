@@ -2,19 +2,13 @@
 #include <string>
 #include <vector>
 
+#include "adapt/worn_boundary.hpp"
 #include "base/analysis.hpp"
 #include "body/shape.hpp"
 
 namespace reye::adapt {
 
 class RelocationCache;
-
-/// Volume removed at the nodes of one boundary since the last shape step
-/// [mm^2 per mm; mm^3 in axisymmetry], in the order of mesh::nodes_of(boundary). Never negative.
-struct WornBoundary {
-  std::string boundary;
-  std::vector<double> removed;
-};
 
 /// The bound below which a mesh is no longer fit for a solve.
 struct QualityBound {

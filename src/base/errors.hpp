@@ -3,15 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace reye::base {
+#include "base/issue.hpp"
 
-/// One thing wrong with the input: the key it hangs on ("material.steel.nu"), its value as written
-/// (empty if the key itself is the fault), and the rule it breaks.
-struct Issue {
-  std::string key;
-  std::string value;
-  std::string rule;
-};
+namespace reye::base {
 
 /// Everything wrong with the input, collected and shown together. `what()` holds one line per issue.
 /// Rooms that know nothing of files throw it with bare issues; `scene` adds file and line.

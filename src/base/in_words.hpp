@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "base/errors.hpp"
+#include "base/issue.hpp"
 
 namespace reye::base {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "body/edges.hpp"
-#include "fem/assemble_loads.hpp"
+#include "fem/places.hpp"
 
 namespace reye::body {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/errors.hpp"
-#include "fem/assemble_loads.hpp"
+#include "fem/places.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::body {

@@ -8,7 +8,7 @@
 #include "body/operator.hpp"
 #include "body/resultant.hpp"
 #include "body/turning.hpp"
-#include "fem/assemble_loads.hpp"
+#include "fem/places.hpp"
 
 namespace reye::body {
 

@@ -4,7 +4,7 @@
 #include "cad/generate.hpp"
 #include "cad/geometry.hpp"
 #include "cad/importer.hpp"
-#include "cad/plane.hpp"
+#include "cad/map_to_plane.hpp"
 #include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
 

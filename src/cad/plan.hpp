@@ -1,24 +1,10 @@
 #pragma once
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "cad/options.hpp"
-#include "cad/select.hpp"
-#include "cad/zone.hpp"
+#include "cad/body_plan.hpp"
 
 namespace reye::cad {
-
-/// Everything known of one body before it is meshed. Points into the parts and options it was made from.
-struct BodyPlan {
-  const Part* part = nullptr;
-  const BodyOptions* options = nullptr;
-  std::map<std::string, EdgeChoice> boundaries;
-  std::vector<ZoneOutline> zones;
-  bool halved = false;             ///< the file has a section through the axis, of which this is the half x >= 0
-  std::set<std::string> cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images
-};
 
 /// The fine zones of a scene that refine the body of this name: those of which its outline passes within half_width + depth of
 /// the centre. A zone that names the body refines it from farther away, too, where no other one of its contact is so near.
@@ -29,12 +15,6 @@ double far_size(const BodyPlan& plan);
 
 /// Nodes that a mesh of the plan would have, about: int dA / size^2 over the body and its fine zones.
 double estimated_nodes(const BodyPlan& plan);
-
-/// The bodies of a scene with the parts they point into.
-struct Plans {
-  std::vector<Part> parts;
-  std::vector<BodyPlan> bodies;
-};
 
 /// Finds parts and boundaries of all bodies, takes the halves x >= 0 of what lies on both sides of the axis, puts profiles on
 /// the boundaries that have one, finds fine zones. Throws base::InputError with every issue there is: selectors that match

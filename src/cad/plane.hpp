@@ -24,9 +24,4 @@ Plane plane_across(Vec3 normal);
 /// The plane of the points. Throws base::MeshError when they lie on one line.
 Plane plane_of(const std::vector<Vec3>& points);
 
-/// All parts of a scene, mapped by the plane of the section or, without one, of the first part. Throws base::InputError
-/// (key "geometry", value the file) naming each part that is not planar, whose plane is not parallel to that one, or whose
-/// outline does not close.
-std::vector<Part> map_to_plane(const std::vector<RawPart>& raw, const std::optional<Section>& section = {});
-
 }  // namespace reye::cad

@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "cad/plan.hpp"
+#include "base/issue.hpp"
+#include "cad/body_plan.hpp"
 
 /// Axisymmetric scenes whose files have the whole section through the axis instead of its half x >= 0.
 namespace reye::cad {

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "fem/element.hpp"
 #include "fem/loaded_edges.hpp"
+#include "fem/places.hpp"
 
 namespace reye::fem {
 
@@ -15,12 +16,6 @@ namespace {
 Vector zero(const Mesh& mesh) { return Vector::Zero(2 * static_cast<Eigen::Index>(mesh.X.size())); }
 
 }  // namespace
-
-const mesh::Boundary& boundary_of(const Mesh& mesh, const std::string& name, const std::string& key) {
-  const auto found = mesh.boundaries.find(name);
-  if (found == mesh.boundaries.end()) throw base::InputError({{key, name, "names no boundary of this body"}});
-  return found->second;
-}
 
 Vector load_vector(const Mesh& mesh, Analysis analysis, const BoundaryLoad& load) {
   Vector f = zero(mesh);
@@ -47,11 +42,6 @@ Vector load_vector(const Mesh& mesh, Analysis analysis, const BodyForce& load) {
       for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a)
         f.segment<2>(2 * mesh.cells[cell][a]) += p.N[a] * p.volume * load.force_N_per_mm3;
   return f;
-}
-
-int nearest_node(const Mesh& mesh, const Vec2& point) {
-  const auto nearer = [&](const Vec2& a, const Vec2& b) { return (a - point).squaredNorm() < (b - point).squaredNorm(); };
-  return static_cast<int>(std::min_element(mesh.X.begin(), mesh.X.end(), nearer) - mesh.X.begin());
 }
 
 }  // namespace reye::fem

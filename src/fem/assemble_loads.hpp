@@ -18,10 +18,4 @@ base::Vector load_vector(const mesh::Mesh& mesh, base::Analysis analysis, const 
 /// int N b dV.
 base::Vector load_vector(const mesh::Mesh& mesh, base::Analysis analysis, const BodyForce& load);
 
-/// The node nearest to a point; the lowest index among equals.
-int nearest_node(const mesh::Mesh& mesh, const base::Vec2& point);
-
-/// The boundary of that name; throws base::InputError on `key` (say "load.top.edge") when there is none.
-const mesh::Boundary& boundary_of(const mesh::Mesh& mesh, const std::string& name, const std::string& key);
-
 }  // namespace reye::fem

@@ -6,6 +6,7 @@
 #include "base/analysis.hpp"
 #include "base/linalg.hpp"
 #include "fem/pattern.hpp"
+#include "fem/solid.hpp"
 #include "fem/stiffness.hpp"
 #include "material/elastic_part.hpp"
 #include "mesh/mesh.hpp"
@@ -14,18 +15,6 @@
 /// Displacements u and forces have dof = 2 * node + component [mm; N per mm; N on the whole ring in axisymmetry].
 /// X need not be unstressed: at finite strain each Gauss point may know the deformation F0 from unstressed to X.
 namespace reye::fem {
-
-/// What the cells of a mesh are made of and how they deform.
-struct Solid {
-  material::Material material;
-  base::Analysis analysis = base::Analysis::plane_strain;
-  base::Kinematics kinematics = base::Kinematics::small;
-  bool cure = true;  ///< quad4 in plane strain and axisymmetry: B-bar at small strain, F-bar at finite; else ignored
-
-  bool has_history() const;
-  /// Whether the tangent is symmetric: always but with F-bar.
-  bool symmetric(mesh::CellKind kind) const;
-};
 
 /// Plastic state of every Gauss point, cell by cell in the order of `stiffness_rule`; empty without history.
 using History = std::vector<material::PlasticState>;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "fem/assemble_loads.hpp"
+#include "fem/places.hpp"
 #include "mesh/arc.hpp"
 #include "mesh/quadratic_edge.hpp"
 

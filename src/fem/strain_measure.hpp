@@ -8,7 +8,8 @@
 
 #include "base/errors.hpp"
 #include "fem/element.hpp"
-#include "fem/finite.hpp"
+#include "fem/solid.hpp"
+#include "fem/stiffness.hpp"
 #include "material/energy.hpp"
 #include "material/stress.hpp"
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 namespace reye::output {
 

@@ -4,6 +4,7 @@
 
 #include "base/in_words.hpp"
 #include "scene/check.hpp"
+#include "scene/fixed_part.hpp"
 #include "scene/read.hpp"
 
 namespace reye::scene {
@@ -16,41 +17,6 @@ struct Document {
   Node root;
   const std::string& text;
 };
-
-/// Of the last step, where its cycles are those of one step of the run.
-std::string cycles_key_of(const Node& root) {
-  const auto* steps = root.find("step");
-  if (!steps || steps->children.empty()) return {};
-  const auto& last = steps->children.back();
-  const auto* given = last.find("name");
-  const auto name = given ? given->text : "step " + std::to_string(steps->children.size());
-  const auto* spectrum = root.find("spectrum");
-  const auto* repeated = spectrum ? spectrum->find("steps") : nullptr;
-  if (repeated && std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return n.text == name; }))
-    return {};
-  return last.key + ".cycles";
-}
-
-/// Tables, and lists of tables, have a shape of their own; anything else is a value.
-bool is_branch(const Node& node) {
-  return node.kind == NodeKind::table || (node.kind == NodeKind::list && !node.children.empty() && node.children.front().kind == NodeKind::table);
-}
-
-std::string value_of(const Node& leaf, const std::string& text) { return text.substr(leaf.begin, leaf.end - leaf.begin); }
-
-void add_fixed(const Node& node, const std::string& text, const std::string& cycles_key, std::string& fixed) {
-  for (const auto& child : node.children) {
-    if (child.key == "limit") continue;
-    fixed += child.key;
-    if (is_branch(child)) {
-      fixed += '\n';
-      add_fixed(child, text, cycles_key, fixed);
-    } else {
-      const bool counts = child.key == cycles_key && child.is_number() && child.number > 0.0;
-      fixed += " = " + (counts ? "so many" : value_of(child, text)) + '\n';
-    }
-  }
-}
 
 /// Every difference between two trees: values that are others, and the outermost of what one of them lacks.
 void add_differences(const Node& was, const Node& now, const Document& before, const Document& after, Issues& issues) {
@@ -90,12 +56,6 @@ std::set<std::string> changed_limits(const Document& before, const Document& aft
 }
 
 }  // namespace
-
-std::string fixed_part(const Node& document, const std::string& text) {
-  std::string fixed;
-  add_fixed(document, text, cycles_key_of(document), fixed);
-  return fixed;
-}
 
 Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
   const Document before{parse(was), was}, after{parse(now.text), now.text};

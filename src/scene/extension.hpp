@@ -9,10 +9,6 @@
 /// A run that goes on with more than was asked of it at first: other limits, or more cycles of its last step.
 namespace reye::scene {
 
-/// All of a scene that a run cannot change when it goes on, value by value in the order of the file: everything but limits and
-/// the number of cycles of the last step, where no spectrum repeats that. `document`: the tree of `text`.
-std::string fixed_part(const Node& document, const std::string& text);
-
 /// What makes a scene the extension of another one.
 struct Extension {
   std::vector<std::string> changes;  ///< in words, "step[1].cycles = 800, was 400"

@@ -7,7 +7,7 @@
 #include "base/printable.hpp"
 #include "scene/build.hpp"
 #include "scene/choose_elements.hpp"
-#include "scene/extension.hpp"
+#include "scene/fixed_part.hpp"
 #include "scene/geometry_files.hpp"
 #include "scene/validate.hpp"
 

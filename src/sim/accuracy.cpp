@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "base/errors.hpp"
+#include "sim/decide.hpp"
 #include "sim/discretisation.hpp"
+#include "sim/march.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
@@ -36,15 +38,15 @@ scene::Scene with_elements(scene::Scene scene, double elements) {
 }
 
 /// Plays a scene and its companion, shown to nobody.
-MeshError played(scene::Scene scene) {
+DiscretisationError played(scene::Scene scene) {
   scene.output = {};
   Cache cache;
-  const Problem problem = prepare(scene, &cache);
+  const Problem problem = decide(scene, cache);
   const auto as_it_came = [](const body::ShapePtr& shape) { return shape->drawing->part.mesh.has_value(); };
   if (std::all_of(problem.shapes.begin(), problem.shapes.end(), as_it_came))
     return {RunStatus::failed, "the meshes came with their files as they are", {}, {}, {}, 0.0};
   State state = initial_state(problem);
-  const Summary summary = run(problem, state, {}, cache);
+  const Summary summary = march(problem, state, {}, cache);
   if (summary.status != RunStatus::done) return {summary.status, summary.reason, {}, {}, {}, 0.0};
   return mesh_error(problem, state, cache, {});
 }
@@ -55,7 +57,7 @@ MeshError played(scene::Scene scene) {
 
 struct Pilot {
   double elements = 0.0;
-  MeshError error;
+  DiscretisationError error;
   double suited = 0.0;  ///< elements that the accuracy asks for by this error
 };
 
@@ -70,7 +72,7 @@ Pilot piloted(const scene::Scene& scene) {
   Pilot best;
   std::string reason;
   for (double n = first_elements; n <= last_elements && !reaches(best); n *= 2.0) {
-    const MeshError error = played(with_elements(scene, n));
+    const DiscretisationError error = played(with_elements(scene, n));
     reason = error.reason;
     if (!error.surface) continue;
     const double finer = std::pow(*error.surface / (share * scene.accuracy), 1.0 / error.order);

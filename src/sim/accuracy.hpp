@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/problem.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

@@ -1,7 +1,7 @@
+#include "sim/approach.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "sim/block.hpp"
 
 namespace reye::sim {
 

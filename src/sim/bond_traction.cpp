@@ -4,7 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "sim/measure.hpp"
+#include "sim/ending.hpp"
+#include "sim/surfaces.hpp"
 
 namespace reye::sim {
 

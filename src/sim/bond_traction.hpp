@@ -1,5 +1,7 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
 
 /// What bonds carry: whether a coat comes off is asked of its largest tension and shear.   (README, 7)
 namespace reye::sim {

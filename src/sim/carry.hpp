@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "sim/shape.hpp"
+#include "sim/equilibrate.hpp"
+#include "sim/problem.hpp"
 
 namespace reye::sim {
 

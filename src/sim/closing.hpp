@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "sim/shape.hpp"
+#include "sim/equilibrate.hpp"
 
 /// What closes the gaps that a shape has under held tractions.
 namespace reye::sim {

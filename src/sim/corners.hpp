@@ -1,6 +1,8 @@
 #pragma once
 #include "base/errors.hpp"
 #include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
 
 /// Sharp corners on secondary sides: their multiplier acts along the normal of one of the two facets, which the other side
 /// need not face.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/measure.hpp"
+#include "sim/nodal_depth.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// What playing a block once as a whole and once in two halves says of its wear.
 namespace reye::sim {

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 namespace reye::sim {
 

@@ -8,9 +8,12 @@
 #include "base/errors.hpp"
 #include "fem/stiffness.hpp"
 #include "mesh/measure.hpp"
-#include "sim/measure.hpp"
-#include "sim/shape.hpp"
+#include "sim/correction.hpp"
+#include "sim/decide.hpp"
+#include "sim/displacements.hpp"
+#include "sim/march.hpp"
 #include "sim/shared_wear.hpp"
+#include "sim/surfaces.hpp"
 #include "sim/timer.hpp"
 
 namespace reye::sim {
@@ -174,25 +177,25 @@ Observer aside(const Observer& outside) {
 }
 
 /// The companion run; the error of the surface where it comes to its end.
-MeshError compared(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
+DiscretisationError compared(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
   Cache of_coarse;
-  const Problem coarse = prepare(coarser(problem, state), &of_coarse);
+  const Problem coarse = decide(coarser(problem, state), of_coarse);
   const auto none = [](RunStatus status, std::string reason) {
-    MeshError error;
+    DiscretisationError error;
     error.companion = status;
     error.reason = std::move(reason);
     return error;
   };
   if (same_meshes(problem, coarse)) return none(RunStatus::failed, "the meshes came with their files as they are");
   State end = initial_state(coarse);
-  const Summary summary = run(coarse, end, aside(observer), of_coarse);
+  const Summary summary = march(coarse, end, aside(observer), of_coarse);
   if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
   if (too_few(surfaces, end)) return none(RunStatus::done, "of elements twice as long fewer than four touch");
   const auto fine = surfaces_of(problem, state, cache);
   const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);
   if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");
-  MeshError error;
+  DiscretisationError error;
   error.order = !apart.wear ? traction_order : has_stick_edge(fine) ? stick_order : wear_order;
   error.surface = left(error.order) * (apart.wear ? *apart.wear : *apart.traction);
   if (apart.peak) error.peak_pressure = left(traction_order) * *apart.peak;
@@ -241,9 +244,9 @@ MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std
   return most;
 }
 
-MeshError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
+DiscretisationError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
   Timer timer(cache, "error");
-  MeshError error;
+  DiscretisationError error;
   try {
     error = compared(problem, state, cache, observer);
   } catch (const std::runtime_error& refusal) {  // a scene or a mesh that is none on longer elements

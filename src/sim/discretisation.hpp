@@ -1,5 +1,9 @@
 #pragma once
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 /// How far a run may be from one on a mesh without end.
 namespace reye::sim {
@@ -23,7 +27,7 @@ MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std
                                base::Analysis analysis);
 
 /// What the mesh is estimated to put wrong, both relative.
-struct MeshError {
+struct DiscretisationError {
   RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
   std::string reason;                     ///< why there is no error of the surface; empty when there is
   std::optional<double> surface;          ///< of depths, or of tractions where nothing wears
@@ -34,6 +38,6 @@ struct MeshError {
 
 /// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The
 /// errors of the two fall with powers of the element size that are known, so that their difference tells what is left.
-MeshError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
+DiscretisationError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
 
 }  // namespace reye::sim

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Histories, and what they impose at a moment of a step.
 namespace reye::sim {

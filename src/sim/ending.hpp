@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Where steps and runs end.
 namespace reye::sim {

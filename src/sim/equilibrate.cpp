@@ -1,7 +1,9 @@
+#include "sim/equilibrate.hpp"
+
 #include <cstdio>
 
+#include "sim/approach.hpp"
 #include "sim/drive.hpp"
-#include "sim/shape.hpp"
 #include "sim/scene_line.hpp"
 #include "sim/timer.hpp"
 #include "sim/why_failed.hpp"

@@ -5,8 +5,8 @@
 
 #include "scene/check.hpp"
 #include "sim/intact.hpp"
+#include "sim/limit_measure.hpp"
 #include "sim/limits.hpp"
-#include "sim/measure.hpp"
 
 namespace reye::sim {
 

@@ -3,6 +3,8 @@
 
 #include "base/errors.hpp"
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

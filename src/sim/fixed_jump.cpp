@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/block.hpp"
 #include "sim/recording.hpp"
 #include "sim/warnings.hpp"
 

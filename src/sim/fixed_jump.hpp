@@ -1,5 +1,9 @@
 #pragma once
-#include "sim/block.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/span.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

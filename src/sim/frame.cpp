@@ -1,12 +1,16 @@
+#include "sim/frame.hpp"
+
 #include <algorithm>
 
 #include "fem/finite.hpp"
 #include "fem/frame.hpp"
 #include "fem/stiffness.hpp"
-#include "sim/block.hpp"
-#include "sim/measure.hpp"
+#include "sim/displacements.hpp"
+#include "sim/drive.hpp"
+#include "sim/nodal_depth.hpp"
 #include "sim/overlap.hpp"
 #include "sim/shared_wear.hpp"
+#include "sim/surfaces.hpp"
 #include "sim/timer.hpp"
 #include "sim/warnings.hpp"
 
@@ -33,18 +37,6 @@ void paint_material(const body::BodyInput& input, const body::Interior& interior
 }
 
 }  // namespace
-
-std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
-                                const Vector& load_factors) {
-  if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&op)) return nonlinear->recover(q, interior.y);
-  if (const auto* linear = std::get_if<body::LinearBody>(&op)) return linear->recover(q, load_factors);
-  return std::get<body::RigidBody>(op).recover(q, load_factors);
-}
-
-double turned_by(const body::Operator& op, const Vector& q) {
-  const auto* linear = std::get_if<body::LinearBody>(&op);
-  return linear ? linear->angle(q) : 0.0;
-}
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "adapt/shift_outline.hpp"
+#include "sim/balance.hpp"
 #include "sim/closing.hpp"
 #include "sim/timer.hpp"
 

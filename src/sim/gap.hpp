@@ -1,5 +1,9 @@
 #pragma once
-#include "sim/shape.hpp"
+#include "sim/equilibrate.hpp"
+#include "sim/problem.hpp"
+#include "sim/span.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

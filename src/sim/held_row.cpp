@@ -1,6 +1,7 @@
 #include "sim/held_row.hpp"
 
-#include "sim/block.hpp"
+#include "sim/drive.hpp"
+#include "sim/figures.hpp"
 
 namespace reye::sim {
 

@@ -1,7 +1,11 @@
 #pragma once
 #include <optional>
 
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/shape.hpp"
+#include "sim/state.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,7 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

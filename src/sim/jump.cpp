@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "sim/block.hpp"
 #include "sim/correction.hpp"
+#include "sim/figures.hpp"
+#include "sim/limit_measure.hpp"
 #include "sim/limits.hpp"
-#include "sim/measure.hpp"
 #include "sim/recording.hpp"
-#include "sim/timer.hpp"
+#include "sim/shape.hpp"
 
 namespace reye::sim {
 

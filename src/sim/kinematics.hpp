@@ -1,31 +1,13 @@
 #pragma once
-#include "sim/run.hpp"
+#include "sim/problem.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
-
-/// Estimated relative error up to which a body that leaves its kinematics to the run is small-strained.
-inline constexpr double small_strain_bound = 0.01;
-
-/// Where no trial chose it: mean strain (with the rotation of a body that keeps its direction) that is a warning, and that
-/// ends a run whose scene does not ask for small strain.
-inline constexpr double strain_warned_of = 0.01, strain_refused = 0.05;
 
 /// Decides between small and finite strain for the bodies that leave it to the run. A trial, with these bodies at small
 /// strain and without wear, plays every step once: a body whose error passes the bound at the end of an increment is
 /// finitely strained, and all are where the trial fails. LinearElastic, which is no law of finite strain, becomes there
 /// Hencky's of the same constants. `cache`: of the problem; emptied of its equations where a body changed.
 void choose_kinematics(Problem& problem, Cache& cache);
-
-/// Largest estimated error of the bodies whose small strain was chosen; empty where there is none.
-std::optional<double> chosen_small_error(const Problem& problem);
-
-/// The same at a state, in place of in the trial.
-std::optional<double> small_strain_error(const Problem& problem, const State& state, const solver::System& system);
-
-/// Mean strain and rotation of a body, seen from its frame, which has turned with it.
-fem::Distortion distortion_of(const Problem& problem, const State& state, const solver::System& system, int body);
-
-/// Looks at the bodies whose small strain no trial chose: warns, or returns why the run ends.
-std::string check_small_strain(const Problem& problem, State& state, const solver::System& system, const Observer& observer);
 
 }  // namespace reye::sim

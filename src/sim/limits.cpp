@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/correction.hpp"
-#include "sim/measure.hpp"
+#include "sim/limit_measure.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Where limits are crossed, and what ends the run.
 namespace reye::sim {

@@ -5,28 +5,11 @@
 #include <numeric>
 #include <tuple>
 
-#include "sim/shared_wear.hpp"
+#include "sim/surfaces.hpp"
 
 namespace reye::sim {
 
 using contact::ContactStatus;
-
-std::vector<double> at_nodes(const mortar::Surface& surface, std::vector<double> coefficients) {
-  for (const auto& [a, b, c] : surface.facets)
-    if (c >= 0) coefficients[c] = 0.25 * (coefficients[a] + 2.0 * coefficients[c] + coefficients[b]);
-  return coefficients;
-}
-
-std::vector<double> depths(const mortar::Surface& surface, const std::vector<double>& removed) {
-  std::vector<double> depth(removed.size());
-  for (std::size_t j = 0; j < depth.size(); ++j) depth[j] = removed[j] / surface.area[j];
-  return at_nodes(surface, std::move(depth));
-}
-
-double deepest(const mortar::Surface& surface, const std::vector<double>& removed) {
-  const auto depth = depths(surface, removed);
-  return depth.empty() ? 0.0 : *std::max_element(depth.begin(), depth.end());
-}
 
 wear::Ledger ledger(const contact::ContactState& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -226,27 +209,6 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   c.primary = side_summary(surfaces[1], book.removed_primary);
   if (setup.options.wear.wears()) c.ledger_relative_error = book.relative_error(setup.options.wear);
   return c;
-}
-
-double limit_measure(const scene::Limit& limit, const contact::Setup& setup, const contact::ContactState& state,
-                     const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed) {
-  const auto c = summarise(setup, state, shapes, placed);
-  const auto of = [&](const SideSummary& side) { return limit.depth_mm ? side.max_depth_mm : side.worn_area; };
-  if (limit.side == "secondary") return of(c.secondary);
-  if (limit.side == "primary") return of(c.primary);
-  return of(c.secondary) + of(c.primary);
-}
-
-std::map<std::string, double> limit_measures(const Problem& problem, const solver::System& system, const State& state) {
-  std::map<std::string, double> measures;
-  const auto shown = as_shown(problem, state);
-  for (const auto& limit : problem.scene.limits) {
-    const auto found = std::find_if(problem.contacts.begin(), problem.contacts.end(),
-                                    [&](const auto& c) { return c.options.name == limit.contact; });
-    const auto c = static_cast<std::size_t>(found - problem.contacts.begin());
-    measures[limit.name] = limit_measure(limit, system.contacts[c], shown[c], state.shapes, *found);
-  }
-  return measures;
 }
 
 }  // namespace reye::sim

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/records.hpp"
 
 /// Bodies that lie inside one another where no contact of the scene keeps them apart.
 namespace reye::sim {

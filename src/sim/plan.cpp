@@ -7,11 +7,12 @@
 #include "body/turning.hpp"
 #include "material/parameters.hpp"
 #include "scene/choose_elements.hpp"
-#include "sim/block.hpp"
 #include "sim/drawn_gap.hpp"
 #include "sim/drive.hpp"
-#include "sim/kinematics.hpp"
+#include "sim/figures.hpp"
+#include "sim/renewable.hpp"
 #include "sim/shared_wear.hpp"
+#include "sim/small_strain.hpp"
 #include "sim/widen_zones.hpp"
 
 namespace reye::sim {

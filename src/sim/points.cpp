@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "fem/assemble_loads.hpp"
+#include "fem/places.hpp"
 #include "mesh/place.hpp"
 #include "sim/warnings.hpp"
 

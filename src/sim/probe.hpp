@@ -1,5 +1,7 @@
 #pragma once
 #include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,6 @@
 #pragma once
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/records.hpp"
 
 namespace reye::sim {
 

@@ -1,3 +1,5 @@
+#include "sim/remesh.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,9 @@
 #include "fem/finite.hpp"
 #include "mesh/quality.hpp"
 #include "sim/carry.hpp"
+#include "sim/displacements.hpp"
 #include "sim/drive.hpp"
+#include "sim/renewable.hpp"
 #include "sim/timer.hpp"
 #include "sim/zones.hpp"
 
@@ -127,7 +131,7 @@ std::string carry_displaced(const State& state, int b, const Displaced& before, 
 }
 
 /// D and M on the fresh meshes: what the next equilibrium starts from.
-void renew_references(const Problem& problem, const solver::System& system, State& next) {
+void renew_displaced(const Problem& problem, const solver::System& system, State& next) {
   auto& solution = next.solution;
   for (std::size_t c = problem.contacts.size(); c < system.contacts.size(); ++c)
     solution.contacts[c] = contact::fresh_state(system.contacts[c]);  // what a bond carries follows from equilibrium
@@ -160,21 +164,6 @@ RemeshRecord record_of(const Problem& problem, const State& next, int body, cons
 }
 
 }  // namespace
-
-base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
-  const scene::Step none;
-  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
-                       controls.load_factors[body]);
-}
-
-base::Points recovered_in_frame(const Problem& problem, const State& state, const solver::System& system, int body) {
-  const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
-  if (!linear) return recovered(problem, state, system, body);
-  const scene::Step none;
-  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return linear->recover_in_frame(system.part(state.solution.q, body), controls.load_factors[body]);
-}
 
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
                                          const std::vector<Moved>& moved) {
@@ -247,57 +236,8 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
     }
     next.solution.q.segment(system.offset[b], parts[b].size()) = parts[b];
   }
-  renew_references(problem, system, next);
+  renew_displaced(problem, system, next);
   return {};
-}
-
-Balance balance_of(const Problem& problem, const State& state, const solver::System& system) {
-  Balance balance;
-  for (const auto& contact : state.solution.contacts) {
-    balance.force.emplace_back(Vec2::Zero());
-    for (std::size_t j = 0; j < contact.lambda.size(); ++j)
-      balance.force.back() += contact.reference[j].carried() * contact.lambda[j];
-  }
-  for (int b = 0; b < problem.body_count(); ++b) {
-    const Vector q = system.part(state.solution.q, b);
-    const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
-    const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
-    balance.energy.push_back(linear      ? linear->strain_energy(q)
-                             : nonlinear ? nonlinear->strain_energy(state.solution.interiors[b], q)
-                                         : 0.0);
-  }
-  return balance;
-}
-
-double pressure_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried) {
-  double difference = 0.0, all = 0.0;
-  for (std::size_t j = 0; j < carried.normal.size(); ++j) {
-    const double A = setup.secondary.area[j], before = carried.normal[j] / A, now = state.lambda[j].dot(state.normal[j]);
-    difference += A * (now - before) * (now - before);
-    all += A * before * before;
-  }
-  return all > 0.0 ? std::sqrt(difference / all) : 0.0;
-}
-
-double peak_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried) {
-  std::vector<char> inner(carried.normal.size(), 0);
-  double count = 0.0, peak = 0.0, most = 0.0;
-  const auto pressure = [&](std::size_t j) { return carried.normal[j] / setup.secondary.area[j]; };
-  for (std::size_t j = 0; j < inner.size(); ++j) {
-    inner[j] = carried.normal[j] > 0.0;
-    count += inner[j];
-    peak = std::max(peak, pressure(j));
-  }
-  for (int turn = 0; turn < std::max(1.0, count / 20.0); ++turn) {
-    const auto before = inner;
-    for (const auto& facet : setup.secondary.facets)
-      for (int node : facet)
-        for (int beside : facet)
-          if (node >= 0 && beside >= 0 && !before[beside]) inner[node] = 0;
-  }
-  for (std::size_t j = 0; j < inner.size(); ++j)
-    if (inner[j]) most = std::max(most, std::abs(state.lambda[j].dot(state.normal[j]) - pressure(j)));
-  return peak > 0.0 ? most / peak : 0.0;
 }
 
 }  // namespace reye::sim

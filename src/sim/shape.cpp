@@ -7,7 +7,8 @@
 
 #include "adapt/shape_step.hpp"
 #include "base/errors.hpp"
-#include "sim/drive.hpp"
+#include "sim/balance.hpp"
+#include "sim/drawn_gap.hpp"
 #include "sim/gap.hpp"
 #include "sim/scene_line.hpp"
 #include "sim/shared_wear.hpp"

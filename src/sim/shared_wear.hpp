@@ -1,6 +1,7 @@
 #pragma once
 #include "base/errors.hpp"
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Boundaries that several contacts wear: each books what it takes off itself, and all see what is gone.   (README, 4)
 namespace reye::sim {

@@ -1,7 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Partial slip on elements of first order. As wear empties the annulus around a stick zone, pressure and shear become singular
 /// at its edge, and elements of first order make the edge force of a sheared punch `edge_ratio` times that of a pressed one

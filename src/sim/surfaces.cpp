@@ -1,8 +1,10 @@
+#include "sim/surfaces.hpp"
+
 #include <algorithm>
 #include <unordered_map>
 
 #include "mesh/arc.hpp"
-#include "sim/measure.hpp"
+#include "sim/nodal_depth.hpp"
 
 namespace reye::sim {
 

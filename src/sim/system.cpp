@@ -1,22 +1,8 @@
+#include "sim/system.hpp"
+
 #include <utility>
 
-#include "material/parameters.hpp"
-#include "sim/kinematics.hpp"
-#include "sim/problem.hpp"
-
 namespace reye::sim {
-
-State initial_state(const Problem& problem) {
-  State state;
-  state.shapes = problem.shapes;
-  for (const auto& [name, history] : problem.scene.histories) state.factors[name] = history.front()[1];
-  state.small_strain_error = chosen_small_error(problem);
-  return state;
-}
-
-bool is_nonlinear(const body::BodyInput& input) {
-  return input.kinematics == base::Kinematics::finite || material::has_history(input.material);
-}
 
 namespace {
 

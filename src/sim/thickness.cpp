@@ -1,7 +1,7 @@
 #include "sim/thickness.hpp"
 
 #include "mesh/measure.hpp"
-#include "sim/block.hpp"
+#include "sim/displacements.hpp"
 
 namespace reye::sim {
 

@@ -4,6 +4,8 @@
 #include <chrono>
 
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,8 @@
 #pragma once
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
 
 /// Looks at contacts while a run goes on, and warns of what makes their numbers wrong.
 namespace reye::sim {
@@ -23,12 +26,6 @@ void warn_of_resolution(std::vector<Warning>& warnings, const std::string& conta
 /// Facets that the load does not press flat: their sagitta against 2 P / E*, which is pi times the approach a^2 / 2R of a line
 /// contact of half width a, and of the order of the approach of one that conforms.
 void warn_of_facets(std::vector<Warning>& warnings, const std::string& contact, double sagitta_mm, double approach_mm, double size_mm);
-
-/// Forgets what was seen in the block before.
-void begin_watch(const Problem& problem, State& state);
-
-/// At the end of an accepted increment; `wear`: of a step that wears.
-void watch_contacts(const Problem& problem, State& state, const solver::System& system, bool wear);
 
 /// At the end of a block: of what pressed hardest in it, when that was at least half of the largest force so far.
 void warn_of_block(const Problem& problem, State& state, const Observer& observer);

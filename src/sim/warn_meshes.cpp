@@ -1,14 +1,15 @@
+#include "sim/warn_meshes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <numbers>
 
-#include "sim/drawn_gap.hpp"
 #include "scene/histories.hpp"
+#include "sim/drawn_gap.hpp"
 #include "sim/roundness.hpp"
 #include "sim/warn_contact.hpp"
-#include "sim/warn_setup.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {

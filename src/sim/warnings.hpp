@@ -1,7 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
 
 /// What a reader must know before trusting the results of a run that is otherwise done.
 namespace reye::sim {

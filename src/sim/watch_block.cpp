@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "sim/kinematics.hpp"
+#include "sim/small_strain.hpp"
 #include "sim/warnings.hpp"
 
 namespace reye::sim {

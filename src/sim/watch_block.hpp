@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
 
-#include "sim/run.hpp"
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// What is looked at once a block has ended: the error of its jump, plastic strain, small strain.
 namespace reye::sim {

@@ -7,11 +7,10 @@
 #include "body/operator.hpp"
 #include "mesh/measure.hpp"
 #include "scene/histories.hpp"
-#include "sim/drive.hpp"
-#include "sim/kinematics.hpp"
-#include "sim/measure.hpp"
+#include "sim/nodal_depth.hpp"
 #include "sim/roundness.hpp"
 #include "sim/sizes.hpp"
+#include "sim/small_strain.hpp"
 #include "sim/worn_through.hpp"
 
 namespace reye::sim {

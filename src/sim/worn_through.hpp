@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 namespace reye::sim {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/problem.hpp"
+#include "sim/state.hpp"
 
 /// Fine zones that follow the contact as wear widens and moves it.
 namespace reye::sim {

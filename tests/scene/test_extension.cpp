@@ -1,4 +1,5 @@
 #include "scene/extension.hpp"
+#include "scene/fixed_part.hpp"
 
 #include <gtest/gtest.h>
 

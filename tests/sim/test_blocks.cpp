@@ -7,6 +7,7 @@
 #include "problem_of.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
+#include "sim/surfaces.hpp"
 
 using namespace reye;
 

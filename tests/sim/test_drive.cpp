@@ -2,6 +2,7 @@
 
 #include "problem_of.hpp"
 #include "sim/drive.hpp"
+#include "sim/system.hpp"
 
 using namespace reye;
 

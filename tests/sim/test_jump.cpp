@@ -7,6 +7,7 @@
 #include "problem_of.hpp"
 #include "sim/correction.hpp"
 #include "sim/jump.hpp"
+#include "sim/run.hpp"
 
 using namespace reye;
 

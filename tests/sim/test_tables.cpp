@@ -4,6 +4,7 @@
 
 #include "sim/measure.hpp"
 #include "sim/run.hpp"
+#include "sim/surfaces.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

@@ -7,6 +7,7 @@
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
 #include "sim/run.hpp"
+#include "sim/surfaces.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

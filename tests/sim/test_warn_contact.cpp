@@ -1,4 +1,5 @@
 #include "sim/warn_contact.hpp"
+#include "sim/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/measure.hpp"
+#include "sim/nodal_depth.hpp"
 
 using namespace reye;
 

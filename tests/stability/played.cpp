@@ -8,6 +8,8 @@
 #include "base/errors.hpp"
 #include "scene/rewrite.hpp"
 #include "sim/block.hpp"
+#include "sim/drive.hpp"
+#include "sim/run.hpp"
 #include "support/problem.hpp"
 
 namespace reye::test {

@@ -9,6 +9,7 @@
 #include "scene/read.hpp"
 #include "sim/measure.hpp"
 #include "sim/run.hpp"
+#include "sim/prepare.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace reye;

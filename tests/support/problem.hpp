@@ -6,6 +6,7 @@
 
 #include "scene/read.hpp"
 #include "sim/problem.hpp"
+#include "sim/prepare.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace reye::support {

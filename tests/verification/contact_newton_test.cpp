@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "sim/block.hpp"
+#include "sim/drive.hpp"
 #include "verification/contact_scene.hpp"
 
 using namespace reye;

@@ -3,6 +3,7 @@
 
 #include "fem/finite.hpp"
 #include "sim/kinematics.hpp"
+#include "sim/small_strain.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;

@@ -3,6 +3,9 @@
 #include "adapt/gauss_points.hpp"
 #include "sim/block.hpp"
 #include "sim/measure.hpp"
+#include "sim/remesh.hpp"
+#include "sim/shape.hpp"
+#include "sim/surfaces.hpp"
 #include "verification/contact_scene.hpp"
 
 using namespace reye;

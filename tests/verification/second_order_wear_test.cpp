@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "contact_scene.hpp"
+#include "sim/records.hpp"
 
 /// Wear of bodies of second order: quadratic edges, multipliers and depths in Bernstein functions.
 namespace reye::verification {

@@ -6,6 +6,8 @@
 #include "output/state_archive.hpp"
 #include "support/problem.hpp"
 #include "wear_scene.hpp"
+#include "sim/observer.hpp"
+#include "sim/run.hpp"
 
 /// A boundary that two contacts wear: geo/two_pins, and a shaft between two pads.
 namespace reye::verification {

@@ -10,6 +10,7 @@
 
 #include "scene/read.hpp"
 #include "sim/run.hpp"
+#include "sim/prepare.hpp"
 #include "support/temporary_folder.hpp"
 
 /// Scenes of geo/ with a few words replaced, played through the whole program but for its output.

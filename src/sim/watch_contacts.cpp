@@ -1,4 +1,4 @@
-#include "sim/watch.hpp"
+#include "sim/watch_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+namespace reye::base {
+
+/// One thing wrong with the input: the key it hangs on ("material.steel.nu"), its value as written
+/// (empty if the key itself is the fault), and the rule it breaks.
+struct Issue {
+  std::string key;
+  std::string value;
+  std::string rule;
+};
+
+}  // namespace reye::base

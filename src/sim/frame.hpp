@@ -1,0 +1,16 @@
+#pragma once
+#include "sim/observer.hpp"
+#include "sim/problem.hpp"
+#include "sim/records.hpp"
+#include "sim/state.hpp"
+#include "sim/system.hpp"
+
+namespace reye::sim {
+
+/// Everything a picture needs of a state.
+Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);
+
+/// Tells the observer of a frame, unless it has it already.
+void show_frame(const Problem& problem, State& state, Cache& cache, const Observer& observer, const std::string& step);
+
+}  // namespace reye::sim

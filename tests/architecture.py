@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""Includes of src/ as designed: a room includes itself and rooms before it, no file includes itself through others, a
+third-party library is named in the room that owns it alone.
+
+  architecture.py SOURCE ROOM...   rooms in their order
+"""
+import pathlib
+import re
+import sys
+
+OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"output"}, "cereal": {"output"},
+          "toml": {"scene"}, "cholmod": {"algebra"}, "umfpack": {"algebra"}, "suitesparse": {"algebra"}, "Support>": {"algebra"},
+          "CLI/": {"apps"}, "spdlog": {"apps"}}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)
+
+
+def unit(path):
+    """A header and its source are one unit."""
+    return path.rsplit(".", 1)[0]
+
+
+def circle(includes):
+    """Units that include each other in turn, or nothing."""
+    done = set()
+    for start in includes:
+        trail, pending = [], [(start, False)]
+        while pending:
+            here, leaving = pending.pop()
+            if leaving:
+                trail.pop()
+                done.add(here)
+            elif here in trail:
+                return trail[trail.index(here):] + [here]
+            elif here not in done:
+                trail.append(here)
+                pending.append((here, True))
+                pending += [(other, False) for other in sorted(includes.get(here, ()))]
+    return []
+
+
+def main():
+    source, rooms = pathlib.Path(sys.argv[1]), sys.argv[2:]
+    failures, includes = [], {}
+    for number, room in enumerate(rooms):
+        for file in sorted((source / room).rglob("*.[ch]pp")):
+            name = file.relative_to(source).as_posix()
+            here = includes.setdefault(unit(name), set())
+            for own, library in INCLUDE.findall(file.read_text(encoding="utf-8")):
+                if own and own.split("/")[0] not in rooms[:number + 1]:
+                    failures.append(f"{name}: room '{room}' includes '{own}', which stands after it or is not written by its room")
+                if own and unit(own) != unit(name):
+                    here.add(unit(own))
+                failures += [f"{name}: {library} is named only in {', '.join(sorted(owners))}"
+                             for word, owners in OWNERS.items() if word in library and room not in owners]
+    if around := circle(includes):
+        failures.append("files include each other in turn: " + " -> ".join(around))
+    sys.exit("\n".join(failures) if failures else print("rooms, files and libraries as designed"))
+
+
+main()
