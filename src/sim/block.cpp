@@ -104,7 +104,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
     const std::string where = "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
     if (depth == 0) {
       if (observer.log) observer.log("no state: " + where + result.report.reason);
-      const Attempt attempt{span.step, span.jump, result.report.reason};
+      const Attempt attempt{span.step, span.jump, result.report.failure, result.report.reason};
       return scene_line(problem.scene, "step " + span.step->name) + where + why_failed(problem, state, attempt, system);
     }
     note_cutback(state, where + result.report.reason, observer);

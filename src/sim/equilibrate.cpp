@@ -111,7 +111,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged)
     return scene_line(problem.scene, "step " + span.step->name) + "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
-           why_failed(problem, state, {span.step, span.jump, result.report.reason}, system);
+           why_failed(problem, state, {span.step, span.jump, result.report.failure, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)
     for (std::size_t j = 0; j < status[c].size(); ++j)

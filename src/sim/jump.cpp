@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "sim/balance.hpp"
 #include "sim/block.hpp"
 #include "sim/correction.hpp"
 #include "sim/figures.hpp"
@@ -93,19 +94,39 @@ std::string estimated(double error) {
   return text;
 }
 
+/// How far the pressures of a state are from those that were held before it: the worst contact, in the mean (`pressure_jump`).
+double pressure_change(const Problem& problem, const State& state, Cache& cache, const std::vector<HeldTraction>& before) {
+  const auto& system = system_of(problem, state, cache);
+  double largest = 0.0;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    largest = std::max(largest, pressure_jump(system.contacts[c], state.solution.contacts[c], before[c]));
+  return largest;
+}
+
 /// Short cycles after a block, not extrapolated: what the correction or a fresh mesh left uneven is worn level before
 /// it is shown or jumped from. Their wear waits in the gap. Each is half of what is left: the first wear what is uneven
-/// away, the last so little that pressures follow the stroke, which at the end of a step is what remains to be seen.
+/// away, the last so little that pressures follow the stroke. At the end of a step, where pressures are what remains to
+/// be seen, they halve until pressures repeat.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
+  constexpr int fewest_cycles = 2, most_cycles = 8;
+  constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next
   const bool last = span.last;
-  const int cycles = last ? 8 : 2;
-  double left = span.jump;
-  for (int k = 1; k <= cycles && outcome.failure.empty() && !outcome.interrupted; ++k) {
-    span.last = last && k == cycles;
-    span.jump = k == cycles ? left : 0.5 * left;
-    left -= span.jump;
+  const auto play = [&](double jump, bool ends) {
+    span.jump = jump;
+    span.last = last && ends;
     outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
+    return outcome.failure.empty() && !outcome.interrupted;
+  };
+  double left = span.jump;
+  bool level = !last;
+  for (int k = fewest_cycles; k <= most_cycles; ++k) {
+    const auto before = held_tractions(system_of(problem, outcome.state, cache), outcome.state);
+    left *= 0.5;
+    if (!play(left, false)) return outcome;
+    if (level) break;
+    level = k > fewest_cycles && pressure_change(problem, outcome.state, cache, before) < repeated;
   }
+  play(left, true);
   return outcome;
 }
 

@@ -141,7 +141,7 @@ std::string came_away(const Problem& problem) {
 }  // namespace
 
 std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt, const solver::System& system) {
-  const bool lost = attempt.reason.find("lost the contact") != std::string::npos;
+  const bool lost = attempt.failure == solver::Failure::contact_lost;
   std::string why;
   const auto ask = [&why](std::string words) {
     if (why.empty()) why = std::move(words);

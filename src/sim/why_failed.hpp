@@ -8,6 +8,7 @@ namespace reye::sim {
 struct Attempt {
   const scene::Step* step = nullptr;
   double jump = 1.0;   ///< cycles of the block
+  solver::Failure failure = solver::Failure::no_convergence;
   std::string reason;  ///< of the solver
 };
 

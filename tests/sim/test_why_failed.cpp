@@ -23,7 +23,7 @@ struct Begun {
   sim::State state;
   sim::Cache cache;
   solver::System system;
-  sim::Attempt attempt{nullptr, 1.0, "no convergence in 30 iterations"};
+  sim::Attempt attempt{nullptr, 1.0, solver::Failure::no_convergence, "no convergence in 30 iterations"};
 };
 
 const char* const lost = "nothing is in contact, and a body has lost the contact that holds it";
