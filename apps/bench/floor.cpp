@@ -8,8 +8,8 @@
 #include "algebra/factor.hpp"
 #include "factorisations.hpp"
 #include "scene/read.hpp"
-#include "sim/block.hpp"
-#include "sim/prepare.hpp"
+#include "sim/march/block.hpp"
+#include "sim/study/prepare.hpp"
 
 /// What a wear cycle costs in plain factorisations of the stiffness of its bodies: the floor that no method goes below
 /// which factorises at all, both measured in turn in one run; and how it grows with the bodies. CPU time.

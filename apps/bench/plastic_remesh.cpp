@@ -4,12 +4,12 @@
 #include <cmath>
 #include <string>
 
-#include "adapt/gauss_points.hpp"
+#include "adapt/transfer/gauss_points.hpp"
 #include "material/hardening.hpp"
 #include "scene/read.hpp"
-#include "sim/block.hpp"
-#include "sim/prepare.hpp"
-#include "sim/shape.hpp"
+#include "sim/march/block.hpp"
+#include "sim/study/prepare.hpp"
+#include "sim/reshape/shape.hpp"
 
 /// Plastic bodies pressed together and meshed anew many times: what is left of their plastic strain, against the same
 /// bodies pressed the same way on their first mesh.

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "scene/read.hpp"
-#include "sim/problem.hpp"
-#include "sim/prepare.hpp"
-#include "sim/state.hpp"
-#include "sim/system.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/study/prepare.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
 
 /// A flat punch, pressed or sheared, on the multipliers of one body: how far its edge forces differ between the two. In
 /// the half-plane they are the same; on a mesh they differ by what its elements make of the last facet.

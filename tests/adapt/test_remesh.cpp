@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "adapt/correct.hpp"
+#include "adapt/redraw/correct.hpp"
 #include "adapt/drawn.hpp"
 #include "mesh/quality.hpp"
 

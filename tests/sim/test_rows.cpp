@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/problem.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

@@ -4,7 +4,7 @@
 
 #include "mesh/measure.hpp"
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// An audit of finished runs: what a run reports about one thing in several places is one number.
 namespace reye::verification {

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// Contacts that reach the axis of axisymmetry, and sliding about it.
 namespace reye::verification {

@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// A block pressed on its top and dragged to and fro by its side, over a base: the node at the side slides as all others.
 namespace reye::verification {

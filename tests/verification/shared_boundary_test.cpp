@@ -3,11 +3,11 @@
 #include <numeric>
 
 #include "mesh/measure.hpp"
-#include "output/state_archive.hpp"
+#include "output/run/state_archive.hpp"
 #include "support/problem.hpp"
 #include "wear_scene.hpp"
-#include "sim/observer.hpp"
-#include "sim/run.hpp"
+#include "sim/problem/observer.hpp"
+#include "sim/study/run.hpp"
 
 /// A boundary that two contacts wear: geo/two_pins, and a shaft between two pads.
 namespace reye::verification {

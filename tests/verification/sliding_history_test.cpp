@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// Sliding that is imposed with sign and history: what slides forth and back wears as what slides forth alone.
 namespace reye::verification {

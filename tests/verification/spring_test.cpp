@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// Supports that are springs, against closed forms: geo/sliding_block without friction, nu = 0, two blocks of 10 x 5 mm.
 namespace reye::verification {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// References B6: a confined column under fixed compression, K = M / H, wear kept in the gap.
 namespace reye::verification {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// A fretting cycle of elastic bodies in gross slip: where the energy comes from and where it goes.
 namespace reye::verification {

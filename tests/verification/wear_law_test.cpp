@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// Rates that depend on pressure, speed and history: the block of references B5 and the column of B6 with closed forms.
 namespace reye::verification {

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "wear_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// References B8: a line contact in gross slip, S = k E* s / a0; universal curve of an implicit half-plane solution.
 namespace reye::verification {

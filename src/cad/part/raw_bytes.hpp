@@ -1,0 +1,23 @@
+#pragma once
+#include <string_view>
+
+#include "base/errors.hpp"
+#include "cad/part/raw.hpp"
+
+/// What the importer says of one file, as bytes through a pipe.
+namespace reye::cad {
+
+/// Parts, or what is wrong with the file.
+struct Answer {
+  std::vector<RawPart> parts;
+  std::vector<base::Issue> issues;
+};
+
+std::string to_bytes(const Answer& answer);
+
+/// The answer in these bytes, whoever wrote them: counts within what is there, finite coordinates below 1e9 mm, kinds
+/// that there are, curves of two points or more with as many directions, cells and names of nodes that the mesh has.
+/// Throws std::runtime_error saying which of it fails.
+Answer answer_of(std::string_view bytes);
+
+}  // namespace reye::cad

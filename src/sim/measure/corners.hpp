@@ -1,0 +1,18 @@
+#pragma once
+#include "base/errors.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/records.hpp"
+#include "sim/problem/state.hpp"
+
+/// Sharp corners on secondary sides: their multiplier acts along the normal of one of the two facets, which the other side
+/// need not face.
+namespace reye::sim {
+
+/// Contacts whose secondary side touches first with a corner that neither of its facets faces: refused, with the cure.
+std::vector<base::Issue> corner_issues(const Problem& problem, const solver::System& system);
+
+/// Corners that carry load along a normal which the surface opposite does not have: their forces may leave the cone of
+/// friction that it sees.
+std::vector<Warning> corner_warnings(const solver::System& system, const State& state);
+
+}  // namespace reye::sim

@@ -1,0 +1,45 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "sim/reshape/equilibrate.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/records.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+
+/// Fresh meshes.
+namespace reye::sim {
+
+/// Why a body is to be meshed anew, empty: it is not; whether its outline wants other facets, too; and whether the
+/// current shape becomes X.
+struct RemeshReason {
+  std::string text;
+  bool divide = false;
+  bool renew = false;
+};
+
+/// A body after the wear of a block has been taken off.
+struct Moved {
+  body::ShapePtr shape;
+  std::string poor;  ///< why its mesh can not be used; empty when it can
+};
+
+/// Shapes that have changed and what goes with them, on the way to a new equilibrium.
+struct Change {
+  State next;
+  std::vector<RemeshReason> reasons;  ///< per body
+  std::vector<HeldTraction> held;     ///< per contact, on the nodes of `next`
+};
+
+/// What the triggers say of every body.
+std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
+                                        const std::vector<Moved>& moved);
+
+/// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shapes moved;
+/// `change.next`: its shapes moved, its wear booked. `change.held` becomes that of the new nodes. Returns a failure in
+/// words; `records` tells what was done, jumps still open.
+std::string remesh_bodies(const Problem& problem, const State& state, Change& change, Cache& cache,
+                          std::vector<RemeshRecord>& records);
+
+}  // namespace reye::sim

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "sim/problem/observer.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/reshape/remesh.hpp"
+#include "sim/problem/span.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+
+namespace reye::sim {
+
+/// Shape evolution of all worn bodies, fresh meshes where a trigger, or `asked` (per body, or none), wants them, then
+/// re-equilibration with the shear as history.
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
+                     const std::vector<RemeshReason>& asked = {});
+
+/// Fresh meshes where asked for and re-equilibration; the state before it where that fails.
+Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
+               const Observer& observer);
+
+}  // namespace reye::sim

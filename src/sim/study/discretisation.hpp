@@ -1,0 +1,43 @@
+#pragma once
+#include "sim/problem/observer.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/records.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+
+/// How far a run may be from one on a mesh without end.
+namespace reye::sim {
+
+/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch, its
+/// kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends (`leaves_zone`).
+scene::Scene coarser(const Problem& problem, const State& state);
+
+/// How far apart the ends of a run are on two meshes, the largest of all contacts; a point of one mesh is compared with
+/// the nearest one of the other.
+struct MeshDifference {
+  /// Of sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest depth.
+  std::optional<double> wear;
+  /// Of secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
+  std::optional<double> traction;
+  /// Of the same: the difference of the largest pressures over the largest pressure.
+  std::optional<double> peak;
+};
+
+MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std::vector<SurfaceRecord>& coarse,
+                               base::Analysis analysis);
+
+/// What the mesh is estimated to put wrong, both relative.
+struct DiscretisationError {
+  RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
+  std::string reason;                     ///< why there is no error of the surface; empty when there is
+  std::optional<double> surface;          ///< of depths, or of tractions where nothing wears
+  std::optional<double> peak_pressure;    ///< of the largest pressure at the end
+  std::optional<double> energy_norm;      ///< of the stress in linear bodies, by recovery (`fem::recovered_error`)
+  double order = 0.0;                     ///< power of the element size that `surface` falls with
+};
+
+/// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The
+/// errors of the two fall with powers of the element size that are known, so that their difference tells what is left.
+DiscretisationError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
+
+}  // namespace reye::sim

@@ -1,0 +1,15 @@
+#pragma once
+#include "sim/problem/observer.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/records.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+
+namespace reye::sim {
+
+/// What a user asks for: `march`, and after it, where the scene wants it, the error of its mesh. `cache`: of `prepare`, if it
+/// was kept.
+Summary run(const Problem& problem, State& state, const Observer& observer, Cache& cache);
+Summary run(const Problem& problem, State& state, const Observer& observer);
+
+}  // namespace reye::sim
