@@ -7,9 +7,9 @@
 #include "factorisations.hpp"
 #include "scene/read.hpp"
 #include "sim/march/block.hpp"
-#include "sim/study/prepare.hpp"
 #include "sim/reshape/remesh.hpp"
 #include "sim/reshape/shape.hpp"
+#include "sim/study/prepare.hpp"
 
 /// What a remesh costs beyond gmsh, in plain factorisations of the stiffness of the bodies that are meshed anew; both
 /// measured in turn in one run.

@@ -84,7 +84,8 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
     matrices += found.report.matrices;
     tangents += found.report.tangents;
     const bool converged = found.report.converged;
-    if (converged || attempt.from != Start::sheared) result = std::move(found);  // a start that may not fit gives no reason
+    if (converged || attempt.from != Start::sheared)
+      result = std::move(found);  // a start that may not fit gives no reason
     if (converged) break;
   }
   result.report.solves = solves;

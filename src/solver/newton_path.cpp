@@ -20,13 +20,19 @@ constexpr double far_out = 0.01;         ///< where that is more of the forces t
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
-constexpr double on_kept = 0.01;         ///< of the tolerances, for a step that kept a matrix: Newton's own falls far below them
+constexpr double on_kept =
+    0.01;  ///< of the tolerances, for a step that kept a matrix: Newton's own falls far below them
 
 }  // namespace
 
-NewtonPath::NewtonPath(Increment& increment, const NewtonOptions& options, const System& system, const SolverState& before,
-                       const Controls& controls, const Attempt& attempt)
-    : increment_(increment), options_(options), system_(system), before_(before), controls_(controls), attempt_(attempt) {}
+NewtonPath::NewtonPath(Increment& increment, const NewtonOptions& options, const System& system,
+                       const SolverState& before, const Controls& controls, const Attempt& attempt)
+    : increment_(increment),
+      options_(options),
+      system_(system),
+      before_(before),
+      controls_(controls),
+      attempt_(attempt) {}
 
 SolveResult NewtonPath::follow(bool narrowing) {
   narrowing_ = narrowing;
@@ -49,7 +55,8 @@ bool NewtonPath::begin() {
   last_ = options_.max_iterations;
   limit_ = most_on_one_tangent;
   try {
-    q_ = increment_.begin(system_, before_, controls_, attempt_.from, attempt_.chords ? Tangent::symmetric_part : Tangent::exact);
+    q_ = increment_.begin(system_, before_, controls_, attempt_.from,
+                          attempt_.chords ? Tangent::symmetric_part : Tangent::exact);
   } catch (const base::SolveError& error) {
     end(Failure::torn, error.what());
     return false;
@@ -100,8 +107,9 @@ void NewtonPath::extend() {
 
 bool NewtonPath::finite() {
   if (std::isfinite(row_.force) && std::isfinite(row_.condition)) return true;
-  end(Failure::contact_lost, "the residual is not finite after " + std::to_string(iteration_) +
-      " iterations: displacements grow without bound, as where a body has lost the contact that holds it");
+  end(Failure::contact_lost,
+      "the residual is not finite after " + std::to_string(iteration_) +
+          " iterations: displacements grow without bound, as where a body has lost the contact that holds it");
   return false;
 }
 
@@ -129,14 +137,16 @@ bool NewtonPath::met() {
   const double bound = (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
   if (iteration_ == 0 || row_.changes > 0 || !(error() < bound)) return false;
   if (late_) return true;
-  if (increment_.decide(options_.max_iterations, attempt_.from, cycling_ ? Allowed::one : Allowed::all) == 0) return true;
+  if (increment_.decide(options_.max_iterations, attempt_.from, cycling_ ? Allowed::one : Allowed::all) == 0)
+    return true;
   late_ = true;
   chord_ = false;
   increment_.measure(system_, controls_, q_, fresh());
   return false;
 }
 
-/// The state is the answer, unless contact has outrun its reach: then Newton goes on round the contact that it has found.
+/// The state is the answer, unless contact has outrun its reach: then Newton goes on round the contact that it has
+/// found.
 void NewtonPath::accept() {
   if (increment_.accept(system_, q_, result_.state)) {
     std::string passed = increment_.passed_through();

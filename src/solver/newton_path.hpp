@@ -38,7 +38,9 @@ class NewtonPath {
   void step();
   void end(Failure failure, std::string reason);
 
-  bool fresh() const { return !increment_.nonlinear() || since_ == 0; }  ///< the residual is the truth, not a linearised body's
+  bool fresh() const {
+    return !increment_.nonlinear() || since_ == 0;
+  }  ///< the residual is the truth, not a linearised body's
   bool renewed() const { return since_ == 0 && renewals_ > 0; }
   bool one_by_one() const { return cycling_; }
   int stage() const { return late_ ? options_.max_iterations : iteration_; }
@@ -54,17 +56,17 @@ class NewtonPath {
   SolveResult result_;
   bool ended_ = false, narrowing_ = false;
   base::TwoPart q_;
-  Iteration row_;           ///< of this iteration
+  Iteration row_;  ///< of this iteration
   ActiveSetWatch watch_;
-  bool cycling_ = false;    ///< the active set goes round in circles: it changes in one node alone
-  bool late_ = false;       ///< decisions are those of the end of an increment
-  int iteration_ = 0;       ///< since the bodies were renewed; counts towards `last_`
-  int since_ = 0;           ///< iterations on the tangents that bodies have
+  bool cycling_ = false;      ///< the active set goes round in circles: it changes in one node alone
+  bool late_ = false;         ///< decisions are those of the end of an increment
+  int iteration_ = 0;         ///< since the bodies were renewed; counts towards `last_`
+  int since_ = 0;             ///< iterations on the tangents that bodies have
   int last_ = 0, limit_ = 0;  ///< iterations at most; of them on one tangent
-  int few_ = 0;             ///< iterations in a row in which a few nodes change
+  int few_ = 0;               ///< iterations in a row in which a few nodes change
   int renewals_ = 0;
   ChordRule matrices_, tangents_;
-  bool chord_ = false, on_chord_ = false;             ///< this step and the one before keep the matrix
+  bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
   double least_ = std::numeric_limits<double>::infinity();  ///< force out of balance so far
 };

@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-#include "output/report/drawn_frame.hpp"
 #include "output/folder/files.hpp"
+#include "output/folder/vtk_frames.hpp"
+#include "output/report/drawn_frame.hpp"
 #include "output/report/profiles.hpp"
 #include "output/report/report.hpp"
-#include "output/folder/vtk_frames.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

@@ -8,8 +8,8 @@
 #include "mesh/quality.hpp"
 #include "scene/read.hpp"
 #include "sim/measure/measure.hpp"
-#include "sim/study/run.hpp"
 #include "sim/study/prepare.hpp"
+#include "sim/study/run.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace reye;

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "adapt/redraw/correct.hpp"
-#include "adapt/shape/crossing.hpp"
 #include "adapt/redraw/redraw.hpp"
-#include "adapt/shape/relocation.hpp"
 #include "adapt/redraw/trace.hpp"
+#include "adapt/shape/crossing.hpp"
+#include "adapt/shape/relocation.hpp"
 #include "base/errors.hpp"
 #include "mesh/arc.hpp"
 #include "mesh/quality.hpp"
@@ -37,8 +37,8 @@ std::vector<EdgePair> pairs_of(const cad::Drawing& drawing, const mesh::Mesh& wo
     for (std::size_t k = 0; k < drawing.part.loops[l].size(); ++k) {
       const cad::Edge& edge = drawing.part.loops[l][k];
       if (!edge.worn && edge.type != cad::EdgeType::line) continue;
-      pairs.push_back({nodes_on(worn.outline[l], before.start[l], k), nodes_on(fresh.outline[l], after.start[l], k),
-                       edge.worn});
+      pairs.push_back(
+          {nodes_on(worn.outline[l], before.start[l], k), nodes_on(fresh.outline[l], after.start[l], k), edge.worn});
     }
   return pairs;
 }

@@ -4,11 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "adapt/shape/segment_tree.hpp"
 #include "adapt/transfer/gauss_points.hpp"
 #include "adapt/transfer/locate.hpp"
 #include "adapt/transfer/projection.hpp"
 #include "adapt/transfer/recovery.hpp"
-#include "adapt/shape/segment_tree.hpp"
 
 namespace reye::adapt {
 

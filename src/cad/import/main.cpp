@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <new>
 
+#include "cad/build/importer_process.hpp"
 #include "cad/import/guard.hpp"
 #include "cad/import/read_file.hpp"
-#include "cad/build/importer_process.hpp"
 #include "cad/meshing/kernel.hpp"
 #include "cad/part/raw_bytes.hpp"
 

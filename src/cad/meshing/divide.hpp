@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "cad/part/part.hpp"
 #include "cad/meshing/points.hpp"
 #include "cad/meshing/size_field.hpp"
+#include "cad/part/part.hpp"
 #include "cad/part/zone.hpp"
 
 namespace reye::cad {

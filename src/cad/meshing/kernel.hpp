@@ -1,9 +1,9 @@
 #pragma once
-#include "cad/part/raw.hpp"
 #include "cad/meshing/region.hpp"
+#include "cad/part/raw.hpp"
 
-/// gmsh, and the OpenCASCADE it brings, make a library of their own (`cad/gmsh`), loaded when it is first asked for: to load
-/// it takes longer than many a small scene, and one that brings its mesh does without.
+/// gmsh, and the OpenCASCADE it brings, make a library of their own (`cad/gmsh`), loaded when it is first asked for: to
+/// load it takes longer than many a small scene, and one that brings its mesh does without.
 namespace reye::cad {
 
 /// What that library does.

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "cad/part/part.hpp"
 #include "cad/meshing/size_field.hpp"
+#include "cad/part/part.hpp"
 
 /// Places where a point load or support acts: vertices of every mesh of the body, so that none moves to another node
 /// when the body is remeshed.

@@ -4,8 +4,8 @@
 #include "sim/problem/observer.hpp"
 #include "sim/problem/problem.hpp"
 #include "sim/problem/records.hpp"
-#include "sim/reshape/shape.hpp"
 #include "sim/problem/state.hpp"
+#include "sim/reshape/shape.hpp"
 
 namespace reye::sim {
 

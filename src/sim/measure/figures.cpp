@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "sim/measure/bond_traction.hpp"
-#include "sim/problem/drive.hpp"
 #include "sim/measure/measure.hpp"
 #include "sim/measure/nodal_depth.hpp"
 #include "sim/measure/shared_wear.hpp"
 #include "sim/measure/surfaces.hpp"
+#include "sim/problem/drive.hpp"
 
 namespace reye::sim {
 

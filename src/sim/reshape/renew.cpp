@@ -5,13 +5,13 @@
 #include <numeric>
 
 #include "adapt/shape/triggers.hpp"
-#include "sim/reshape/carry.hpp"
 #include "sim/measure/displacements.hpp"
+#include "sim/measure/renewable.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/reshape/carry.hpp"
 #include "sim/reshape/equilibrate.hpp"
 #include "sim/reshape/remesh.hpp"
-#include "sim/measure/renewable.hpp"
 #include "sim/reshape/shape.hpp"
-#include "sim/problem/timer.hpp"
 
 namespace reye::sim {
 
@@ -72,7 +72,8 @@ void count_on_current(const Problem& problem, const solver::System& system, Chan
 
 }  // namespace
 
-bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                      const Observer& observer) {
   if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
   const auto& system = timed_system(problem, state, cache);
   std::vector<RemeshReason> reasons(state.shapes.size());

@@ -3,10 +3,10 @@
 
 #include "sim/problem/observer.hpp"
 #include "sim/problem/problem.hpp"
-#include "sim/reshape/remesh.hpp"
 #include "sim/problem/span.hpp"
 #include "sim/problem/state.hpp"
 #include "sim/problem/system.hpp"
+#include "sim/reshape/remesh.hpp"
 
 namespace reye::sim {
 

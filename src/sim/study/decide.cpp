@@ -1,10 +1,10 @@
 #include "sim/study/decide.hpp"
 
-#include "sim/study/kinematics.hpp"
 #include "sim/place/place.hpp"
 #include "sim/place/plan.hpp"
-#include "sim/problem/timer.hpp"
 #include "sim/place/warn_meshes.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/study/kinematics.hpp"
 
 namespace reye::sim {
 
