@@ -173,9 +173,20 @@ void scaling_plastic(benchmark::State& run) {
   scaling_of_a_block(run, played);
 }
 
-BENCHMARK(told<scaling_linear>)->Name("scaling")->Arg(4)->Arg(20)->Arg(60)->Arg(200)->Iterations(3)
+BENCHMARK(told<scaling_linear>)
+    ->Name("scaling")
+    ->Arg(4)
+    ->Arg(20)
+    ->Arg(60)
+    ->Arg(200)
+    ->Iterations(3)
     ->Unit(benchmark::kSecond);
-BENCHMARK(told<scaling_plastic>)->Name("scaling_plastic")->Arg(4)->Arg(20)->Arg(60)->Iterations(1)
+BENCHMARK(told<scaling_plastic>)
+    ->Name("scaling_plastic")
+    ->Arg(4)
+    ->Arg(20)
+    ->Arg(60)
+    ->Iterations(1)
     ->Unit(benchmark::kSecond);
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "mortar/integrate.hpp"
 #include "output/vtk_frames.hpp"
 
-/// The inner kernels one by one: dual numbers, mortar integrals and their derivatives, the dense solve of an iteration, a
-/// frame on its way to disk. Gauss point transfer stands in gauss_transfer.cpp.
+/// The inner kernels one by one: dual numbers, mortar integrals and their derivatives, the dense solve of an iteration,
+/// a frame on its way to disk. Gauss point transfer stands in gauss_transfer.cpp.
 namespace {
 
 using namespace reye;
@@ -82,7 +82,8 @@ void dense_lu(benchmark::State& run) {
   const auto n = static_cast<Eigen::Index>(run.range(0));
   base::Matrix A = base::Matrix::Identity(n, n) * 4.0;
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) A(i, j) += std::cos(static_cast<double>(3 * i + 7 * j)) / static_cast<double>(1 + std::abs(i - j));
+    for (Eigen::Index j = 0; j < n; ++j)
+      A(i, j) += std::cos(static_cast<double>(3 * i + 7 * j)) / static_cast<double>(1 + std::abs(i - j));
   algebra::DenseFactor factor;
   for (auto _ : run) {
     base::Matrix copy = A;

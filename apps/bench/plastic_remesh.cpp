@@ -18,7 +18,8 @@ namespace {
 using namespace reye;
 
 constexpr std::array names{"nearest", "patch", "l2"};
-constexpr std::array factors{1.13, 0.91, 1.06, 0.95, 1.0, 1.1, 0.9};  ///< on the element size: never twice the same mesh
+constexpr std::array factors{1.13, 0.91, 1.06, 0.95,
+                             1.0,  1.1,  0.9};  ///< on the element size: never twice the same mesh
 
 /// What the bodies do: stay at the approach that indented them; are released to a fifth of such a force; are pressed
 /// farther after each fresh mesh; or a little back and where they were again.

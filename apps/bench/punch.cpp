@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "scene/read.hpp"
-#include "sim/problem.hpp"
 #include "sim/prepare.hpp"
+#include "sim/problem.hpp"
 #include "sim/state.hpp"
 #include "sim/system.hpp"
 
@@ -52,7 +52,8 @@ Compliance compliance(const contact::Setup& setup, const body::LinearBody& body,
   const Eigen::LDLT<Matrix> factor(S);
   const auto along = [&](const base::Vec2& d) {
     Matrix F(body.dofs(), static_cast<Eigen::Index>(nodes.size()));
-    for (std::size_t k = 0; k < nodes.size(); ++k) F.col(static_cast<Eigen::Index>(k)) = unit_force(setup, body, nodes[k], d);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      F.col(static_cast<Eigen::Index>(k)) = unit_force(setup, body, nodes[k], d);
     return Matrix(F.transpose() * factor.solve(F));
   };
   return {along({0.0, 1.0}), along({1.0, 0.0})};
@@ -81,7 +82,8 @@ void punch(benchmark::State& run) {
     for (int j = 0; j < setup.secondary_count(); ++j)
       if (!setup.cut[j] && std::abs(setup.secondary.X[j].x()) < half_width) nodes.push_back(j);
     std::ranges::sort(nodes, {}, [&](int j) { return setup.secondary.X[j].x(); });
-    const auto c = compliance(setup, std::get<body::LinearBody>(system.bodies[setup.secondary_nodes.front().body]), nodes);
+    const auto c =
+        compliance(setup, std::get<body::LinearBody>(system.bodies[setup.secondary_nodes.front().body]), nodes);
     const auto count = static_cast<Eigen::Index>(nodes.size());
     const Vector pressed = punch(c.normal, 0, count), sheared = punch(c.tangential, 0, count);
     run.counters["edge_ratio"] = sheared[0] / pressed[0];

@@ -13,8 +13,8 @@ namespace reye::apps {
 
 void Checkpoints::keep(const sim::State& state, const output::Counters& counters) {
   const auto& scene = problem_.scene;
-  output::save_checkpoint(writer_.dir(), {output::own_origin(scene.sha256, scene.fixed_sha256), counters, output::state_to_bytes(state),
-                                          sim::at_end(problem_, state)});
+  output::save_checkpoint(writer_.dir(), {output::own_origin(scene.sha256, scene.fixed_sha256), counters,
+                                          output::state_to_bytes(state), sim::at_end(problem_, state)});
   kept_at_ = clock::now();
   waiting_.reset();
 }
@@ -51,8 +51,8 @@ namespace {
 }
 
 /// Whether the newest state may go on so is asked first; where it has ended, the one before is gone on from.
-output::CheckpointSearch search_extended(const std::string& dir, const sim::Problem& problem, const scene::Extension& extension,
-                                         sim::Cache& cache, Resumption& resumption) {
+output::CheckpointSearch search_extended(const std::string& dir, const sim::Problem& problem,
+                                         const scene::Extension& extension, sim::Cache& cache, Resumption& resumption) {
   const auto origin = output::own_origin("", problem.scene.fixed_sha256);
   std::vector<base::Issue> issues;
   const auto extended = [&](const output::Checkpoint& checkpoint) {
@@ -72,21 +72,24 @@ output::CheckpointSearch search_extended(const std::string& dir, const sim::Prob
 
 }  // namespace
 
-Resumption resumption_of(const std::string& dir, const sim::Problem& problem, const std::optional<scene::Extension>& extension,
-                         sim::Cache& cache) {
+Resumption resumption_of(const std::string& dir, const sim::Problem& problem,
+                         const std::optional<scene::Extension>& extension, sim::Cache& cache) {
   Resumption resumption;
-  const auto search = extension ? search_extended(dir, problem, *extension, cache, resumption)
-                                : output::load_checkpoint(dir, output::own_origin(problem.scene.sha256), [&](const output::Checkpoint& checkpoint) {
-                                    resumption.state = output::state_from_bytes(checkpoint.payload);
-                                    sim::check_state(problem, resumption.state, cache);
-                                  });
+  const auto search = extension
+                          ? search_extended(dir, problem, *extension, cache, resumption)
+                          : output::load_checkpoint(dir, output::own_origin(problem.scene.sha256),
+                                                    [&](const output::Checkpoint& checkpoint) {
+                                                      resumption.state = output::state_from_bytes(checkpoint.payload);
+                                                      sim::check_state(problem, resumption.state, cache);
+                                                    });
   if (!search.found) refuse(dir, search.refusals);
   resumption.notes = search.refusals;
   resumption.counters = search.found->counters;
   resumption.previous = search.previous;
   resumption.extends = extension.has_value();
   if (const auto& commit = search.found->origin.commit; commit != output::commit())
-    resumption.notes.push_back("written by the build of commit " + base::printable(commit) + ", gone on from by that of commit " + output::commit() +
+    resumption.notes.push_back("written by the build of commit " + base::printable(commit) +
+                               ", gone on from by that of commit " + output::commit() +
                                ": results may differ in their last digits from an unbroken run");
   return resumption;
 }

@@ -11,9 +11,9 @@
 
 namespace reye::apps {
 
-/// Checkpoints of a run at its block ends, `output.checkpoint_s` of wall time apart or more. Where the run ends the last two are
-/// the end and the start of its last block, which an extension of the run plays otherwise: as none that is the last. All members
-/// throw std::runtime_error when the disk refuses.
+/// Checkpoints of a run at its block ends, `output.checkpoint_s` of wall time apart or more. Where the run ends the
+/// last two are the end and the start of its last block, which an extension of the run plays otherwise: as none that is
+/// the last. All members throw std::runtime_error when the disk refuses.
 class Checkpoints {
  public:
   Checkpoints(const sim::Problem& problem, const output::RunWriter& writer) : problem_(problem), writer_(writer) {}
@@ -40,20 +40,21 @@ class Checkpoints {
 struct Resumption {
   sim::State state;
   output::Counters counters;
-  bool previous = false;            ///< of the checkpoint before the last
-  bool extends = false;             ///< the run of a scene that this one extends
-  std::vector<std::string> notes;   ///< what is to be told: checkpoints that were refused, another build
+  bool previous = false;           ///< of the checkpoint before the last
+  bool extends = false;            ///< the run of a scene that this one extends
+  std::vector<std::string> notes;  ///< what is to be told: checkpoints that were refused, another build
 };
 
-/// How the scene extends the one whose run the folder holds, asked of it by --restart: not at all where it is that scene, or one
-/// of another name, or of no known text. Throws base::InputError with every value that may not be another.
+/// How the scene extends the one whose run the folder holds, asked of it by --restart: not at all where it is that
+/// scene, or one of another name, or of no known text. Throws base::InputError with every value that may not be
+/// another.
 std::optional<scene::Extension> extension_in(const std::string& dir, const scene::Scene& scene);
 
-/// The newest checkpoint of this problem in the folder that is whole and whose tables are there; changes nothing. Throws
-/// base::InputError with every reason when there is none. An extension that the run allows goes on from there, too, but from
-/// before its last block where that ended the run.
-Resumption resumption_of(const std::string& dir, const sim::Problem& problem, const std::optional<scene::Extension>& extension,
-                         sim::Cache& cache);
+/// The newest checkpoint of this problem in the folder that is whole and whose tables are there; changes nothing.
+/// Throws base::InputError with every reason when there is none. An extension that the run allows goes on from there,
+/// too, but from before its last block where that ended the run.
+Resumption resumption_of(const std::string& dir, const sim::Problem& problem,
+                         const std::optional<scene::Extension>& extension, sim::Cache& cache);
 
 /// Whether there is one.
 bool can_go_on(const std::string& dir, const sim::Problem& problem);

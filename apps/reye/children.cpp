@@ -20,8 +20,8 @@ namespace reye::apps {
 namespace {
 
 [[noreturn]] void become(const std::vector<char*>& words, const char* log, pid_t parent) {
-  // A group of its own, so that a Ctrl-C reaches it once, through this program; and should this program be killed, it is
-  // asked to end, too.
+  // A group of its own, so that a Ctrl-C reaches it once, through this program; and should this program be killed, it
+  // is asked to end, too.
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);
@@ -59,8 +59,10 @@ bool run_children(const std::vector<Child>& children, int most, const std::funct
   while (!running.empty() || (next < children.size() && StopSignals::count() == 0)) {
     if (next < children.size() && StopSignals::count() == 0 && running.size() < static_cast<std::size_t>(most)) {
       const pid_t pid = started(children[next]);
-      if (pid == 0) ended(next, 127);
-      else running[pid] = next;
+      if (pid == 0)
+        ended(next, 127);
+      else
+        running[pid] = next;
       ++next;
       continue;
     }

@@ -23,10 +23,10 @@
 #include "progress_line.hpp"
 #include "scene/read.hpp"
 #include "signals.hpp"
+#include "sim/prepare.hpp"
 #include "sim/run.hpp"
 #include "sim/scene_line.hpp"
 #include "sim/warnings.hpp"
-#include "sim/prepare.hpp"
 
 namespace reye::apps {
 
@@ -44,7 +44,8 @@ scene::Scene read(const Request& request) {
   return scene;
 }
 
-/// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the run.
+/// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the
+/// run.
 void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) {
   for (const auto& warning : warnings) {
     const std::string text = sim::scene_line(scene, warning.about) + sim::in_words(warning);
@@ -52,8 +53,8 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
   }
 }
 
-/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before the
-/// first block can go on, too.
+/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before
+/// the first block can go on, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
   sim::State state = sim::initial_state(problem);
@@ -96,9 +97,10 @@ sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State sta
     writer.finish(summary);
     return summary;
   } catch (const std::exception& error) {
-    throw std::runtime_error(error.what() + std::string(can_go_on(writer.dir(), problem)
-                                                            ? "; the last checkpoint is whole: --restart goes on from there"
-                                                            : "; there is no checkpoint to go on from"));
+    throw std::runtime_error(error.what() +
+                             std::string(can_go_on(writer.dir(), problem)
+                                             ? "; the last checkpoint is whole: --restart goes on from there"
+                                             : "; there is no checkpoint to go on from"));
   }
 }
 
@@ -122,14 +124,16 @@ void tell_contact(const sim::ContactSummary& c, bool ring) {
 void tell_bond(const sim::BondSummary& b) {
   const auto told = [](const char* what, const sim::TractionPeak& p) {
     if (p.MPa == 0.0) return fmt::format("no {}", what);
-    return fmt::format("largest {} {:.4g} MPa at ({:.4g}, {:.4g}) mm, cycle {:.6g}{}", what, p.MPa, p.at_mm.x(), p.at_mm.y(), p.cycle,
+    return fmt::format("largest {} {:.4g} MPa at ({:.4g}, {:.4g}) mm, cycle {:.6g}{}", what, p.MPa, p.at_mm.x(),
+                       p.at_mm.y(), p.cycle,
                        p.at_end ? ", at the end of the bond, where it grows as elements get shorter" : "");
   };
   spdlog::info("bond {}: {}; {}", b.name, told("tension", b.most.tension), told("shear", b.most.shear));
 }
 
 std::string told_life(const sim::Summary& s, const std::string& name, const std::optional<double>& cycles) {
-  if (!cycles) return fmt::format("not reached in {:.6g} cycles: {:.3g} % of it", s.cycles, 100.0 * s.limit_share.at(name));
+  if (!cycles)
+    return fmt::format("not reached in {:.6g} cycles: {:.3g} % of it", s.cycles, 100.0 * s.limit_share.at(name));
   const auto error = s.life_error.find(name);
   return fmt::format("reached at cycle {:.6g}", *cycles) +
          (error == s.life_error.end() ? "" : fmt::format(", +- {:.2g} by the cycle jump", error->second));
@@ -144,7 +148,8 @@ void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::st
   for (const auto& [name, band] : s.life_band)
     if (band.shortest_cycles)
       spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
-  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
+  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv",
+               base::printable(dir));
   tell(scene, s.warnings);
   if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
 }
@@ -176,7 +181,8 @@ int run(const Request& request) {
   std::optional<Resumption> resumption;
   if (request.restart) resumption = resumption_of(dir, problem, extension, cache);  // refused before anything is made
   const output::FolderLock lock(dir);
-  sim::State state = resumption ? resumed(std::move(*resumption), writer, checkpoints) : fresh_start(problem, writer, checkpoints);
+  sim::State state =
+      resumption ? resumed(std::move(*resumption), writer, checkpoints) : fresh_start(problem, writer, checkpoints);
   const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
   tell_result(scene, summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;

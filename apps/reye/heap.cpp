@@ -13,8 +13,8 @@ namespace reye::apps {
 #if defined(__GLIBC__)
 
 void keep_heap() {
-  // Larger arrays are mapped on their own and given back: with 32 MB in place of 4 a scene of 145 000 dofs has a tenth more
-  // memory at its peak, for no gain.
+  // Larger arrays are mapped on their own and given back: with 32 MB in place of 4 a scene of 145 000 dofs has a tenth
+  // more memory at its peak, for no gain.
   constexpr int largest_array = 4 << 20, ahead = 64 << 20, page = 2 << 20;
   mallopt(M_MMAP_THRESHOLD, largest_array);
   mallopt(M_TRIM_THRESHOLD, ahead);

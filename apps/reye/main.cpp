@@ -25,7 +25,8 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   sweep->add_option("--jobs", request.jobs, "members at once (default: one per core)")->check(CLI::PositiveNumber);
   auto* member = sweep->add_option("--member", request.member, "run this one only, as a job of an array does");
   member->check(CLI::NonNegativeNumber);
-  auto* slurm = sweep->add_flag("--slurm", request.slurm, "submit the members as a job array to Slurm and wait for them");
+  auto* slurm =
+      sweep->add_flag("--slurm", request.slurm, "submit the members as a job array to Slurm and wait for them");
   auto* table = sweep->add_flag("--table", request.table, "run nothing, collect the table");
   member->excludes(slurm)->excludes(table);
   slurm->excludes(table);
@@ -53,7 +54,9 @@ int main(int argc, char** argv) {
   };
   auto* run = with_scene("run", "run a scene and write its results");
   run->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
-  run->add_flag("--restart", request.restart, "go on from the last checkpoint; of a run that has ended, when its scene got more cycles in the last step or other limits");
+  run->add_flag("--restart", request.restart,
+                "go on from the last checkpoint; of a run that has ended, when its scene got more cycles in the last "
+                "step or other limits");
   run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
   auto* plan = with_scene("plan", "say what each body and contact is, what is skipped, and why");
@@ -64,7 +67,8 @@ int main(int argc, char** argv) {
   auto* sweep = add_sweep(app, many);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
-  report->add_flag("--animation", request.animation, "bodies, pressure and wear moving from frame to frame, in the page");
+  report->add_flag("--animation", request.animation,
+                   "bodies, pressure and wear moving from frame to frame, in the page");
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as it stands in the README")->group("");
 
   try {

@@ -32,8 +32,8 @@ void ProgressLine::show(const sim::Progress& p) {
   if (!last && std::chrono::duration<double>(now - last_shown_).count() < pause) return;
   last_shown_ = now;
   std::fprintf(stderr, "%s%-16s cycle %.6g%s  increment %d/%d  newton %d  depth %.4g um  %3.0f %%  %.0f s left%s",
-               terminal_ ? "\r\033[K" : "", base::printable(p.step).c_str(), p.cycle, p.cycles > 0.0 ? "" : " (load)", p.increment,
-               p.increments, p.newton, 1e3 * p.depth_max_mm, 100.0 * p.fraction, seconds_left(p.fraction),
+               terminal_ ? "\r\033[K" : "", base::printable(p.step).c_str(), p.cycle, p.cycles > 0.0 ? "" : " (load)",
+               p.increment, p.increments, p.newton, 1e3 * p.depth_max_mm, 100.0 * p.fraction, seconds_left(p.fraction),
                terminal_ ? "" : "\n");
   std::fflush(stderr);
 }

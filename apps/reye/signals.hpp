@@ -1,11 +1,13 @@
 #pragma once
 #include <csignal>
 
-/// How signals end what runs. Ctrl-C, SIGTERM and SIGHUP ask it to stop where everything can be written; a second Ctrl-C or
-/// SIGTERM ends it at once. A closed terminal sends SIGHUP more than once, so any number of them asks once only.
+/// How signals end what runs. Ctrl-C, SIGTERM and SIGHUP ask it to stop where everything can be written; a second
+/// Ctrl-C or SIGTERM ends it at once. A closed terminal sends SIGHUP more than once, so any number of them asks once
+/// only.
 namespace reye::apps {
 
-/// Counts the signals that ask for an end while it lives; what was ignored before, as nohup does with SIGHUP, stays ignored.
+/// Counts the signals that ask for an end while it lives; what was ignored before, as nohup does with SIGHUP, stays
+/// ignored.
 class StopSignals {
  public:
   /// `twice_ends`: a second Ctrl-C or SIGTERM ends the program at once.
@@ -17,11 +19,11 @@ class StopSignals {
   static int count();  ///< since the last one was made
 
  private:
-  struct sigaction before_[3] {};
+  struct sigaction before_[3]{};
 };
 
-/// Output that nobody reads any more, as in `reye run ... | head -1`, is lost and ends nothing; a file that may not grow any
-/// more is an error with a reason.
+/// Output that nobody reads any more, as in `reye run ... | head -1`, is lost and ends nothing; a file that may not
+/// grow any more is an error with a reason.
 void ignore_lost_output();
 
 }  // namespace reye::apps

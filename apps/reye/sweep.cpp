@@ -135,8 +135,10 @@ Child child_of(const Job& job, std::size_t i) {
   const auto& place = job.places[i];
   Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--quiet"}, errors_of(place)};
   if (job.request.trust_geometry) child.words.push_back("--trust-geometry");
-  if (job.request.force) child.words.push_back("--force");
-  else if (can_go_on(place, end_of(place))) child.words.push_back("--restart");
+  if (job.request.force)
+    child.words.push_back("--force");
+  else if (can_go_on(place, end_of(place)))
+    child.words.push_back("--restart");
   return child;
 }
 

@@ -119,7 +119,8 @@ std::vector<double> local_shifts(const Points& old, const Points& fresh) {
     const double middle = 0.5 * (s0 + s1), width = s1 - s0;
     while (k + 2 < n && middle > arc[k + 1]) ++k;
     const auto hat = [&](double s) { return (s - arc[k]) / (arc[k + 1] - arc[k]); };
-    const double right = width / 6.0 * (h0 * hat(s0) + 4.0 * 0.5 * (h0 + h1) * hat(middle) + h1 * hat(s1));  // Simpson: exact
+    const double right =
+        width / 6.0 * (h0 * hat(s0) + 4.0 * 0.5 * (h0 + h1) * hat(middle) + h1 * hat(s1));  // Simpson: exact
     content[k + 1] += right;
     content[k] += 0.5 * width * (h0 + h1) - right;
   }

@@ -23,9 +23,9 @@ struct Correction {
   double largest_mm = 0.0;  ///< longest shift
 };
 
-/// Content between the polygon of `points` and its closing chord, body on the left: 1/2 sum (x_i - x_0) cross (x_(i+1) - x_i);
-/// in axisymmetry of the solid of revolution. In second order every second point is the middle node of a quadratic
-/// edge, whose curve bounds the content.
+/// Content between the polygon of `points` and its closing chord, body on the left: 1/2 sum (x_i - x_0) cross (x_(i+1)
+/// - x_i); in axisymmetry of the solid of revolution. In second order every second point is the middle node of a
+/// quadratic edge, whose curve bounds the content.
 double fan_volume(Analysis analysis, const Points& points, int order = 1);
 
 /// Shifts the inner nodes of every worn edge along their normals: first each by the mean height of the old outline over

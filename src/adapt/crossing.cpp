@@ -107,7 +107,8 @@ Place place_of(const mesh::Mesh& mesh, const Nodes& facet) {
 bool same_side(const mesh::Mesh& mesh, const Crossing& c) {
   const Place f = place_of(mesh, c.first), g = place_of(mesh, c.second);
   if (f.loop != g.loop) return false;
-  const std::size_t n = mesh.outline[f.loop].size() - 1, way = f.facet > g.facet ? f.facet - g.facet : g.facet - f.facet;
+  const std::size_t n = mesh.outline[f.loop].size() - 1,
+                    way = f.facet > g.facet ? f.facet - g.facet : g.facet - f.facet;
   if (std::min(way, n - way) == 1) return true;
   const auto names = names_of(mesh, c.first);
   if (names != names_of(mesh, c.second)) return false;

@@ -15,7 +15,8 @@ namespace reye::adapt {
 ///            smooths at every transfer and keeps no sum
 ///   l2       L2 projection over the intersected cells between fields that are affine in each cell (constant in tri3):
 ///   second
-///            order (first in tri3), keeps the integral of every component, overshoots beside fronts (by a seventh of a jump)
+///            order (first in tri3), keeps the integral of every component, overshoots beside fronts (by a seventh of a
+///            jump)
 enum class GaussTransfer { nearest, patch, l2 };
 
 struct GaussOptions {

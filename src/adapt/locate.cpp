@@ -25,7 +25,7 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;  // CGAL 5.5 knows it in space only: z = 0
 
 using Nodes = Eigen::Matrix<double, mesh::most_cell_nodes, 2>;  ///< positions of the nodes of a cell, unused rows zero
-using LocalTriangle = std::array<int, 3>;                      ///< nodes of a cell
+using LocalTriangle = std::array<int, 3>;                       ///< nodes of a cell
 
 /// A sub-triangle in the tree: its cell and the nodes it is made of.
 struct Part {
@@ -40,7 +40,8 @@ double doubled_area(const Nodes& X, const LocalTriangle& t) {
 }
 
 /// The cut of a cell whose poorer triangle has the larger signed area: that of a concave quadrilateral runs through
-/// its reflex corner, so that the two triangles cover just the cell. Cells of second order are cut along their mid nodes.
+/// its reflex corner, so that the two triangles cover just the cell. Cells of second order are cut along their mid
+/// nodes.
 std::vector<LocalTriangle> cut(mesh::CellKind kind, const Nodes& X) {
   if (kind == mesh::CellKind::tri3) return {{0, 1, 2}};
   if (kind == mesh::CellKind::tri6) return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
@@ -90,7 +91,8 @@ std::optional<Vec2> inverse(mesh::CellKind kind, const Nodes& X, const Vec2& p, 
   const Vec2 q = p - origin.transpose();
   double last = 0.0;
   for (int k = 0; k < most_steps; ++k) {
-    const Eigen::Matrix2d Jt = (fem::shape_gradients(kind, xi).topRows<n>().transpose() * Y).transpose();  // dx_i / dxi_j
+    const Eigen::Matrix2d Jt =
+        (fem::shape_gradients(kind, xi).topRows<n>().transpose() * Y).transpose();  // dx_i / dxi_j
     const Vec2 step = Jt.inverse() * (q - Y.transpose() * fem::shape_functions(kind, xi).head<n>());
     last = step.norm();
     if (!std::isfinite(last)) return std::nullopt;

@@ -21,9 +21,9 @@ class Locator {
 
   struct Place {
     int cell = -1;
-    Vec2 xi{0.0, 0.0};                            ///< reference coordinates, within the reference cell
+    Vec2 xi{0.0, 0.0};                                    ///< reference coordinates, within the reference cell
     mesh::NodeValues weights = mesh::NodeValues::Zero();  ///< of the nodes of the cell: sum 1, sum w_a X_a = the place
-    double distance = 0.0;                        ///< from the point to its place [mm], 0 inside
+    double distance = 0.0;                                ///< from the point to its place [mm], 0 inside
   };
 
   /// The place of p, or of the point of the mesh closest to it. weights = N(xi); where the map of no cell can be

@@ -44,8 +44,8 @@ std::vector<Facet> touched_facets(const Outline& outline, const std::vector<Worn
 Vec2 nodal_step(Analysis analysis, const Points& P, const Outline& outline, const WornNode& worn);
 
 /// Where the control point of a facet goes that lost `volume` while the ends of the facet go by `ends`: so that the
-/// middle of the curve gets the depth sum B_j(1/2) W_j along its own normal, and goes along the chord as far as the ends
-/// do in the mean.
+/// middle of the curve gets the depth sum B_j(1/2) W_j along its own normal, and goes along the chord as far as the
+/// ends do in the mean.
 Vec2 control_step(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 2>& ends, double volume);
 
 /// A moved outline, or why it could not be moved.

@@ -52,7 +52,8 @@ cad::Edge edge_through(Points knots) {
 }
 
 /// The starts of the edges of a loop; its first node when it has neither corners nor names.
-std::vector<std::size_t> starts(const mesh::Mesh& mesh, const std::vector<Facets>& boundaries, const mesh::Chain& loop) {
+std::vector<std::size_t> starts(const mesh::Mesh& mesh, const std::vector<Facets>& boundaries,
+                                const mesh::Chain& loop) {
   std::vector<std::size_t> all;
   const auto order = static_cast<std::size_t>(mesh::order(mesh.kind));  // edges end at vertices
   for (std::size_t i = 0; i + 1 < loop.size(); i += order)
@@ -86,7 +87,8 @@ std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, std::vector<int> no
   if (smallest > 0.5 * far) return {};
   const auto fine = [&](double h) { return h <= 2.0 * smallest; };
   const auto first = static_cast<std::size_t>(std::find_if(facet.begin(), facet.end(), fine) - facet.begin());
-  const auto last = facet.size() - static_cast<std::size_t>(std::find_if(facet.rbegin(), facet.rend(), fine) - facet.rbegin());
+  const auto last =
+      facet.size() - static_cast<std::size_t>(std::find_if(facet.rbegin(), facet.rend(), fine) - facet.rbegin());
   const Vec2 &a = mesh.X[nodes[first]], &b = mesh.X[nodes[last]], way = b - a;
   if (!(way.norm() > smallest)) return {};
   cad::FineZone zone;

@@ -177,7 +177,8 @@ std::string vanished_boundary(const mesh::Mesh& mesh, const cad::Drawing& drawin
 std::string vanished_edge(const cad::Drawing& drawing) {
   for (const auto& loop : drawing.part.loops)
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const double beside = std::max(loop[(k + 1) % loop.size()].length(), loop[(k + loop.size() - 1) % loop.size()].length());
+      const double beside =
+          std::max(loop[(k + 1) % loop.size()].length(), loop[(k + loop.size() - 1) % loop.size()].length());
       if (loop[k].length() > 1e-6 * beside) continue;
       std::ostringstream text;
       text << "the side" << of_body(drawing) << " at (" << loop[k].first().x() << ", " << loop[k].first().y()

@@ -37,8 +37,8 @@ std::vector<EdgePair> pairs_of(const cad::Drawing& drawing, const mesh::Mesh& wo
     for (std::size_t k = 0; k < drawing.part.loops[l].size(); ++k) {
       const cad::Edge& edge = drawing.part.loops[l][k];
       if (!edge.worn && edge.type != cad::EdgeType::line) continue;
-      pairs.push_back({nodes_on(worn.outline[l], before.start[l], k), nodes_on(fresh.outline[l], after.start[l], k),
-                       edge.worn});
+      pairs.push_back(
+          {nodes_on(worn.outline[l], before.start[l], k), nodes_on(fresh.outline[l], after.start[l], k), edge.worn});
     }
   return pairs;
 }

@@ -115,9 +115,8 @@ std::vector<std::vector<Segment>> runs_of(std::vector<Segment> loop, const std::
   for (bool changed = true; changed;) {
     std::vector<bool> redrawn = worn_edges;
     for (std::size_t k = 0; k < redrawn.size(); ++k)
-      redrawn[k] = redrawn[k] && std::any_of(loop.begin(), loop.end(), [&](const Segment& s) {
-                     return s.worn && s.edge == static_cast<int>(k);
-                   });
+      redrawn[k] = redrawn[k] && std::any_of(loop.begin(), loop.end(),
+                                             [&](const Segment& s) { return s.worn && s.edge == static_cast<int>(k); });
     changed = spread_over_worn_edges(loop, redrawn);
     for (const Range& stretch : stretches(loop))
       while (settle_one(loop, stretch)) changed = true;

@@ -8,18 +8,19 @@ namespace reye::adapt {
 
 using base::Points;
 
-/// Turning of an outline at a node [rad]: a corner from which on it may be one; where the drawing must turn to have one.
+/// Turning of an outline at a node [rad]: a corner from which on it may be one; where the drawing must turn to have
+/// one.
 constexpr double least_turning = 20.0 * std::numbers::pi / 180.0, drawn_kink = 30.0 * std::numbers::pi / 180.0;
 
 /// One segment of an outline loop a -> b, and what it was drawn as.
 struct Segment {
   int a = -1, b = -1;
-  int edge = -1;            ///< of the old drawing
+  int edge = -1;  ///< of the old drawing
   bool starts_edge = false, ends_edge = false;
-  bool worn = false;        ///< to be drawn through its nodes
-  bool hard = false;        ///< nothing is drawn across its node a: a corner, or names change
-  double length = 0.0;      ///< now [mm]
-  int mid = -1;             ///< in second order the node in the middle
+  bool worn = false;    ///< to be drawn through its nodes
+  bool hard = false;    ///< nothing is drawn across its node a: a corner, or names change
+  double length = 0.0;  ///< now [mm]
+  int mid = -1;         ///< in second order the node in the middle
 };
 
 /// Angle by which the outline turns at the node where segment i of a closed loop starts, without sign [rad].

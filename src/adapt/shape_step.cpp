@@ -32,7 +32,8 @@ std::string bad_loss(const std::vector<WornBoundary>& worn) {
 }
 
 /// The mesh after the outline has moved: refused when that crosses itself; `poor` where an element is.
-void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const QualityBound& bound, RelocationCache* cache) {
+void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const QualityBound& bound,
+           RelocationCache* cache) {
   if (const auto crossing = find_crossing(next->mesh)) {
     result.failure = crossing_report(next->mesh, *next->born, *crossing);
     return;

@@ -1,8 +1,8 @@
 #include "adapt/shift_outline.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -56,7 +56,8 @@ std::set<int> moving(const mesh::Mesh& mesh, const std::vector<OutlineShift>& sh
 }
 
 Steps steps_of(const mesh::Mesh& mesh, const Outline& outline, const std::vector<OutlineShift>& shifts) {
-  Steps steps{Points(mesh.X.size(), Vec2::Zero()), Points(mesh.X.size(), Vec2::Zero()), facets_at(outline, moving(mesh, shifts))};
+  Steps steps{Points(mesh.X.size(), Vec2::Zero()), Points(mesh.X.size(), Vec2::Zero()),
+              facets_at(outline, moving(mesh, shifts))};
   const Points P = control_points(steps.facets, mesh.X);
   for (const auto& shift : shifts) {
     const auto& boundary = mesh.boundaries.at(shift.boundary);
@@ -100,8 +101,8 @@ double balance(Analysis analysis, const Points& P, const Steps& steps) {
 
 }  // namespace
 
-ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analysis, const std::vector<OutlineShift>& shifts,
-                              RelocationCache* cache) {
+ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analysis,
+                              const std::vector<OutlineShift>& shifts, RelocationCache* cache) {
   ShapeStepResult result;
   const mesh::Mesh& mesh = shape->mesh;
   const Outline outline = outline_of(mesh);

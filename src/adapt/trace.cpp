@@ -26,8 +26,8 @@ std::string misfit(const base::Vec2& at) {
 Trace trace(const std::vector<cad::Loop>& loops, const std::vector<mesh::Chain>& outline, const base::Points& X) {
   Trace traced;
   if (loops.size() != outline.size()) {
-    traced.failure = "the drawing has " + std::to_string(loops.size()) + " loops, the mesh " +
-                     std::to_string(outline.size());
+    traced.failure =
+        "the drawing has " + std::to_string(loops.size()) + " loops, the mesh " + std::to_string(outline.size());
     return traced;
   }
   const auto box = mesh::bounding_box(X);

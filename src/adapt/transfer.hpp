@@ -4,8 +4,8 @@
 
 #include "mesh/mesh.hpp"
 
-/// Nodal fields carried from the mesh of a body to another mesh of the same body. What lives on nodes registers itself by
-/// name; nothing here knows what it means. State of Gauss points: gauss_transfer.hpp.
+/// Nodal fields carried from the mesh of a body to another mesh of the same body. What lives on nodes registers itself
+/// by name; nothing here knows what it means. State of Gauss points: gauss_transfer.hpp.
 namespace reye::adapt {
 
 /// values[node * components + c]
@@ -25,6 +25,7 @@ struct Transferred {
 /// for bit, affine fields are exact, smooth ones lose at second order, a node outside takes the values of the
 /// closest point and the transfer fails when that is farther than most_distance [mm].
 /// Nothing is built without fields.
-Transferred transfer(const mesh::Mesh& from, const std::vector<Field>& fields, const mesh::Mesh& to, double most_distance);
+Transferred transfer(const mesh::Mesh& from, const std::vector<Field>& fields, const mesh::Mesh& to,
+                     double most_distance);
 
 }  // namespace reye::adapt

@@ -88,10 +88,10 @@ double undershoot(double value, double bound) {
 void judge(Reason& worst, const MeshState& m, const Triggers& t, const std::string& frame) {
   keep_worst(worst, undershoot(m.scaled_jacobian.value, t.min_scaled_jacobian), "the element ", m.scaled_jacobian,
              "has scaled Jacobian ", frame + ", below " + number(t.min_scaled_jacobian));
-  keep_worst(worst, undershoot(m.angle_deg.value, t.min_angle_deg), "the element ", m.angle_deg,
-             "has a corner of ", " degrees" + frame + ", below " + number(t.min_angle_deg));
-  keep_worst(worst, m.size_ratio.value / t.size_ratio, "the facet ", m.size_ratio, "has changed its length by the factor ",
-             frame + ", above " + number(t.size_ratio));
+  keep_worst(worst, undershoot(m.angle_deg.value, t.min_angle_deg), "the element ", m.angle_deg, "has a corner of ",
+             " degrees" + frame + ", below " + number(t.min_angle_deg));
+  keep_worst(worst, m.size_ratio.value / t.size_ratio, "the facet ", m.size_ratio,
+             "has changed its length by the factor ", frame + ", above " + number(t.size_ratio));
 }
 
 }  // namespace

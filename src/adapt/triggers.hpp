@@ -22,21 +22,25 @@ struct Measured {
 /// What wear and deformation have made of a mesh since it was born.
 struct MeshState {
   Measured scaled_jacobian{1.0};  ///< poorest of the cells that have less than 0.7 of what they were born with; 1: none
-  Measured angle_deg{90.0};       ///< smallest of the cells whose smallest corner angle is below 0.7 of that at birth; 90: none
-  Measured size_ratio{1.0};       ///< of the length of an outline facet to that at birth, or the other way round; the largest
-  Measured wear_fraction{0.0};    ///< wear since birth over the height of the element below then; the largest of all nodes
+  Measured angle_deg{
+      90.0};  ///< smallest of the cells whose smallest corner angle is below 0.7 of that at birth; 90: none
+  Measured size_ratio{
+      1.0};  ///< of the length of an outline facet to that at birth, or the other way round; the largest
+  Measured wear_fraction{
+      0.0};  ///< wear since birth over the height of the element below then; the largest of all nodes
 };
 
 /// Measures a shape with its nodes at `x`: X itself, or X + u; the wear is always that on X.
 MeshState measure(const body::Shape& shape, const base::Points& x);
 
-/// Why a mesh is no longer fit, in words: value, place and bound of what exceeds its bound by the largest factor, on X or in
-/// the current shape. Empty when it is fit. `current`: positions in the current shape; null: X alone.
-/// A mesh that was born poor is no reason: only cells that have lost 0.3 of their quality since count, or no new mesh
-/// would ever do.
+/// Why a mesh is no longer fit, in words: value, place and bound of what exceeds its bound by the largest factor, on X
+/// or in the current shape. Empty when it is fit. `current`: positions in the current shape; null: X alone. A mesh that
+/// was born poor is no reason: only cells that have lost 0.3 of their quality since count, or no new mesh would ever
+/// do.
 std::string why_remesh(const body::Shape& shape, const base::Points* current, const Triggers& triggers);
 
-/// Why the current shape should become X on a fresh mesh: the same of the elements and facets of the current shape alone.
+/// Why the current shape should become X on a fresh mesh: the same of the elements and facets of the current shape
+/// alone.
 std::string why_renew(const body::Shape& shape, const base::Points& current, const Triggers& triggers);
 
 }  // namespace reye::adapt

@@ -11,7 +11,9 @@ namespace reye::adapt {
 
 namespace {
 
-double turning(const base::Vec2& in, const base::Vec2& out) { return std::abs(std::atan2(base::cross(in, out), in.dot(out))); }
+double turning(const base::Vec2& in, const base::Vec2& out) {
+  return std::abs(std::atan2(base::cross(in, out), in.dot(out)));
+}
 
 /// A smooth piece between two corners; where nodes do not look like a smooth curve, their polyline.
 cad::Edge piece(Points points) {

@@ -6,8 +6,8 @@
 
 namespace reye::adapt {
 
-/// A named boundary as it was before any wear: smooth curves through the nodes of its first mesh, exact at these and third
-/// order between them, with its corners.
+/// A named boundary as it was before any wear: smooth curves through the nodes of its first mesh, exact at these and
+/// third order between them, with its corners.
 class UnwornLine {
  public:
   UnwornLine(const mesh::Mesh& mesh, const mesh::Boundary& boundary);

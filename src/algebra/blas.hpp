@@ -14,8 +14,8 @@ void dtrsm_(const char* side, const char* uplo, const char* transa, const char* 
             const double* alpha, const double* a, const int* lda, double* b, const int* ldb);
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b, const int* ldb,
-             int* info);
+void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b,
+             const int* ldb, int* info);
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* pivots,
              double* b, const int* ldb, int* info);
@@ -26,9 +26,9 @@ void dgecon_(const char* norm, const int* n, const double* a, const int* lda, co
 namespace reye::algebra {
 
 /// BLAS and CHOLMOD on the thread that calls: on shared cores more threads cost up to ten times the time, and results
-/// then depend on their number. CHOLMOD's parallel regions ask for four threads each, one region per supernode, whatever
-/// OMP_NUM_THREADS says: where no level may be active they are run through by the caller alone (a fifth of the time of a
-/// short run). Called before any factorisation; later calls are free.
+/// then depend on their number. CHOLMOD's parallel regions ask for four threads each, one region per supernode,
+/// whatever OMP_NUM_THREADS says: where no level may be active they are run through by the caller alone (a fifth of the
+/// time of a short run). Called before any factorisation; later calls are free.
 inline void single_thread() {
   static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;

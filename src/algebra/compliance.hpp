@@ -8,8 +8,8 @@ namespace reye::algebra {
 using base::Matrix;
 using base::Vector;
 
-/// The inverse C of a symmetric stiffness S that springs K hold in a few columns. Without its columns f, of any choice that
-/// leaves those few in the rest n,
+/// The inverse C of a symmetric stiffness S that springs K hold in a few columns. Without its columns f, of any choice
+/// that leaves those few in the rest n,
 ///   S_nn - S_nf S_ff^-1 S_fn = C_nn^-1 - K_nn                                               [README (5)]
 /// at the price of n, not of f: one inversion serves every choice.
 class Compliance {

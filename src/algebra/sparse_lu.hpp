@@ -24,7 +24,7 @@ class SparseLu {
     Rows upper_transposed;  ///< U^T
     std::vector<int> row;   ///< row[k] of A is pivot row k
     std::vector<int> column;
-    base::Vector scale;     ///< R
+    base::Vector scale;  ///< R
   };
   Factors factors() const;
 

@@ -57,7 +57,8 @@ Workspace::Workspace() {
 void Workspace::check(const char* task, const cholmod_factor* factor) const {
   if (common.status == CHOLMOD_OK) return;
   if (common.status == CHOLMOD_OUT_OF_MEMORY) throw SolveError(std::string(task) + ": out of memory");
-  if (common.status == CHOLMOD_TOO_LARGE) throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
+  if (common.status == CHOLMOD_TOO_LARGE)
+    throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
   if (common.status == CHOLMOD_NOT_POSDEF) {
     const int at = factor && factor->minor < factor->n ? ints(factor->Perm)[factor->minor] : -1;
     throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
@@ -110,9 +111,7 @@ Matrix Supernodal::dense_solve(int system, const double* b, int columns) {
   return result;
 }
 
-Matrix Supernodal::solve(const Matrix& b) {
-  return dense_solve(CHOLMOD_A, b.data(), static_cast<int>(b.cols()));
-}
+Matrix Supernodal::solve(const Matrix& b) { return dense_solve(CHOLMOD_A, b.data(), static_cast<int>(b.cols())); }
 
 Vector Supernodal::triangular(int system, const Vector& b) { return dense_solve(system, b.data(), 1); }
 

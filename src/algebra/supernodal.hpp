@@ -52,8 +52,8 @@ class Supernodal {
 
   /// Elimination order: order()[k] is the row of K eliminated as k-th.
   std::span<const int> order() const;
-  base::Vector diagonal() const;               ///< of L, in the order of elimination
-  base::Matrix trailing(int count) const;      ///< dense lower triangle of the last `count` rows and columns of L
+  base::Vector diagonal() const;           ///< of L, in the order of elimination
+  base::Matrix trailing(int count) const;  ///< dense lower triangle of the last `count` rows and columns of L
 
  private:
   base::Vector triangular(int system, const base::Vector& b);

@@ -12,7 +12,8 @@ T out_of_plane(Analysis analysis, const T& x) {
   return analysis == Analysis::axisymmetric ? T(2.0 * std::numbers::pi * x) : T(1.0);
 }
 
-/// Strain measure of a body. Also the measure of a contact whose secondary body it is: length on X (small), on x (finite).
+/// Strain measure of a body. Also the measure of a contact whose secondary body it is: length on X (small), on x
+/// (finite).
 enum class Kinematics { small, finite };
 
 }  // namespace reye::base

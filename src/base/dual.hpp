@@ -47,9 +47,18 @@ struct Dual {
   friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
   friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
   friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
-  friend Dual operator+(Dual a, double b) { a.v += b; return a; }
-  friend Dual operator+(double b, Dual a) { a.v += b; return a; }
-  friend Dual operator-(Dual a, double b) { a.v -= b; return a; }
+  friend Dual operator+(Dual a, double b) {
+    a.v += b;
+    return a;
+  }
+  friend Dual operator+(double b, Dual a) {
+    a.v += b;
+    return a;
+  }
+  friend Dual operator-(Dual a, double b) {
+    a.v -= b;
+    return a;
+  }
   friend Dual operator-(double b, const Dual& a) { return -a + b; }
   friend Dual operator*(Dual a, double b) { return scaled(a, b); }
   friend Dual operator*(double b, Dual a) { return scaled(a, b); }
@@ -94,6 +103,8 @@ struct Dual {
 /// The plain value behind a scalar, for decisions that must not be differentiated.
 inline double value(double x) { return x; }
 template <int N>
-double value(const Dual<N>& x) { return x.v; }
+double value(const Dual<N>& x) {
+  return x.v;
+}
 
 }  // namespace reye::base

@@ -15,8 +15,7 @@ std::string joined(const std::vector<Issue>& issues) {
 }
 }  // namespace
 
-InputError::InputError(std::vector<Issue> issues)
-    : std::runtime_error(joined(issues)), issues_(std::move(issues)) {}
+InputError::InputError(std::vector<Issue> issues) : std::runtime_error(joined(issues)), issues_(std::move(issues)) {}
 
 InputError::InputError(std::vector<Issue> issues, const std::string& text)
     : std::runtime_error(text), issues_(std::move(issues)) {}

@@ -24,13 +24,13 @@ struct ContactNode {
 struct Columns {
   int interior = 0;
   int retained = 0;
-  std::vector<std::vector<Term>> terms;   ///< per node: u = sum y[column] * direction (columns of y, not of q)
+  std::vector<std::vector<Term>> terms;  ///< per node: u = sum y[column] * direction (columns of y, not of q)
   std::vector<int> contact_nodes;
-  std::vector<ContactNode> seen;          ///< per contact node
-  std::vector<CurvedEdge> curved_edges;   ///< on contact boundaries
-  std::vector<SupportColumn> supports;    ///< columns of q
+  std::vector<ContactNode> seen;         ///< per contact node
+  std::vector<CurvedEdge> curved_edges;  ///< on contact boundaries
+  std::vector<SupportColumn> supports;   ///< columns of q
 
-  base::SparseMatrix expansion() const;   ///< B, 2n x (interior + retained)
+  base::SparseMatrix expansion() const;  ///< B, 2n x (interior + retained)
   /// y as the body moves by one along x, along y, rigidly: all columns x 2. In axisymmetry nothing moves along the
   /// radius without strain.
   Matrix translations(base::Analysis analysis) const;

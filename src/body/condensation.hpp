@@ -8,15 +8,16 @@
 
 namespace reye::body {
 
-/// The Schur complement of a tangent: by Cholesky while it is symmetric, or its symmetric part is asked for, and definite,
-/// else by LU at three times the cost.
+/// The Schur complement of a tangent: by Cholesky while it is symmetric, or its symmetric part is asked for, and
+/// definite, else by LU at three times the cost.
 class Condensation {
  public:
   void factorise(const base::SparseMatrix& K, int retained, bool symmetric, Tangent tangent) {
     if (symmetric)
       definite_ = try_cholesky(K, retained);
     else
-      definite_ = tangent == Tangent::symmetric_part && try_cholesky(0.5 * (K + base::SparseMatrix(K.transpose())), retained);
+      definite_ =
+          tangent == Tangent::symmetric_part && try_cholesky(0.5 * (K + base::SparseMatrix(K.transpose())), retained);
     if (definite_) return;
     if (lu_)
       lu_->refactor(K);

@@ -80,21 +80,22 @@ class Search {
     if (rigid.empty()) return check_by_node(node, by_node);
     for (std::size_t k = 1; k < rigid.size(); ++k)
       if (!all_fixed(rigid.front()) || !all_fixed(rigid[k]))
-        note(rigid[k], rigid.front(), "", "shares the node at " + at(mesh_.X[node]) + " with support " +
-             quoted(support(rigid.front()).name) + ", and both are rigid edges; name what moves as one in one boundary, and say in one "
-             "support how it moves", true);
+        note(rigid[k], rigid.front(), "",
+             "shares the node at " + at(mesh_.X[node]) + " with support " + quoted(support(rigid.front()).name) +
+                 ", and both are rigid edges; name what moves as one in one boundary, and say in one "
+                 "support how it moves",
+             true);
     if (on_axis(node)) check_axis(node, rigid.front());
     for (int s : by_node) check_on_rigid(node, s, rigid.front());
   }
 
   bool all_fixed(int s) const {
     const Support& own = support(s);
-    return own.x.drive == Drive::fixed && own.y.drive == Drive::fixed && (axisymmetric_ || own.rotation.drive == Drive::fixed);
+    return own.x.drive == Drive::fixed && own.y.drive == Drive::fixed &&
+           (axisymmetric_ || own.rotation.drive == Drive::fixed);
   }
 
-  bool on_axis(int node) const {
-    return axisymmetric_ && std::abs(mesh_.X[node].x()) <= 1e-9 * size_;
-  }
+  bool on_axis(int node) const { return axisymmetric_ && std::abs(mesh_.X[node].x()) <= 1e-9 * size_; }
 
   void check_axis(int node, int s) {
     for (int m : {0, 1}) {
@@ -102,8 +103,8 @@ class Search {
       const auto& axis = m == 0 ? places_[s].x_axis : places_[s].y_axis;
       const bool acts = motion.drive == Drive::loaded || motion.drive == Drive::moved;
       if (acts && nonzero(motion) && std::abs(axis.front().x()) > parallel)
-        note(s, -1, motion_names[m], "the edge runs to the axis of symmetry at " + at(mesh_.X[node]) +
-             ", where nothing moves along x", true);
+        note(s, -1, motion_names[m],
+             "the edge runs to the axis of symmetry at " + at(mesh_.X[node]) + ", where nothing moves along x", true);
     }
   }
 
@@ -155,10 +156,13 @@ class Search {
     }
     if (!loaded && same(expected, demand.value)) return;
     const Demand& other = same_line != standing.end() ? *same_line : standing.back();
-    const std::string who = other.support < 0 ? "the axis of symmetry" : "support " + quoted(support(other.support).name);
+    const std::string who =
+        other.support < 0 ? "the axis of symmetry" : "support " + quoted(support(other.support).name);
     note(demand.support, other.support, motion_names[demand.motion],
-         "asks of the node at " + at(mesh_.X[node]) + " another motion than " + who + " does; a place can be held, moved or "
-         "loaded along a direction once", true);
+         "asks of the node at " + at(mesh_.X[node]) + " another motion than " + who +
+             " does; a place can be held, moved or "
+             "loaded along a direction once",
+         true);
   }
 
   RigidValue along(const Vec2& direction, int node, int s) const {
@@ -185,18 +189,21 @@ class Search {
   void check_on_rigid(int node, int s, int edge) {
     const auto& own = places_[s].nodes;
     const auto& of_edge = places_[edge].nodes;
-    const bool nothing_left = std::all_of(own.begin(), own.end(), [&](int n) {
-      return std::find(of_edge.begin(), of_edge.end(), n) != of_edge.end();
-    });
-    const std::string where = "the node at " + at(mesh_.X[node]) + " moves with the rigid edge of support " + quoted(support(edge).name);
+    const bool nothing_left = std::all_of(
+        own.begin(), own.end(), [&](int n) { return std::find(of_edge.begin(), of_edge.end(), n) != of_edge.end(); });
+    const std::string where =
+        "the node at " + at(mesh_.X[node]) + " moves with the rigid edge of support " + quoted(support(edge).name);
     for (const Demand& demand : demands(node, s)) {
       const RigidValue edge_value = along(demand.direction, node, edge);
       if (!edge_value.undetermined && !demand.loaded && same(edge_value.value, demand.value)) continue;
       const int m = edge_value.undetermined.value_or(-1);
       const bool pushed = m >= 0 && motion_of(support(edge), m).drive == Drive::loaded;
-      const std::string free = m < 0 ? "" : ", whose " + std::string(motion_names[m]) + " is " + (pushed ? "loaded" : "free");
-      note(s, edge, motion_names[demand.motion], where + free + ", and not as support " + quoted(support(s).name) +
-           " asks; say it in the support of the rigid edge", m < 0 || pushed || demand.loaded || nothing_left);
+      const std::string free =
+          m < 0 ? "" : ", whose " + std::string(motion_names[m]) + " is " + (pushed ? "loaded" : "free");
+      note(s, edge, motion_names[demand.motion],
+           where + free + ", and not as support " + quoted(support(s).name) +
+               " asks; say it in the support of the rigid edge",
+           m < 0 || pushed || demand.loaded || nothing_left);
     }
   }
 

@@ -16,13 +16,14 @@ struct SupportConflict {
   bool refused = true;  ///< false: all else of the support acts, so that the body can be solved as it is
 };
 
-/// All of a deformable body: a node on two rigid edges; a node-wise support against a rigid edge; more than two directions
-/// held in a node, or one twice, with different values; the axis of symmetry moved along x; an edge turned in axisymmetry.
-/// What agrees in value (two supports that fix the same direction) is no conflict. One per pair of supports.
+/// All of a deformable body: a node on two rigid edges; a node-wise support against a rigid edge; more than two
+/// directions held in a node, or one twice, with different values; the axis of symmetry moved along x; an edge turned
+/// in axisymmetry. What agrees in value (two supports that fix the same direction) is no conflict. One per pair of
+/// supports.
 std::vector<SupportConflict> support_conflicts(const mesh::Mesh& mesh, const BodyInput& input);
 
-/// All of a rigid body: one motion driven by two supports to different values; a rotation that an edge held node by node
-/// does not allow; in axisymmetry anything but the motion along the axis.
+/// All of a rigid body: one motion driven by two supports to different values; a rotation that an edge held node by
+/// node does not allow; in axisymmetry anything but the motion along the axis.
 std::vector<SupportConflict> rigid_support_conflicts(const mesh::Mesh& mesh, const BodyInput& input);
 
 }  // namespace reye::body

@@ -17,9 +17,9 @@ struct SupportPlace {
   std::vector<int> nodes;
   std::vector<base::Vec2> x_axis;  ///< per node; equal entries unless `edge_axes` on a curved edge
   std::vector<base::Vec2> y_axis;
-  base::Vec2 centre{0.0, 0.0};     ///< arc-length centroid of the edge, or the node of a point
+  base::Vec2 centre{0.0, 0.0};  ///< arc-length centroid of the edge, or the node of a point
 
-  bool straight() const;           ///< all nodes share the same axes
+  bool straight() const;  ///< all nodes share the same axes
 };
 
 /// Axes: x, y turned by the support's angle; with `edge_axes` the tangent (body on the left) and the outward
@@ -27,7 +27,8 @@ struct SupportPlace {
 /// Throws base::InputError: unknown edge, neither edge nor point, rotation at a point.
 SupportPlace place_support(const mesh::Mesh& mesh, const Support& support);
 
-/// Whether nodes held one by one along d hold the rotation of a rigid body, too: unless d . (e_3 x X) is the same for all.
+/// Whether nodes held one by one along d hold the rotation of a rigid body, too: unless d . (e_3 x X) is the same for
+/// all.
 bool holds_rotation(const mesh::Mesh& mesh, const Support& support, const SupportPlace& place);
 
 }  // namespace reye::body

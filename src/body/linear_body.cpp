@@ -20,8 +20,8 @@ struct CondensedLoad {
   Vector condensed;
 };
 
-/// One load of the scene: the part that turns with the body, and the other at theta = 0 and a quarter turn on. Of a body
-/// that keeps its direction all of it is `still`.
+/// One load of the scene: the part that turns with the body, and the other at theta = 0 and a quarter turn on. Of a
+/// body that keeps its direction all of it is `still`.
 struct BodyLoad {
   CondensedLoad still;
   std::optional<CondensedLoad> along, across;
@@ -144,7 +144,7 @@ struct LinearBody::Impl {
     return load;
   }
 
-  TurningLoad turning_load(const Vector& factors, Vector CondensedLoad::* of) const {
+  TurningLoad turning_load(const Vector& factors, Vector CondensedLoad::*of) const {
     const Eigen::Index n = of == &CondensedLoad::full ? B.cols() : dofs();
     TurningLoad sum{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
     for (size_t i = 0; i < loads.size(); ++i) {
@@ -220,9 +220,7 @@ NodePosition LinearBody::position(int contact_node, const Vector& q) const {
   return p;
 }
 
-NodeFreedom LinearBody::freedom(int contact_node) const {
-  return impl_->columns.seen[contact_node].freedom;
-}
+NodeFreedom LinearBody::freedom(int contact_node) const { return impl_->columns.seen[contact_node].freedom; }
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));

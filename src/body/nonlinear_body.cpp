@@ -63,9 +63,7 @@ const Translation& NonlinearBody::translation() const { return impl_->outer; }
 
 bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
 
-NodeFreedom NonlinearBody::freedom(int contact_node) const {
-  return impl_->columns.seen[contact_node].freedom;
-}
+NodeFreedom NonlinearBody::freedom(int contact_node) const { return impl_->columns.seen[contact_node].freedom; }
 
 NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
   const ContactNode& node = impl_->columns.seen[contact_node];

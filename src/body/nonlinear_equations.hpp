@@ -34,10 +34,10 @@ struct NonlinearEquations {
   bool turning() const { return solid.kinematics == base::Kinematics::finite; }
   bool symmetric() const;  ///< of the tangent
 
-  TwoPart all(const TwoPart& y, const TwoPart& q) const;     ///< [y; q]
+  TwoPart all(const TwoPart& y, const TwoPart& q) const;  ///< [y; q]
   /// Unknowns without rigid translation, which costs no force: all but positions is made of them.   [README (8)]
   Vector deformation(const TwoPart& y, const TwoPart& q) const { return translation.without(all(y, q)); }
-  Vector displacement(const Vector& unknowns) const;         ///< 2 per node
+  Vector displacement(const Vector& unknowns) const;           ///< 2 per node
   base::SparseMatrix expansion(const Vector& unknowns) const;  ///< B = du/d(y, q)
 
   /// f_int - sum factor_i f_i on the nodes.

@@ -29,15 +29,15 @@ struct Term {
   Vec2 direction{0.0, 0.0};
 };
 
-/// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point. On a linear
-/// body that turns dx/dangle has a part of its own: forces do no work on it, for the body balances them on X.
+/// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point. On a
+/// linear body that turns dx/dangle has a part of its own: forces do no work on it, for the body balances them on X.
 struct NodePosition {
   Vec2 x;
   std::array<Term, 4> terms;
   int count = 0;
-  int angle = -1;         ///< column of the rotation of a linear body that turns
-  Vec2 swing{0.0, 0.0};   ///< dx/dangle beside the terms
-  int turned = 4;         ///< from this term on directions turn with the angle
+  int angle = -1;        ///< column of the rotation of a linear body that turns
+  Vec2 swing{0.0, 0.0};  ///< dx/dangle beside the terms
+  int turned = 4;        ///< from this term on directions turn with the angle
 };
 
 struct Turning;
@@ -60,8 +60,8 @@ struct LoadColumn {
 
 /// How a multiplier may act at a contact node: on both axes, along one free direction, or not at all.
 struct NodeFreedom {
-  int free = 2;                  ///< number of free directions that no support holds
-  Vec2 direction{0.0, 0.0};      ///< the free one when free == 1
+  int free = 2;              ///< number of free directions that no support holds
+  Vec2 direction{0.0, 0.0};  ///< the free one when free == 1
 };
 
 /// What a body is built from. Supports and loads are those of the scene that act on this body,
@@ -77,7 +77,7 @@ struct BodyInput {
   std::vector<fem::PointLoad> point_loads;
   std::vector<fem::BodyForce> body_forces;
   std::vector<std::string> contact_boundaries;  ///< their nodes are retained
-  bool keeps_direction = false;  ///< bonded to a body that does: together they are one of small strain
+  bool keeps_direction = false;                 ///< bonded to a body that does: together they are one of small strain
   Vec2 centre{0.0, 0.0};  ///< what a linear body turns about where no support says it; does not change with the shape
 };
 
@@ -90,32 +90,35 @@ void for_each_load(const BodyInput& input, Take&& take) {
 }
 
 /// Linear elastic body of small strain, condensed to its retained dofs q:
-/// contact nodes first (in the order of `contact_nodes`), then the columns of its supports, then the angle of a body that
-/// turns without a support that names it. A body that can turn (`pivot_of`) does: its strain is small in a frame that
-/// goes along, in which the columns of contact nodes are counted; motions of supports are counted along their own axes.
+/// contact nodes first (in the order of `contact_nodes`), then the columns of its supports, then the angle of a body
+/// that turns without a support that names it. A body that can turn (`pivot_of`) does: its strain is small in a frame
+/// that goes along, in which the columns of contact nodes are counted; motions of supports are counted along their own
+/// axes.
 class LinearBody {
  public:
   /// `known`: the analysis of the body at an earlier shape; on the same cells it serves again.
   LinearBody(ShapePtr shape, const BodyInput& input, algebra::SchurAnalysisPtr known = {});
 
-  const algebra::SchurAnalysisPtr& analysis() const;           ///< all that another shape can use of this one
+  const algebra::SchurAnalysisPtr& analysis() const;  ///< all that another shape can use of this one
 
   int dofs() const;
-  const std::vector<int>& contact_nodes() const;               ///< mesh nodes; of a body that turns two more may follow
+  const std::vector<int>& contact_nodes() const;  ///< mesh nodes; of a body that turns two more may follow
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
-  const std::vector<CurvedEdge>& curved_edges() const;         ///< on contact boundaries, mesh nodes
-  const Matrix& stiffness() const;                              ///< S, constant, in the body's frame
+  const std::vector<CurvedEdge>& curved_edges() const;  ///< on contact boundaries, mesh nodes
+  const Matrix& stiffness() const;                      ///< S, constant, in the body's frame
   std::shared_ptr<const Matrix> shared_stiffness() const;
-  /// What stands for S where contact goes round the body, made when it is first asked for; null where it keeps its direction.
+  /// What stands for S where contact goes round the body, made when it is first asked for; null where it keeps its
+  /// direction.
   std::shared_ptr<const algebra::Compliance> compliance() const;
-  const Turning* turning() const;                               ///< null where the body keeps its direction
-  double angle(const Vector& q) const;                          ///< it has turned by; 0 where it keeps its direction
-  Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i, in the frame
+  const Turning* turning() const;       ///< null where the body keeps its direction
+  double angle(const Vector& q) const;  ///< it has turned by; 0 where it keeps its direction
+  Vector residual(const Vector& q, const Vector& load_factors) const;      ///< S q - sum factor_i f_hat_i, in the frame
   Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< its derivative: S, where nothing turns
-  Vector at_supports(const TwoPart& q, const Vector& load_factors) const;  ///< of the residual the support columns, else 0
-  Vector load(const Vector& load_factors) const;                ///< sum factor_i f_hat_i, of a body that does not turn
-  TurningLoad turning_load(const Vector& load_factors) const;   ///< and of one that does
+  Vector at_supports(const TwoPart& q,
+                     const Vector& load_factors) const;        ///< of the residual the support columns, else 0
+  Vector load(const Vector& load_factors) const;               ///< sum factor_i f_hat_i, of a body that does not turn
+  TurningLoad turning_load(const Vector& load_factors) const;  ///< and of one that does
   double strain_energy(const Vector& q) const;
   const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
@@ -124,15 +127,15 @@ class LinearBody {
   std::vector<Vec2> recover_in_frame(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
-  int full_dofs() const;                                        ///< before condensation
+  int full_dofs() const;  ///< before condensation
 
  private:
   struct Impl;
   std::shared_ptr<const Impl> impl_;
 };
 
-/// Sets the columns of the contact nodes in q so that these take the displacements u in the frame (one per contact node) as
-/// far as supports leave them free; the support columns of q and its angle are given and stay.
+/// Sets the columns of the contact nodes in q so that these take the displacements u in the frame (one per contact
+/// node) as far as supports leave them free; the support columns of q and its angle are given and stay.
 void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q);
 
 /// A body without elements: q = (u_x, u_y, theta) of its reference point c (the centre of its first support,
@@ -173,8 +176,8 @@ struct Interior {
   std::vector<material::Gradient<double>> F0;   ///< likewise, from unstressed to X; empty where X is unstressed
 };
 
-/// Which tangent a nonlinear body is linearised by. F-bar and pressures that follow make it unsymmetric by about stress over
-/// modulus: its symmetric part leads nearly as fast, at a third of the price.
+/// Which tangent a nonlinear body is linearised by. F-bar and pressures that follow make it unsymmetric by about stress
+/// over modulus: its symmetric part leads nearly as fast, at a third of the price.
 enum class Tangent { exact, symmetric_part };
 
 /// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but anew
@@ -188,16 +191,17 @@ class NonlinearBody {
   NonlinearBody(ShapePtr shape, const BodyInput& input);
 
   int dofs() const;
-  const std::vector<int>& contact_nodes() const;               ///< mesh nodes
+  const std::vector<int>& contact_nodes() const;                   ///< mesh nodes
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
-  int full_dofs() const;                                        ///< before condensation
+  int full_dofs() const;  ///< before condensation
 
   const Translation& translation() const;  ///< costs no force, by q alone: S T = 0
 
-  /// Whether the tangent is: with a law and a cure that keep it so (fem::Solid::symmetric), and no pressure that follows.
+  /// Whether the tangent is: with a law and a cure that keep it so (fem::Solid::symmetric), and no pressure that
+  /// follows.
   bool symmetric() const;
 
   /// No displacement, virgin material, X unstressed.
@@ -218,10 +222,11 @@ class NonlinearBody {
     std::shared_ptr<Kept> kept;
   };
   /// The symmetric part is factorised where it is definite, else the exact tangent.
-  void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors, Linearised& out,
-                 Tangent tangent = Tangent::exact) const;
+  void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
+                 Linearised& out, Tangent tangent = Tangent::exact) const;
   /// r at another state, condensed by the tangent that `at` has: what a chord needs. Costs no factorisation.
-  void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors, Linearised& at) const;
+  void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
+               Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
   std::string least_balanced(const Linearised& at) const;
@@ -270,8 +275,8 @@ struct HeldBody {
   const std::vector<Support>* supports = nullptr;
 };
 
-/// The same of bodies that touch one another, moved as one: contacts among them hold none of these motions, and no load has
-/// anything to lean on. Forces do not count.
+/// The same of bodies that touch one another, moved as one: contacts among them hold none of these motions, and no load
+/// has anything to lean on. Forces do not count.
 std::vector<std::string> unheld_together(const std::vector<HeldBody>& bodies, bool axisymmetric);
 
 }  // namespace reye::body

@@ -133,7 +133,8 @@ Vector RigidBody::residual(const Vector& q, const Vector& load_factors) const {
 Matrix RigidBody::tangent(const Vector& q, const Vector& load_factors) const {
   Matrix K = Matrix::Zero(3, 3);
   const Rotation R = rotation(impl_->angle(q));  // d^2 R / d theta^2 = -R
-  for (Eigen::Index i = 0; i < load_factors.size(); ++i) K(2, 2) += load_factors[i] * contract(R, impl_->loads[i].spread);
+  for (Eigen::Index i = 0; i < load_factors.size(); ++i)
+    K(2, 2) += load_factors[i] * contract(R, impl_->loads[i].spread);
   for (int k = 0; k < 3; ++k)
     if (impl_->held[k]) K(k, k) = 1.0;
   return K;

@@ -30,20 +30,25 @@ std::vector<SupportConflict> rigid_support_conflicts(const mesh::Mesh& mesh, con
       const Motion& motion = motion_of(support, m);
       if (motion.drive == Drive::free) continue;
       if (axisymmetric && m != 1 && drives(motion)) {
-        found.push_back({s, motion_names[m], m == 0 ? "a rigid ring cannot move radially; only a deformable one can"
-                                                    : "a rigid ring cannot turn out of its plane"});
+        found.push_back({s, motion_names[m],
+                         m == 0 ? "a rigid ring cannot move radially; only a deformable one can"
+                                : "a rigid ring cannot turn out of its plane"});
       } else if (!first[m]) {
         first[m] = &support;
       } else if (!agree(motion, motion_of(*first[m], m))) {
-        found.push_back({s, motion_names[m], "support " + quoted(first[m]->name) + " drives the same motion of this rigid body another "
-                                             "way; a rigid body has one of each"});
+        found.push_back({s, motion_names[m],
+                         "support " + quoted(first[m]->name) +
+                             " drives the same motion of this rigid body another "
+                             "way; a rigid body has one of each"});
       }
     }
   if (!first[2] || !drives(first[2]->rotation)) return found;
   for (int s = 0; s < static_cast<int>(input.supports.size()); ++s)
-    if (const Support& support = input.supports[s]; !is_rigid(support) && holds_rotation(mesh, support, place_support(mesh, support)))
-      found.push_back({s, "", "holds the edge node by node, and with it the rotation that support " + quoted(first[2]->name) +
-                              " drives; hold a point, or name the rotation here"});
+    if (const Support& support = input.supports[s];
+        !is_rigid(support) && holds_rotation(mesh, support, place_support(mesh, support)))
+      found.push_back({s, "",
+                       "holds the edge node by node, and with it the rotation that support " + quoted(first[2]->name) +
+                           " drives; hold a point, or name the rotation here"});
   return found;
 }
 

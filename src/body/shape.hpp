@@ -8,8 +8,8 @@ namespace reye::body {
 
 /// The unstressed shape of what is left of a body: immutable, shared between states.
 struct Shape {
-  mesh::Mesh mesh;                          ///< on X
-  std::shared_ptr<const mesh::Mesh> born;   ///< the mesh as it was generated, before any wear moved it
+  mesh::Mesh mesh;                              ///< on X
+  std::shared_ptr<const mesh::Mesh> born;       ///< the mesh as it was generated, before any wear moved it
   std::shared_ptr<const cad::Drawing> drawing;  ///< the curves `born` was made from; null: not known
 };
 

@@ -9,14 +9,15 @@
 namespace reye::body {
 
 /// What one motion of a support does. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
-/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A far end of
-/// the spring that moves is a force, stiffness times its way, among the parts.
+/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A far end
+/// of the spring that moves is a force, stiffness times its way, among the parts.
 enum class Drive { free, fixed, moved, loaded };
 
 struct Motion {
   Drive drive = Drive::free;
-  base::Parts parts{};     ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
-  double stiffness = 0.0;  ///< > 0, of what is loaded: a spring between edge and ground, force (or moment) per mm (or rad)
+  base::Parts parts{};  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
+  double stiffness =
+      0.0;  ///< > 0, of what is loaded: a spring between edge and ground, force (or moment) per mm (or rad)
 };
 
 /// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
@@ -27,8 +28,8 @@ struct Motion {
 /// rotation is named or a motion is loaded; `rigid` overrides.
 struct Support {
   std::string name;
-  std::string edge;                      ///< boundary name, or
-  std::optional<base::Vec2> point_mm;    ///< the node nearest to this point (of `body`, or of any body)
+  std::string edge;                    ///< boundary name, or
+  std::optional<base::Vec2> point_mm;  ///< the node nearest to this point (of `body`, or of any body)
   std::string body;
   double angle_deg = 0.0;
   bool edge_axes = false;

@@ -11,9 +11,7 @@ namespace reye::body {
 namespace {
 
 /// Whether a support does anything.
-bool acts(const Support& s) {
-  return is_rigid(s) || s.x.drive != Drive::free || s.y.drive != Drive::free;
-}
+bool acts(const Support& s) { return is_rigid(s) || s.x.drive != Drive::free || s.y.drive != Drive::free; }
 
 /// Whether the supports leave a rotation once the rotations of rigid edges are free to go where they are led.
 bool may_rotate(const mesh::Mesh& mesh, BodyInput input) {
@@ -42,7 +40,8 @@ Candidate examine(const mesh::Mesh& mesh, const BodyInput& input) {
     return result;
   }
   const Support& first = input.supports[acting.front()];
-  const bool edge = is_rigid(first), point = first.point_mm && first.x.drive != Drive::free && first.y.drive != Drive::free;
+  const bool edge = is_rigid(first),
+             point = first.point_mm && first.x.drive != Drive::free && first.y.drive != Drive::free;
   if (acting.size() == 1 && (edge || point)) {
     if (edge && first.rotation.drive == Drive::fixed) return result;
     const SupportPlace place = place_support(mesh, first);

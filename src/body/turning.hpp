@@ -25,24 +25,26 @@ inline Eigen::Matrix2d rotation_rate(double angle) {
 
 /// What a body turns about.
 struct Pivot {
-  int support = -1;            ///< a rigid edge, or a point that is held along both axes; -1: contact alone guides the body
-  bool names_angle = false;    ///< a rigid edge: its rotation is theta; else w without rotation fixes theta
-  Vec2 centre{0.0, 0.0};       ///< c
-  double hand = 1.0;           ///< of the support's axes: -1 where the second is the first turned to the right
+  int support = -1;  ///< a rigid edge, or a point that is held along both axes; -1: contact alone guides the body
+  bool names_angle = false;  ///< a rigid edge: its rotation is theta; else w without rotation fixes theta
+  Vec2 centre{0.0, 0.0};     ///< c
+  double hand = 1.0;         ///< of the support's axes: -1 where the second is the first turned to the right
 };
 
 /// The pivot of a body; empty where it keeps its direction, or in axisymmetry. A body turns where no support holds its
 /// rotation but for a motion or a moment of a rigid edge, and nothing of fixed direction acts on it beside that.
 std::optional<Pivot> pivot_of(const mesh::Mesh& mesh, const BodyInput& input);
 
-/// The support because of which the rotation of a body is taken as small although nothing holds it; empty where there is none.
+/// The support because of which the rotation of a body is taken as small although nothing holds it; empty where there
+/// is none.
 std::string keeps_direction(const mesh::Mesh& mesh, const BodyInput& input);
 
 /// Two nodes far apart that nothing touches or holds: where no support names theta, the line between them does not turn
 /// in the frame.
 std::array<int, 2> chord_nodes(const mesh::Mesh& mesh, const BodyInput& input, const Pivot& pivot);
 
-/// Loads on the columns, in the body's frame: what turns with the body, and dead loads at theta = 0 and a quarter turn on.
+/// Loads on the columns, in the body's frame: what turns with the body, and dead loads at theta = 0 and a quarter turn
+/// on.
 struct TurningLoad {
   Vector still, along, across;
 
@@ -53,13 +55,15 @@ struct TurningLoad {
 /// The columns of a body that turns. Its stiffness acts on w: that of the columns q, but for the pivot, which is held
 /// along axes that do not turn, and theta, which does not strain.
 struct Turning {
-  int angle = -1;                      ///< column of theta
-  std::array<int, 2> pivot{-1, -1};    ///< columns of the motions of the pivot; -1: none
+  int angle = -1;                    ///< column of theta
+  std::array<int, 2> pivot{-1, -1};  ///< columns of the motions of the pivot; -1: none
   double hand = 1.0;
   Vec2 centre{0.0, 0.0};
-  std::vector<std::pair<int, double>> chord;  ///< sum of factor q[column] = 0 fixes theta; empty where a support names it
+  std::vector<std::pair<int, double>>
+      chord;  ///< sum of factor q[column] = 0 fixes theta; empty where a support names it
 
-  std::vector<int> named() const;  ///< all columns that are named here: held, they leave the frame and the body nowhere to go
+  std::vector<int> named()
+      const;  ///< all columns that are named here: held, they leave the frame and the body nowhere to go
   /// The same of a choice of columns, which holds all that are named here.
   Turning part(const std::vector<int>& columns) const;
 
@@ -67,12 +71,12 @@ struct Turning {
   double chord_of(const Vector& q) const;
 
   Vector in_frame(const Vector& q) const { return in_frame(TwoPart(q)).high; }
-  TwoPart in_frame(TwoPart q) const;                            ///< w of q, as columns
-  Vector step_in_frame(const Vector& q, Vector dq) const;      ///< dw of dq at q
+  TwoPart in_frame(TwoPart q) const;                             ///< w of q, as columns
+  Vector step_in_frame(const Vector& q, Vector dq) const;        ///< dw of dq at q
   void to_frame(double theta, Eigen::Ref<Vector> forces) const;  ///< forces on q as forces on w
   void to_axes(double theta, Eigen::Ref<Vector> forces) const;   ///< and back
-  /// Makes the transposed stiffness of w the transposed tangent of q; `forces` on w are out of balance, `rate` is that of
-  /// the loads with theta. The row of theta is the moment, where a support names it.
+  /// Makes the transposed stiffness of w the transposed tangent of q; `forces` on w are out of balance, `rate` is that
+  /// of the loads with theta. The row of theta is the moment, where a support names it.
   void turn(const Vector& q, const Vector& forces, const Vector& rate, Eigen::Ref<Matrix> transposed) const;
 
  private:

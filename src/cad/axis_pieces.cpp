@@ -64,11 +64,13 @@ std::vector<AxisPiece> axis_pieces(const Edge& edge, double width) {
     before = edge.arc[i];
   }
   const bool ring = edge.first() == edge.last() && side_of(edge.first().x(), width) != 0;
-  if (ring && sides.size() > 1) return axis_pieces(begun_at(edge, cuts[1]), width);  // no joint where the file begins it
+  if (ring && sides.size() > 1)
+    return axis_pieces(begun_at(edge, cuts[1]), width);  // no joint where the file begins it
   if (sides.empty()) sides.push_back(0);
   cuts.push_back(edge.length());
   std::vector<AxisPiece> pieces;
-  for (std::size_t k = 0; k < sides.size(); ++k) pieces.push_back({laid_on_axis(trimmed(edge, cuts[k], cuts[k + 1]), width), sides[k]});
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    pieces.push_back({laid_on_axis(trimmed(edge, cuts[k], cuts[k + 1]), width), sides[k]});
   return pieces;
 }
 

@@ -16,7 +16,7 @@ struct BodyPlan {
   const BodyOptions* options = nullptr;
   std::map<std::string, EdgeChoice> boundaries;
   std::vector<ZoneOutline> zones;
-  bool halved = false;             ///< the file has a section through the axis, of which this is the half x >= 0
+  bool halved = false;              ///< the file has a section through the axis, of which this is the half x >= 0
   std::set<std::string> cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images
 };
 

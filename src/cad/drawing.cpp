@@ -43,7 +43,8 @@ Points centres_on(const mesh::Mesh& mesh, const mesh::Chain& ring, const Drawing
   Points centres;
   for (const FineZone& zone : drawing.zones) {
     const double here = distance(ring, zone.centre_mm);
-    if (std::all_of(mesh.outline.begin(), mesh.outline.end(), [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); }))
+    if (std::all_of(mesh.outline.begin(), mesh.outline.end(),
+                    [&](const auto& loop) { return here <= distance(loop, zone.centre_mm); }))
       centres.push_back(zone.centre_mm);
   }
   return centres;
@@ -57,7 +58,8 @@ void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing) {
     for (const auto& chain : chains) {
       if (!mesh::is_closed(chain)) continue;
       const Points centres = centres_on(mesh, chain, drawing);
-      if (!centres.empty()) std::replace(origins.begin(), origins.end(), chain.front(), mesh::farthest_from(mesh, chain, centres));
+      if (!centres.empty())
+        std::replace(origins.begin(), origins.end(), chain.front(), mesh::farthest_from(mesh, chain, centres));
     }
   }
 }

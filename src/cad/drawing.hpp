@@ -9,7 +9,8 @@
 namespace reye::cad {
 
 /// All that a mesh of one body is made from, as a value that outlives the gmsh session: the outline as curves, which of
-/// them each boundary is made of, the wishes, and the fine zones. Wear changes the curves; a new mesh comes from `remesh`.
+/// them each boundary is made of, the wishes, and the fine zones. Wear changes the curves; a new mesh comes from
+/// `remesh`.
 struct Drawing {
   Part part;
   std::map<std::string, EdgeChoice> boundaries;
@@ -21,13 +22,14 @@ struct Drawing {
 /// Nodes a mesh of the drawing would have, about: int dA / size^2.
 double estimated_nodes(const Drawing& drawing);
 
-/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from amid the longest stretch
-/// between the centres of the fine zones on it, opposite to a single one, so that no table is cut where there is contact.
+/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from amid the longest
+/// stretch between the centres of the fine zones on it, opposite to a single one, so that no table is cut where there
+/// is contact.
 void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing);
 
-/// A fresh mesh with the same boundaries and of the order asked for, in a gmsh session of its own. A mesh that came with the drawing's part is
-/// returned as it is. Throws base::MeshError: more than `most_nodes` expected (saying how many), or no mesh with
-/// positive Jacobians.
+/// A fresh mesh with the same boundaries and of the order asked for, in a gmsh session of its own. A mesh that came
+/// with the drawing's part is returned as it is. Throws base::MeshError: more than `most_nodes` expected (saying how
+/// many), or no mesh with positive Jacobians.
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);
 
 /// The same inside an outline that is there already: its nodes and boundaries stay as they are, so that nothing which

@@ -222,7 +222,7 @@ template <class Make>
 mesh::Mesh best_of_attempts(const BodyPlan& plan, Make make) {
   constexpr int attempts = 5;
   constexpr double good_enough = 0.15;  // scaled Jacobian of the poorest cell
-  constexpr double worth_it = 1.05;         // an attempt that brings less is the last: the poor place is not a coarse one
+  constexpr double worth_it = 1.05;     // an attempt that brings less is the last: the poor place is not a coarse one
   mesh::Mesh best;
   double quality = 0.0, far = far_size(plan);
   for (int attempt = 1; quality < good_enough && attempt <= attempts; ++attempt, far *= 0.5) {

@@ -14,8 +14,9 @@ struct BodyFacts {
   std::string name;
   double area_mm2 = 0.0;
   std::array<double, 4> box_mm{};
-  bool halved = false;             ///< its file has a section on both sides of the axis, of which the half x >= 0 is taken
-  std::set<std::string> cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images: no boundaries
+  bool halved = false;  ///< its file has a section on both sides of the axis, of which the half x >= 0 is taken
+  std::set<std::string>
+      cut_off{};  ///< physical curves that name edges at x < 0 and not their mirror images: no boundaries
 };
 
 struct Geometry {
@@ -30,7 +31,8 @@ struct Geometry {
 /// physical names. In an axisymmetric scene the half x >= 0 of a section through the axis is taken. Bodies are never
 /// merged: nodes of two bodies are distinct even where their CAD coincides.
 /// Throws base::InputError (all issues together; keys "geometry", "body.<name>.at", "boundary.<name>.box_mm" ...)
-/// for files and bodies that cannot be used: key "geometry" with the file, "body.<name>" for a face that cannot be meshed.
+/// for files and bodies that cannot be used: key "geometry" with the file, "body.<name>" for a face that cannot be
+/// meshed.
 Geometry build(const GeometryOptions& options);
 
 }  // namespace reye::cad

@@ -21,13 +21,15 @@ std::vector<Run> runs_of(const Part& part, int loop, double width, bool& closed)
   std::vector<AxisPiece> pieces;
   std::vector<std::array<int, 2>> whole;
   for (int k = 0; k < static_cast<int>(part.loops[static_cast<std::size_t>(loop)].size()); ++k)
-    for (AxisPiece& piece : axis_pieces(part.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(k)], width)) {
+    for (AxisPiece& piece :
+         axis_pieces(part.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(k)], width)) {
       pieces.push_back(std::move(piece));
       whole.push_back({loop, k});
     }
   const auto right = [](const AxisPiece& piece) { return piece.side > 0; };
   closed = std::all_of(pieces.begin(), pieces.end(), right);
-  const auto first = closed ? 0 : static_cast<std::size_t>(std::find_if_not(pieces.begin(), pieces.end(), right) - pieces.begin());
+  const auto first =
+      closed ? 0 : static_cast<std::size_t>(std::find_if_not(pieces.begin(), pieces.end(), right) - pieces.begin());
   std::vector<Run> runs;
   bool open = false;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -55,11 +57,13 @@ std::vector<std::size_t> next_runs(const std::vector<Run>& runs) {
     ends.push_back({runs[r].edges.front().first().y(), true, r});
     ends.push_back({runs[r].edges.back().last().y(), false, r});
   }
-  std::sort(ends.begin(), ends.end(), [](const AxisEnd& a, const AxisEnd& b) { return a.y != b.y ? a.y < b.y : a.begins < b.begins; });
+  std::sort(ends.begin(), ends.end(),
+            [](const AxisEnd& a, const AxisEnd& b) { return a.y != b.y ? a.y < b.y : a.begins < b.begins; });
   std::vector<std::size_t> next(runs.size());
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     if (!ends[i].begins || ends[i + 1].begins)
-      throw base::MeshError("its outline meets the axis x = 0 at y = " + text(ends[i].y) + " without passing through it");
+      throw base::MeshError("its outline meets the axis x = 0 at y = " + text(ends[i].y) +
+                            " without passing through it");
     next[ends[i + 1].run] = ends[i].run;
   }
   return next;
@@ -122,7 +126,8 @@ EdgeChoice on_half(const EdgeChoice& choice, const Half& half) {
   EdgeChoice on;
   for (const auto& loop : half.whole) {
     on.emplace_back();
-    for (const auto& [l, k] : loop) on.back().push_back(l >= 0 && choice[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)]);
+    for (const auto& [l, k] : loop)
+      on.back().push_back(l >= 0 && choice[static_cast<std::size_t>(l)][static_cast<std::size_t>(k)]);
   }
   return on;
 }

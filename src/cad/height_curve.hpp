@@ -4,9 +4,9 @@
 
 namespace reye::cad {
 
-/// Height and slope of a profile over arc length. Between its points it is a monotone cubic (Fritsch and Carlson 1980, the
-/// slopes of PCHIP): smooth, so that a designed crown of few points gets no corners, and never above or below the two
-/// points it lies between, so that a measured one gains no bumps. Beyond its ends it is zero.
+/// Height and slope of a profile over arc length. Between its points it is a monotone cubic (Fritsch and Carlson 1980,
+/// the slopes of PCHIP): smooth, so that a designed crown of few points gets no corners, and never above or below the
+/// two points it lies between, so that a measured one gains no bumps. Beyond its ends it is zero.
 class HeightCurve {
  public:
   /// Arc lengths must increase strictly.

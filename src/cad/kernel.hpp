@@ -2,8 +2,8 @@
 #include "cad/raw.hpp"
 #include "cad/region.hpp"
 
-/// gmsh, and the OpenCASCADE it brings, make a library of their own (`cad/gmsh`), loaded when it is first asked for: to load
-/// it takes longer than many a small scene, and one that brings its mesh does without.
+/// gmsh, and the OpenCASCADE it brings, make a library of their own (`cad/gmsh`), loaded when it is first asked for: to
+/// load it takes longer than many a small scene, and one that brings its mesh does without.
 namespace reye::cad {
 
 /// What that library does.

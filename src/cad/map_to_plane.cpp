@@ -55,7 +55,8 @@ std::string broken_rule(const RawPart& raw, const Plane& plane, bool cut) {
   const std::vector<Vec3> points = all_points(raw);
   if (unevenness(points, plane_of(points)) > tolerance) return "a body must be a planar face";
   if (unevenness(points, plane) <= tolerance) return "";
-  return cut ? "lies in a plane that is not parallel to the section" : "all faces of a scene must lie in parallel planes";
+  return cut ? "lies in a plane that is not parallel to the section"
+             : "all faces of a scene must lie in parallel planes";
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ double distance(const std::vector<Edge>& edges, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const Edge& edge : edges) {
     const auto box = bounding_box(edge);
-    const double dx = std::max({box[0] - p.x(), p.x() - box[2], 0.0}), dy = std::max({box[1] - p.y(), p.y() - box[3], 0.0});
+    const double dx = std::max({box[0] - p.x(), p.x() - box[2], 0.0}),
+                 dy = std::max({box[1] - p.y(), p.y() - box[3], 0.0});
     if (std::hypot(dx, dy) < least) least = std::min(least, foot_on(edge, p).distance);
   }
   return least;
@@ -71,7 +72,8 @@ std::string asymmetry(const Part& part) {
   const double width = axis_width(part);
   const auto left = pieces_on(part, -1, width), right = pieces_on(part, 1, width);
   Farthest most = farthest(right, left);
-  if (Farthest other = farthest(left, right); other.distance > most.distance) most = {other.distance, {-other.at.x(), other.at.y()}};
+  if (Farthest other = farthest(left, right); other.distance > most.distance)
+    most = {other.distance, {-other.at.x(), other.at.y()}};
   if (most.distance <= mirror_share * extent(part)) return {};
   const auto box = bounding_box(part);
   std::string areas;
@@ -80,8 +82,8 @@ std::string asymmetry(const Part& part) {
     areas = ", has " + text(area(part) - right_area) + " mm^2 at x < 0 and " + text(right_area) + " mm^2 at x > 0";
   } catch (const base::MeshError&) {  // the other sizes tell enough
   }
-  return "it reaches from x = " + text(box[0]) + " to " + text(box[2]) + areas + ", and its outline at " + text(most.at) + " lies " +
-         text(most.distance) + " mm from the mirrored other half";
+  return "it reaches from x = " + text(box[0]) + " to " + text(box[2]) + areas + ", and its outline at " +
+         text(most.at) + " lies " + text(most.distance) + " mm from the mirrored other half";
 }
 
 std::string chosen_on_one_side(const Part& part, const EdgeChoice& choice) {
@@ -97,7 +99,8 @@ std::string chosen_on_one_side(const Part& part, const EdgeChoice& choice) {
         if (piece.side > 0) right.push_back(std::move(piece.edge));
       }
     }
-  const auto lonely = std::find_if(left.begin(), left.end(), [&](const auto& p) { return distance(right, p.second) > mirror_share * size; });
+  const auto lonely = std::find_if(left.begin(), left.end(),
+                                   [&](const auto& p) { return distance(right, p.second) > mirror_share * size; });
   return lonely == left.end() ? "" : describe(*lonely->first);
 }
 

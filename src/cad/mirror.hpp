@@ -13,8 +13,8 @@ bool are_mirrored(const Part& left, const Part& right);
 /// In what sizes the two halves of a part that crosses the axis differ, in words; empty where each mirrors the other.
 std::string asymmetry(const Part& part);
 
-/// A chosen edge at x < 0 whose mirror image is not chosen, in words; empty where there is none: the half has all that the
-/// choice means.
+/// A chosen edge at x < 0 whose mirror image is not chosen, in words; empty where there is none: the half has all that
+/// the choice means.
 std::string chosen_on_one_side(const Part& part, const EdgeChoice& choice);
 
 }  // namespace reye::cad

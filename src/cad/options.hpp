@@ -19,8 +19,8 @@ struct Section {
   Vec3 normal = Vec3::UnitZ();
 };
 
-/// A start profile: height [mm], positive out of the body, over arc length [mm] along a boundary from its end with smaller
-/// x (then smaller y). Zero outside of the range given.
+/// A start profile: height [mm], positive out of the body, over arc length [mm] along a boundary from its end with
+/// smaller x (then smaller y). Zero outside of the range given.
 struct Profile {
   std::string file;  ///< as the scene names it, for messages
   std::vector<double> arc_mm;

@@ -29,10 +29,12 @@ bool names(const FineZone& zone, const std::string& body) {
 }
 
 /// A zone that refines nothing is a mistake in its centre; bodies that bring their own mesh have none.
-void check_zone(const FineZone& zone, const GeometryOptions& options, const std::vector<BodyPlan>& plans, std::vector<Issue>& issues) {
+void check_zone(const FineZone& zone, const GeometryOptions& options, const std::vector<BodyPlan>& plans,
+                std::vector<Issue>& issues) {
   if (options.axisymmetric && zone.centre_mm.x() < -1e-9)
-    return issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm), "lies at x < 0; an axisymmetric scene takes what lies at x >= 0: give " +
-                                                                                text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
+    return issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm),
+                             "lies at x < 0; an axisymmetric scene takes what lies at x >= 0: give " +
+                                 text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
   bool wanted = false;
   for (const BodyPlan& plan : plans) {
     if (!plan.part) return;  // told already
@@ -42,8 +44,7 @@ void check_zone(const FineZone& zone, const GeometryOptions& options, const std:
     if (std::find(zones.begin(), zones.end(), &zone) != zones.end()) return;
   }
   if (wanted)
-    issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm),
-                      "no edge of a body passes through the fine zone"});
+    issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm), "no edge of a body passes through the fine zone"});
 }
 
 /// Nodes of a rigid body, which is its outline, about.
@@ -118,8 +119,8 @@ void put_profiles(Plans& plans, const GeometryOptions& options, std::vector<Issu
   }
 }
 
-/// A loop of one closed edge begins opposite to the fine zone on it, or amid the longest stretch between several: where a file
-/// happens to begin it, its seam, nothing of the mesh in contact shall depend on.
+/// A loop of one closed edge begins opposite to the fine zone on it, or amid the longest stretch between several: where
+/// a file happens to begin it, its seam, nothing of the mesh in contact shall depend on.
 void turn_rings(Plans& plans, const GeometryOptions& options) {
   for (BodyPlan& plan : plans.bodies) {
     if (!plan.part || plan.part->mesh) continue;
@@ -146,7 +147,8 @@ std::vector<const FineZone*> zones_on(const Part& part, const std::string& body,
   }
   const auto leaves_out = [&](const FineZone* zone) {
     if (std::find(near.begin(), near.end(), zone) != near.end()) return false;
-    const bool another = std::any_of(near.begin(), near.end(), [&](const FineZone* other) { return other->contact == zone->contact; });
+    const bool another =
+        std::any_of(near.begin(), near.end(), [&](const FineZone* other) { return other->contact == zone->contact; });
     return zone->bodies.empty() || another || !zone_outline(part, *zone, true);
   };
   std::erase_if(wanted, leaves_out);
@@ -175,7 +177,8 @@ Plans make_plans(std::vector<Part> all, const GeometryOptions& options) {
   const std::vector<int> chosen = select_parts(plans.parts, options.bodies, issues);
   for (std::size_t b = 0; b < options.bodies.size(); ++b) {
     const Part* part = chosen[b] < 0 ? nullptr : &plans.parts[chosen[b]];
-    plans.bodies.push_back({part, &options.bodies[b], part ? named_edges(*part) : decltype(BodyPlan::boundaries){}, {}});
+    plans.bodies.push_back(
+        {part, &options.bodies[b], part ? named_edges(*part) : decltype(BodyPlan::boundaries){}, {}});
   }
   if (options.axisymmetric) tell_of_the_half(options.bodies, issues);
   add_boundaries(plans.bodies, options, issues);

@@ -48,7 +48,8 @@ std::vector<Run> runs_of(const Part& part, const EdgeChoice& chosen) {
 
 Run one_run(const Part& part, const EdgeChoice& chosen) {
   const std::vector<Run> runs = runs_of(part, chosen);
-  if (runs.size() != 1) throw DoesNotFit{"needs one connected boundary; this one has " + std::to_string(runs.size()) + " pieces"};
+  if (runs.size() != 1)
+    throw DoesNotFit{"needs one connected boundary; this one has " + std::to_string(runs.size()) + " pieces"};
   const Loop& loop = part.loops[runs[0].loop];
   for (std::size_t i = 0; i + 1 < runs[0].edges.size(); ++i)
     if (kink(loop[runs[0].edges[i]], loop[runs[0].edges[i + 1]]) > smooth)
@@ -150,7 +151,8 @@ Edge stretched(const Edge& edge, const Vec2& old_end, const Vec2& end) {
   const bool at_first = (edge.first() - old_end).norm() < (edge.last() - old_end).norm();
   const Vec2 stays = at_first ? edge.last() : edge.first();
   const Vec2 before = stays - old_end, after = stays - end;
-  if (edge.type != EdgeType::line || std::abs(base::cross(before.normalized(), end - old_end)) > 1e-6 * (end - old_end).norm())
+  if (edge.type != EdgeType::line ||
+      std::abs(base::cross(before.normalized(), end - old_end)) > 1e-6 * (end - old_end).norm())
     throw DoesNotFit{"the height at the end " + text(old_end) +
                      " of the boundary must be 0: no straight edge goes on there at a right angle"};
   if (before.dot(after) <= 0.0)
@@ -175,7 +177,8 @@ void join(Part& part, const Part& before, const Run& run) {
     else
       loop[neighbour] = stretched(loop[neighbour], old_end, end);
   };
-  settle(loop[run.edges.front()].knots.front(), old[run.edges.front()].first(), (run.edges.front() + count - 1) % count);
+  settle(loop[run.edges.front()].knots.front(), old[run.edges.front()].first(),
+         (run.edges.front() + count - 1) % count);
   settle(loop[run.edges.back()].knots.back(), old[run.edges.back()].last(), (run.edges.back() + 1) % count);
 }
 

@@ -37,8 +37,9 @@ std::optional<Vec2> crossing(const Region& region);
 /// from its sides. Changes nothing and returns false for any other region, and for a grid of poor or too large cells.
 bool add_grid(Region& region, const SizeField& size);
 
-/// Turns inner edges of triangles that are flat between two outline facets, then moves nodes from number `first_free` on, each where that lifts the scaled Jacobian of its worst cell, as long as
-/// that is below a half. No cell gets worse than the worst one round the moved node was.
+/// Turns inner edges of triangles that are flat between two outline facets, then moves nodes from number `first_free`
+/// on, each where that lifts the scaled Jacobian of its worst cell, as long as that is below a half. No cell gets worse
+/// than the worst one round the moved node was.
 void improve(Region& region, int first_free);
 
 /// Meshes what is left by gmsh. The nodes of the loops stay exactly where they are; sizes

@@ -32,7 +32,8 @@ FineZone turned_zone(const Part& part, FineZone zone, const Turn& turn, double m
   } else {
     zone.half_width_mm = 10.0 * (radius + zone.half_width_mm);  // no part of the ring is beyond it
   }
-  if (const auto outline = zone_outline(part, zone, true)) zone.size_mm = std::max(zone.size_mm, outline->length() / most_nodes);
+  if (const auto outline = zone_outline(part, zone, true))
+    zone.size_mm = std::max(zone.size_mm, outline->length() / most_nodes);
   return zone;
 }
 

@@ -64,8 +64,8 @@ double exit_arc(const Edge& edge, double from, int step, const FineZone& zone) {
   return end;
 }
 
-/// Extends the zone from its centre in one direction, at most once round; stretches in the order walked, whether it ends
-/// smoothly.
+/// Extends the zone from its centre in one direction, at most once round; stretches in the order walked, whether it
+/// ends smoothly.
 std::pair<std::vector<Stretch>, bool> walk(const Loop& loop, const Place& start, int step, const FineZone& zone) {
   const int edges = static_cast<int>(loop.size());
   std::vector<Stretch> stretches;
@@ -88,8 +88,8 @@ std::pair<std::vector<Stretch>, bool> walk(const Loop& loop, const Place& start,
   return {stretches, false};
 }
 
-/// Joins the two stretches that meet in the centre where it lies close to an end of their edge: no sliver is left between
-/// the two.
+/// Joins the two stretches that meet in the centre where it lies close to an end of their edge: no sliver is left
+/// between the two.
 void join_at_centre(const Loop& loop, std::vector<Stretch>& back, std::vector<Stretch>& forth, double size) {
   if (back.empty() || forth.empty()) return;
   Stretch &before = back.front(), &after = forth.front();

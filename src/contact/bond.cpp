@@ -21,8 +21,8 @@ Vec2 Interface::turned_offset(int node) const {
   return {c * g.x() - s * g.y(), s * g.x() + c * g.y()};
 }
 
-/// Along which a node stays on what it lies opposite to. Where supports hold both along one direction, only across it: along
-/// that direction the bond carries nothing, and nothing asks it to.
+/// Along which a node stays on what it lies opposite to. Where supports hold both along one direction, only across it:
+/// along that direction the bond carries nothing, and nothing asks it to.
 std::array<Vec2, 2> Interface::directions(int node) const {
   const Vec2& first = unmoved_[node] ? setup_->freedom[node].direction : normal_[node];
   return {first, Vec2(-first.y(), first.x())};

@@ -16,10 +16,10 @@ struct NodeScalars {
   T gap{};         ///< weighted gap
   Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
   T D{};
-  T off{};         ///< shares of control points without multiplier: they slide as this node does
+  T off{};          ///< shares of control points without multiplier: they slide as this node does
   T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and what stands at control points without
                     ///< multiplier, this increment's included
-  T share{};         ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
+  T share{};        ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
 };
 
 /// What stays fixed while the equations of one increment are solved.
@@ -33,10 +33,11 @@ struct NodeConstants {
   double arc_over_chord = 1.0;  ///< of the way that the sides slide while supports turn them
   bool imposed = false;         ///< slip is a number: D * imposed_slip
   double imposed_slip = 0.0;
-  bool out_of_plane = false;    ///< slip is out of the plane: there friction is mu lambda_n, and none is left in the plane
-  bool held = false;            ///< shear is given: re-equilibration after the shape moved
-  bool unmoved = false;         ///< neither side can yield along the surface nor slides: a sticking node's shear is given
-  double held_shear = 0.0;      ///< the shear that is given
+  bool out_of_plane =
+      false;                ///< slip is out of the plane: there friction is mu lambda_n, and none is left in the plane
+  bool held = false;        ///< shear is given: re-equilibration after the shape moved
+  bool unmoved = false;     ///< neither side can yield along the surface nor slides: a sticking node's shear is given
+  double held_shear = 0.0;  ///< the shear that is given
   double held_pressure = 0.0, compliance = 0.0;  ///< re-equilibration on springs [MPa, mm/MPa]
   bool anchor = false;
 };
@@ -46,7 +47,7 @@ struct NodeConditions {
   T normal{}, tangential{};  ///< both zero for an active node in equilibrium
   T work{};                  ///< the law's work of this increment
   T lambda_n{}, lambda_t{}, slip{};
-  T drag{};                  ///< traction of friction along the slip: lambda_t, out of the plane mu lambda_n
+  T drag{};  ///< traction of friction along the slip: lambda_t, out of the plane mu lambda_n
 };
 
 /// Conditions of an active node:                                                   [README (3) to (6)]

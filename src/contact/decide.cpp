@@ -103,7 +103,8 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
     }
     // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
     // What neither presses nor gapes stays as it was: either status holds there.
-    if (!start && !pressed && lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= (was ? -faint : faint)) {
+    if (!start && !pressed &&
+        lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= (was ? -faint : faint)) {
       status_[j] = ContactStatus::inactive;
       continue;
     }

@@ -149,7 +149,8 @@ void Interface::sum_start_of_increment() {
   }
 }
 
-/// The cosine between a facet and the line that its ends meet on the other side; one where an end carries no multiplier.
+/// The cosine between a facet and the line that its ends meet on the other side; one where an end carries no
+/// multiplier.
 double Interface::faces(const FacetRecord& record) const {
   const auto& facet = setup_->secondary.facets[record.facet];
   std::array<Vec2, 2> met{Vec2::Zero(), Vec2::Zero()};
@@ -162,9 +163,9 @@ double Interface::faces(const FacetRecord& record) const {
   return std::max(0.0, own.dot(opposite)) / (own.norm() * opposite.norm());
 }
 
-/// At a corner the facet decides that covers more of what it faces: where wear has left a corner between the worn surface
-/// and a flank, the flank is covered as well, but the node bears on the worn surface. With the flank's normal its
-/// friction would pull it in: pressure there would close the gap, and no status would fit.
+/// At a corner the facet decides that covers more of what it faces: where wear has left a corner between the worn
+/// surface and a flank, the flank is covered as well, but the node bears on the worn surface. With the flank's normal
+/// its friction would pull it in: pressure there would close the gap, and no status would fit.
 mortar::NormalStencil Interface::stencil(int node) const {
   const auto cover = [&](int side) {
     const int r = record_of_[node][side];
@@ -210,13 +211,15 @@ NodeConstants Interface::constants(int node) const {
   c.depth = secondary_start_[node];
   c.law = o.wear;
   if (!options_.wear) c.law.kind = wear::LawKind::none;
-  // The energy of control points that wear with the node stands at them: the node's density counts for all of its length.
+  // The energy of control points that wear with the node stands at them: the node's density counts for all of its
+  // length.
   const double worn = worn_length_[node], own = worn / setup_->secondary.area[node];
-  const double spent = before_->energy_secondary[node] + elsewhere(options_.energy_elsewhere, static_cast<std::size_t>(node));
+  const double spent =
+      before_->energy_secondary[node] + elsewhere(options_.energy_elsewhere, static_cast<std::size_t>(node));
   c.start = {options_.jump, options_.duration_s, own * spent, worn};
   if (o.implicit_wear)
-    c.depth_per_work = o.wear.secondary * options_.jump / worn_length_[node] *
-                       thickness(options_.thickness_secondary, node);
+    c.depth_per_work =
+        o.wear.secondary * options_.jump / worn_length_[node] * thickness(options_.thickness_secondary, node);
   // What turns by t has slid by r t; its motion, seen along the tangent where it ends, is r sin t.
   if (mobility_.turn != 0.0) c.arc_over_chord = mobility_.turn / std::sin(mobility_.turn);
   c.imposed = o.imposed;

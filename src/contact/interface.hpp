@@ -12,9 +12,9 @@ namespace reye::contact {
 
 /// What one increment asks of a contact; the same through all its Newton iterations.
 struct IncrementOptions {
-  double jump = 1.0;          ///< cycles that this increment stands for
+  double jump = 1.0;  ///< cycles that this increment stands for
   bool wear = true;
-  double duration_s = 0.0;    ///< of one play of this increment; read where wear has a speed exponent only
+  double duration_s = 0.0;         ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the way friction points
   double first_way = 1.0;     ///< that way, 1 or -1, where nothing slides in this increment and no shear tells it
@@ -23,16 +23,17 @@ struct IncrementOptions {
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
   std::vector<double> held_pressure;
-  /// With `held` alone [mm/MPa]: 0, or a nodal gap opens by this times what the pressure falls short of `held_pressure`,
-  /// in the nodes that had one, and in no others.
+  /// With `held` alone [mm/MPa]: 0, or a nodal gap opens by this times what the pressure falls short of
+  /// `held_pressure`, in the nodes that had one, and in no others.
   double compliance = 0.0;
-  int anchor = -1;            ///< where nothing but friction holds a body along the contact: the node that sticks;
-                              ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
+  int anchor = -1;  ///< where nothing but friction holds a body along the contact: the node that sticks;
+                    ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
   /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);
   /// empty: one everywhere. It scales depth in the gap, never volume.
   std::vector<double> thickness_secondary, thickness_primary;
-  /// Per node, of a boundary on which other contacts wear, too: volume that they have booked and that waits in the gap, and
-  /// frictional work that they have done there; empty: none. It opens this gap, and counts to the threshold; it stays theirs.
+  /// Per node, of a boundary on which other contacts wear, too: volume that they have booked and that waits in the gap,
+  /// and frictional work that they have done there; empty: none. It opens this gap, and counts to the threshold; it
+  /// stays theirs.
   std::vector<double> waiting_secondary, waiting_primary, energy_elsewhere;
 };
 
@@ -51,7 +52,9 @@ struct Mobility {
 inline double thickness(const std::vector<double>& factors, int node) { return factors.empty() ? 1.0 : factors[node]; }
 
 /// What other contacts have left at a node.
-inline double elsewhere(const std::vector<double>& values, std::size_t node) { return values.empty() ? 0.0 : values[node]; }
+inline double elsewhere(const std::vector<double>& values, std::size_t node) {
+  return values.empty() ? 0.0 : values[node];
+}
 
 /// An entry of a sparse derivative; columns: surface dofs first, then 2 * secondary node + component of lambda.
 struct Entry {
@@ -133,7 +136,9 @@ class Interface {
     if (setup_->options.bonded) return unmoved_[node];
     return options_.held || status_[node] == ContactStatus::slip || unmoved_[node];
   }
-  bool touching(int node) const { return !left_[node] && rows_[node].cover > minimum_cover * setup_->secondary.area[node]; }
+  bool touching(int node) const {
+    return !left_[node] && rows_[node].cover > minimum_cover * setup_->secondary.area[node];
+  }
   /// Length on X of a facet of the secondary that is covered.
   double covered(int facet) const;
 
@@ -205,13 +210,14 @@ class Interface {
   std::vector<std::vector<std::pair<int, double>>> cover_;
   std::vector<double> gap_, worn_before_, sign_, sign_last_;
   std::vector<double> primary_start_, primary_depth_, secondary_start_, secondary_depth_;
-  std::vector<double> spread_;                      ///< sum_l T_jl
-  std::vector<double> worn_length_;                 ///< A_j, and half of it from each control point that wears with j
+  std::vector<double> spread_;       ///< sum_l T_jl
+  std::vector<double> worn_length_;  ///< A_j, and half of it from each control point that wears with j
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
   std::vector<Vec2> offset_, drift_, normal_;
   std::vector<Vec2> drawn_offset_;  ///< of a bond, on X; empty until it is integrated
   std::vector<ContactStatus> status_, status_last_;
-  /// Per node: keeps its shear, because both sides are held along the surface and nothing slides, or as a `sheared` start.
+  /// Per node: keeps its shear, because both sides are held along the surface and nothing slides, or as a `sheared`
+  /// start.
   std::vector<char> unmoved_;
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)

@@ -13,7 +13,9 @@ double Interface::covered(int facet) const {
 }
 
 void Interface::leave(const std::vector<int>& nodes, const std::vector<int>& facets) {
-  std::erase_if(*records_, [&](const mortar::FacetRecord& r) { return std::find(facets.begin(), facets.end(), r.facet) != facets.end(); });
+  std::erase_if(*records_, [&](const mortar::FacetRecord& r) {
+    return std::find(facets.begin(), facets.end(), r.facet) != facets.end();
+  });
   for (int node : nodes) placement_.cut[node] = left_[node] = 1;
   for (auto& record : *records_)
     for (int node : setup_->secondary.facets[record.facet])

@@ -43,7 +43,8 @@ void Interface::chain_normal(int node, double slope_x, double slope_y, Add add) 
   std::array<Pair<Six>, 3> x;
   for (int i = 0; i < 3; ++i)
     if (st.nodes[i] >= 0)
-      x[i] = {Six::variable(placement_.xs[st.nodes[i]].x(), 2 * i), Six::variable(placement_.xs[st.nodes[i]].y(), 2 * i + 1)};
+      x[i] = {Six::variable(placement_.xs[st.nodes[i]].x(), 2 * i),
+              Six::variable(placement_.xs[st.nodes[i]].y(), 2 * i + 1)};
   const auto n = mortar::nodal_normal(st, x);
   for (int i = 0; i < 6; ++i)
     if (st.nodes[i / 2] >= 0) add(2 * st.nodes[i / 2] + i % 2, slope_x * n.x.d[i] + slope_y * n.y.d[i]);
@@ -226,12 +227,17 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
     for (auto& slopes : *side) add_up(slopes);
   const Eleven anchor_shear = options_.anchor < 0 ? Eleven() : node_duals(options_.anchor, lambda).lambda_t;
   for (const auto& [node, c] : duals) {
-    const auto into = [&](int row) { return [&out, row](int col, double value) { if (value != 0.0) out.rows.push_back({row, col, value}); }; };
+    const auto into = [&](int row) {
+      return [&out, row](int col, double value) {
+        if (value != 0.0) out.rows.push_back({row, col, value});
+      };
+    };
     chain(node, c.normal, into(2 * node));
     chain(node, c.tangential, into(2 * node + 1));
     wear_entries(node, c.normal.d[worn_], out.rows);
     if (options_.anchor < 0 || c.tangential.d[share_] == 0.0) continue;
-    const double factor = c.tangential.d[share_] * options_.held_pressure[node] / options_.held_pressure[options_.anchor];
+    const double factor =
+        c.tangential.d[share_] * options_.held_pressure[node] / options_.held_pressure[options_.anchor];
     chain(options_.anchor, anchor_shear, [&](int col, double value) { into(2 * node + 1)(col, factor * value); });
   }
 }

@@ -17,20 +17,21 @@ struct ContactOptions {
   std::string name;
   std::string secondary;
   std::vector<std::string> primary;
-  double friction = 0.0;                ///< Coulomb coefficient mu >= 0; of a table its largest value
+  double friction = 0.0;  ///< Coulomb coefficient mu >= 0; of a table its largest value
   std::vector<std::array<double, 2>> friction_over_cycles{};  ///< [cycle, mu], cycles increasing; empty: mu is constant
   wear::Law wear;
-  bool imposed = false;                 ///< slip is a number, along the contact or out of the plane
-  bool out_of_plane = false;            ///< slip is imposed out of the plane: friction acts there and leaves no shear in it
-  /// Imposed slip [mm]: a part without history is shared evenly by each play of a step, others go as their histories are played.
+  bool imposed = false;       ///< slip is a number, along the contact or out of the plane
+  bool out_of_plane = false;  ///< slip is imposed out of the plane: friction acts there and leaves no shear in it
+  /// Imposed slip [mm]: a part without history is shared evenly by each play of a step, others go as their histories
+  /// are played.
   base::Parts imposed_sliding{};
-  base::Parts imposed_turn{};           ///< the same by an angle about the axis [rad]: slip = angle x r
-  bool bonded = false;                  ///< a bond: it neither opens nor slips, and nothing of it wears
-  bool implicit_wear = true;            ///< this increment's wear inside the equations
+  base::Parts imposed_turn{};  ///< the same by an angle about the axis [rad]: slip = angle x r
+  bool bonded = false;         ///< a bond: it neither opens nor slips, and nothing of it wears
+  bool implicit_wear = true;   ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;
-  double search_mm = 0.0;               ///< facing facets farther apart than this are not paired; 0: chosen from the bodies
-  double drawn_mm = 0.0;                ///< how far apart the sides are drawn: a chosen search sees so far
-  double c_normal = 1.0;                ///< dimensionless factors of the complementarity functions
+  double search_mm = 0.0;  ///< facing facets farther apart than this are not paired; 0: chosen from the bodies
+  double drawn_mm = 0.0;   ///< how far apart the sides are drawn: a chosen search sees so far
+  double c_normal = 1.0;   ///< dimensionless factors of the complementarity functions
   double c_tangential = 1.0;
 };
 

@@ -1,7 +1,7 @@
 #include "contact/setup.hpp"
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <unordered_map>
 
 namespace reye::contact {
@@ -80,7 +80,8 @@ Setup make_setup(const ContactOptions& options, base::Analysis analysis, const B
 }
 
 ContactState fresh_state(const Setup& setup) {
-  const auto ns = static_cast<std::size_t>(setup.secondary_count()), nm = static_cast<std::size_t>(setup.primary_count());
+  const auto ns = static_cast<std::size_t>(setup.secondary_count()),
+             nm = static_cast<std::size_t>(setup.primary_count());
   ContactState state;
   state.lambda.assign(ns, Vec2::Zero());
   state.normal.assign(ns, Vec2::Zero());

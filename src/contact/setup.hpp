@@ -22,13 +22,13 @@ struct Setup {
   base::Kinematics measure = base::Kinematics::small;  ///< strain measure of the secondary body
   mortar::Surface secondary, primary;
   std::vector<SurfaceNode> secondary_nodes, primary_nodes;
-  std::vector<char> cut;                  ///< secondary nodes that carry no multiplier
-  std::vector<body::NodeFreedom> freedom; ///< of secondary nodes
-  std::vector<double> length;             ///< per secondary node: of a facet, the mean of those beside it [mm]
-  std::vector<double> stiffness;          ///< c_n = c_t per secondary node: E / h [MPa/mm]
+  std::vector<char> cut;                   ///< secondary nodes that carry no multiplier
+  std::vector<body::NodeFreedom> freedom;  ///< of secondary nodes
+  std::vector<double> length;              ///< per secondary node: of a facet, the mean of those beside it [mm]
+  std::vector<double> stiffness;           ///< c_n = c_t per secondary node: E / h [MPa/mm]
   double search = 0.0;
-  /// A traction that is none [MPa]: 1e-30 of the pair's modulus, far below what rounding leaves of any other. Bodies at rest
-  /// without load press so, and neither sign nor status follows from it.
+  /// A traction that is none [MPa]: 1e-30 of the pair's modulus, far below what rounding leaves of any other. Bodies at
+  /// rest without load press so, and neither sign nor status follows from it.
   double faint = 0.0;
 
   int secondary_count() const { return secondary.node_count(); }

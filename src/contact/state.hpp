@@ -29,26 +29,28 @@ struct MortarRow {
   }
 };
 
-/// All of a contact that evolves. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the shape
-/// evolves, `removed` is measured on it: depth below the unworn outline times that length; what is exact is the ledger.
+/// All of a contact that evolves. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the
+/// shape evolves, `removed` is measured on it: depth below the unworn outline times that length; what is exact is the
+/// ledger.
 struct ContactState {
-  std::vector<Vec2> lambda;               ///< per secondary node [MPa]; lambda . n > 0 in compression
-  std::vector<Vec2> normal;               ///< unit normal per secondary node on x, zero before the first increment
+  std::vector<Vec2> lambda;  ///< per secondary node [MPa]; lambda . n > 0 in compression
+  std::vector<Vec2> normal;  ///< unit normal per secondary node on x, zero before the first increment
   std::vector<ContactStatus> status;
   std::vector<MortarRow> reference;       ///< D and M of the last accepted state: the slip reference
   std::vector<double> pending_secondary;  ///< removed volume per node that still stands in the gap
   std::vector<double> pending_primary;
   std::vector<double> removed_secondary;  ///< removed volume per node since the start
   std::vector<double> removed_primary;
-  /// Volume that other contacts have taken off the shape at the node since the start; empty: no other wears this boundary.
+  /// Volume that other contacts have taken off the shape at the node since the start; empty: no other wears this
+  /// boundary.
   std::vector<double> others_secondary, others_primary;
-  std::vector<double> slip;               ///< path of slip per secondary node since the start [mm]
-  std::vector<double> energy_secondary;   ///< frictional work per secondary node since the start [mJ per mm]
-  double friction = 0.0;                  ///< mu of the last accepted increment
-  double frictional_work = 0.0;           ///< all of it, whether wear was on or not [mJ per mm], times the jump
-  double worn_work = 0.0;                 ///< the part that wear acted on
-  double law_work = 0.0;                  ///< the law's own measure of it (wear::Ledger::work)
-  double strip_secondary = 0.0;           ///< volume removed by shape steps, measured as strips
+  std::vector<double> slip;              ///< path of slip per secondary node since the start [mm]
+  std::vector<double> energy_secondary;  ///< frictional work per secondary node since the start [mJ per mm]
+  double friction = 0.0;                 ///< mu of the last accepted increment
+  double frictional_work = 0.0;          ///< all of it, whether wear was on or not [mJ per mm], times the jump
+  double worn_work = 0.0;                ///< the part that wear acted on
+  double law_work = 0.0;                 ///< the law's own measure of it (wear::Ledger::work)
+  double strip_secondary = 0.0;          ///< volume removed by shape steps, measured as strips
   double strip_primary = 0.0;
 };
 

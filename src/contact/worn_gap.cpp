@@ -6,8 +6,8 @@ namespace reye::contact {
 /// Depths at the start, in the gap's own measure, and which control points wear with a node.
 void Interface::begin_wear() {
   const auto& s = setup_->secondary;
-  const auto depths = [](const std::vector<double>& volume, const std::vector<double>& of_others, const mortar::Surface& on,
-                         const std::vector<double>& factors) {
+  const auto depths = [](const std::vector<double>& volume, const std::vector<double>& of_others,
+                         const mortar::Surface& on, const std::vector<double>& factors) {
     std::vector<double> depth(volume.size());
     for (std::size_t k = 0; k < depth.size(); ++k)
       depth[k] = (volume[k] + elsewhere(of_others, k)) / on.area[k] * thickness(factors, static_cast<int>(k));
@@ -51,8 +51,8 @@ void Interface::spread_wear() {
     const double work = condition_[j].work;
     if (work == 0.0) continue;
     for (const auto& [l, T] : cover_[j])
-      primary_depth_[l] += primary * T * work / (spread_[j] * setup_->primary.area[l]) *
-                           thickness(options_.thickness_primary, l);
+      primary_depth_[l] +=
+          primary * T * work / (spread_[j] * setup_->primary.area[l]) * thickness(options_.thickness_primary, l);
     for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
   }
 }

@@ -13,8 +13,8 @@ struct Distortion {
   double rotation = 0.0;
 
   /// Bound of the relative error of small strain, to first order: strain measures, areas and densities differ by |eps|,
-  /// the direction of stress by |omega|; twice their sum, for pressures and energies take these shares together (in five
-  /// scenes 1.2 to 7 times the difference from finite strain). Instability, as of a slender column, is not seen.
+  /// the direction of stress by |omega|; twice their sum, for pressures and energies take these shares together (in
+  /// five scenes 1.2 to 7 times the difference from finite strain). Instability, as of a slender column, is not seen.
   double error() const { return 2.0 * strain_and_rotation(); }
   double strain_and_rotation() const { return strain + rotation; }
 };

@@ -15,9 +15,8 @@ namespace {
 constexpr double gauss = 0.57735026918962576451;  // 1 / sqrt(3)
 
 const std::array<CellPoint, 1> centroid{{{{1.0 / 3.0, 1.0 / 3.0}, 0.5}}};
-const std::array<CellPoint, 3> triangle{{{{1.0 / 6.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                         {{2.0 / 3.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                         {{1.0 / 6.0, 2.0 / 3.0}, 1.0 / 6.0}}};
+const std::array<CellPoint, 3> triangle{
+    {{{1.0 / 6.0, 1.0 / 6.0}, 1.0 / 6.0}, {{2.0 / 3.0, 1.0 / 6.0}, 1.0 / 6.0}, {{1.0 / 6.0, 2.0 / 3.0}, 1.0 / 6.0}}};
 const std::array<CellPoint, 4> square{
     {{{-gauss, -gauss}, 1.0}, {{gauss, -gauss}, 1.0}, {{gauss, gauss}, 1.0}, {{-gauss, gauss}, 1.0}}};
 

@@ -206,10 +206,9 @@ template <class At>
 void for_each_point(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, At at) {
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
-    const auto point = [&](const auto& p, int, int number) {
-      at(Strain::seen(bar, as_array<Strain>(p.x)), p, number);
-    };
-    for_each_cell<Strain, n>(mesh, solid, u, F0, [] {}, point, [](int, const auto&) {});
+    const auto point = [&](const auto& p, int, int number) { at(Strain::seen(bar, as_array<Strain>(p.x)), p, number); };
+    for_each_cell<Strain, n>(
+        mesh, solid, u, F0, [] {}, point, [](int, const auto&) {});
   });
 }
 
@@ -237,7 +236,8 @@ History compatible(const Mesh& mesh, const Solid& solid, const Vector& u, const 
 double strain_energy(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& now) {
   double energy = 0.0;
   for_each_point(mesh, solid, u, now.F0, [&](const auto& seen, const auto& point, int number) {
-    energy += point.volume * material::strain_energy(solid.material, solid.analysis, seen, state_of(now.history, number));
+    energy +=
+        point.volume * material::strain_energy(solid.material, solid.analysis, seen, state_of(now.history, number));
   });
   return energy;
 }
@@ -266,11 +266,13 @@ NodalState nodal_state(const Mesh& mesh, const Solid& solid, const Vector& u, co
       const Stress sigma = Strain::cauchy(solid, bar, as_array<Strain>(p.x), state);
       values.col(g) << sigma[0], sigma[1], sigma[2], sigma[3], state.accumulated;
     };
-    for_each_cell<Strain, n>(mesh, solid, u, gauss.F0, [] {}, point, [&](int cell, const auto& samples) {
-      double volume = 0.0;
-      for (int g = 0; g < samples.count; ++g) volume += samples.points[g].volume;
-      average.add(cell, values, volume);
-    });
+    for_each_cell<Strain, n>(
+        mesh, solid, u, gauss.F0, [] {}, point,
+        [&](int cell, const auto& samples) {
+          double volume = 0.0;
+          for (int g = 0; g < samples.count; ++g) volume += samples.points[g].volume;
+          average.add(cell, values, volume);
+        });
   });
   NodalState result;
   for (const auto& value : average.values()) {

@@ -35,7 +35,7 @@ void FollowerPressure::add_force(double factor, const mesh::Mesh& mesh, const Ve
 void FollowerPressure::add_tangent(double factor, const mesh::Mesh& mesh, const Vector& u, const Pattern& pattern,
                                    base::SparseMatrix& K) const {
   const double around = analysis_ == base::Analysis::axisymmetric ? 2.0 * std::numbers::pi : 0.0;  // d(2 pi r)/dr
-  const Eigen::Matrix2d turn{{0.0, 1.0}, {-1.0, 0.0}};                                              // right_of
+  const Eigen::Matrix2d turn{{0.0, 1.0}, {-1.0, 0.0}};                                             // right_of
   for_each_point(mesh, u, edges_, [&](const LoadedEdge& edge, const EdgePoint& at, const Vec2& x, const Vec2& tangent) {
     const double p = -factor * pressure_ * at.weight, ring = base::out_of_plane(analysis_, x.x());
     for (int a = 0; a < edge.count; ++a)

@@ -7,7 +7,9 @@
 namespace reye::fem {
 
 int nearest_node(const mesh::Mesh& mesh, const base::Vec2& point) {
-  const auto nearer = [&](const base::Vec2& a, const base::Vec2& b) { return (a - point).squaredNorm() < (b - point).squaredNorm(); };
+  const auto nearer = [&](const base::Vec2& a, const base::Vec2& b) {
+    return (a - point).squaredNorm() < (b - point).squaredNorm();
+  };
   return static_cast<int>(std::min_element(mesh.X.begin(), mesh.X.end(), nearer) - mesh.X.begin());
 }
 

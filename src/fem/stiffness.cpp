@@ -16,7 +16,7 @@ template <int n>
 Eigen::Matrix<double, 2 * n, 2 * n> cell_stiffness(const CellStrains& s, const Eigen::Matrix4d& C) {
   Eigen::Matrix<double, 2 * n, 2 * n> Ke = Eigen::Matrix<double, 2 * n, 2 * n>::Zero();
   for (int g = 0; g < s.count; ++g) {
-    const Eigen::Matrix<double, 4, 2 * n> B = s.points[g].B.leftCols<2 * n>(), CB = C * B;
+    const Eigen::Matrix<double, 4, 2 *n> B = s.points[g].B.leftCols<2 * n>(), CB = C * B;
     Ke.noalias() += s.points[g].volume * (B.transpose() * CB);
   }
   return Ke;

@@ -19,7 +19,8 @@ base::SparseMatrix stiffness(const mesh::Mesh& mesh, const material::Material& m
 using Stress = std::array<double, 4>;
 
 /// Stress at the nodes for nodal displacements u: extrapolated from the Gauss points of each cell
-/// (constant on tri3, linear on tri6, bilinear on quadrilaterals), then averaged over the cells of a node with their volumes as weights.
+/// (constant on tri3, linear on tri6, bilinear on quadrilaterals), then averaged over the cells of a node with their
+/// volumes as weights.
 std::vector<Stress> nodal_stress(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis,
                                  bool b_bar, const base::Points& u);
 
@@ -31,7 +32,7 @@ struct StressError {
 
 /// Zienkiewicz and Zhu's estimate: the stress at the nodes (`nodal_stress`), interpolated, against that of the cells.
 /// Root of difference over energy is the relative error in the energy norm.
-StressError recovered_error(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis, bool b_bar,
-                            const base::Points& u);
+StressError recovered_error(const mesh::Mesh& mesh, const material::Material& material, base::Analysis analysis,
+                            bool b_bar, const base::Points& u);
 
 }  // namespace reye::fem

@@ -79,9 +79,9 @@ struct SmallStrain {
   static const std::array<double, 4>& seen(bool, const std::array<double, 4>& x) { return x; }
 };
 
-/// x = (H11, H12, H21, H22, H33, J0 - 1), F = I + H from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre of
-/// the cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X, and
-/// J0 is det(I + G u) at the centre times the growth of the cell from unstressed to X, (sum dV) / sum(dV / det F0).
+/// x = (H11, H12, H21, H22, H33, J0 - 1), F = I + H from the unstressed state, F33 = 1 or r/R, J0 = det F at the centre
+/// of the cell; stress P. With F0: F = (I + G u) F0 over the content dV / det F0 does the work of P F0^T / det F0 on X,
+/// and J0 is det(I + G u) at the centre times the growth of the cell from unstressed to X, (sum dV) / sum(dV / det F0).
 /// F-bar evaluates the law at F-bar = s F, s = (J0 / J)^(1/3), F33 included, and does work on the true F over the true
 /// volume: P = (J / J0) tau F^-T = P(F-bar) / s^2. At small strain that is B-bar with its value at the centre.   (5)
 struct FiniteStrain {
@@ -122,8 +122,8 @@ struct FiniteStrain {
                        const material::PlasticState& state) {
     const auto F = seen(bar, x);
     Stress sigma = material::kirchhoff(solid.material, solid.analysis, F, state);
-    const double J = material::plane_determinant(F) *
-                     material::thickness_stretch(solid.material, solid.analysis, F, state);
+    const double J =
+        material::plane_determinant(F) * material::thickness_stretch(solid.material, solid.analysis, F, state);
     for (double& component : sigma) component /= J;
     return sigma;
   }

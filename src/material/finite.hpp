@@ -7,8 +7,8 @@
 
 #include "material/stress.hpp"
 
-/// Stress at finite strain, one formula for values and tangents. All that vanishes with the strain is made of H = F - I,
-/// B = b - I and j = J - 1: made of F it would be a difference of ones, a stress of rounding in stiff materials.
+/// Stress at finite strain, one formula for values and tangents. All that vanishes with the strain is made of H = F -
+/// I, B = b - I and j = J - 1: made of F it would be a difference of ones, a stress of rounding in stiff materials.
 namespace reye::material {
 
 /// tau of an isotropic elastic law from B = F F^T - I and j = det F - 1 [MPa].

@@ -18,7 +18,8 @@ bool before(const Vec2& a, const Vec2& b) { return a.x() < b.x() || (a.x() == b.
 std::vector<int> candidates(const Mesh& mesh, const Chain& chain) {
   if (!is_closed(chain)) return {chain.front(), chain.back()};
   std::vector<int> vertices;
-  for (std::size_t i = 0; i + 1 < chain.size(); i += static_cast<std::size_t>(order(mesh.kind))) vertices.push_back(chain[i]);
+  for (std::size_t i = 0; i + 1 < chain.size(); i += static_cast<std::size_t>(order(mesh.kind)))
+    vertices.push_back(chain[i]);
   return vertices;
 }
 
@@ -88,7 +89,8 @@ std::vector<ArcChain> arc_chains(const Mesh& mesh, const std::string& name) {
   for (int origin : arc_origins(mesh, name))
     for (const Chain& chain : boundary) {
       const auto ends = candidates(mesh, chain);
-      if (std::find(ends.begin(), ends.end(), origin) != ends.end()) chains.push_back(counted_from(mesh, chain, origin));
+      if (std::find(ends.begin(), ends.end(), origin) != ends.end())
+        chains.push_back(counted_from(mesh, chain, origin));
     }
   return chains;
 }

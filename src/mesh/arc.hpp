@@ -23,15 +23,16 @@ std::vector<ArcChain> arc_chains(const Mesh& mesh, const std::string& boundary);
 /// The nodes at which those chains begin.
 std::vector<int> arc_origins(const Mesh& mesh, const std::string& boundary);
 
-/// Lets the boundaries of a mesh count as those of the mesh that it replaces: of each chain the end, of a ring the vertex,
-/// that lies nearest to where the former one began.
+/// Lets the boundaries of a mesh count as those of the mesh that it replaces: of each chain the end, of a ring the
+/// vertex, that lies nearest to where the former one began.
 void follow_arc_origins(Mesh& mesh, const Mesh& former);
 
-/// The arc length on a ring of some length amid the longest stretch between places on it, at least one, all in [0, length].
+/// The arc length on a ring of some length amid the longest stretch between places on it, at least one, all in [0,
+/// length].
 double amid_longest_gap(std::vector<double> arcs, double length);
 
-/// The vertex of a ring that lies farthest along it from some points, at least one: amid the longest stretch between the
-/// vertices nearest to them; of a single one opposite, half of the ring's length away.
+/// The vertex of a ring that lies farthest along it from some points, at least one: amid the longest stretch between
+/// the vertices nearest to them; of a single one opposite, half of the ring's length away.
 int farthest_from(const Mesh& mesh, const Chain& ring, const Points& points);
 
 }  // namespace reye::mesh

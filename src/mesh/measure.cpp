@@ -54,8 +54,7 @@ double cell_area(const Points& X, CellKind kind, const Cell& cell) {
   double area = n == 3 ? 0.5 * base::cross(X[cell[1]] - X[cell[0]], X[cell[2]] - X[cell[0]])
                        : 0.5 * base::cross(X[cell[2]] - X[cell[0]], X[cell[3]] - X[cell[1]]);
   if (order(kind) == 1) return area;
-  for (int k = 0; k < n; ++k)
-    area += QuadraticEdge{X[cell[k]], X[cell[n + k]], X[cell[(k + 1) % n]]}.segment_area();
+  for (int k = 0; k < n; ++k) area += QuadraticEdge{X[cell[k]], X[cell[n + k]], X[cell[(k + 1) % n]]}.segment_area();
   return area;
 }
 

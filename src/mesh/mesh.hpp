@@ -42,7 +42,8 @@ using Chain = std::vector<int>;
 using Boundary = std::vector<Chain>;
 
 /// The mesh of one body on its worn material configuration X [mm]. A value; nothing moves in place.
-/// All cells are of one kind; the kind's order says how chains are to be read, without cells too. Every node belongs to a cell; every cell has a positive Jacobian.
+/// All cells are of one kind; the kind's order says how chains are to be read, without cells too. Every node belongs to
+/// a cell; every cell has a positive Jacobian.
 struct Mesh {
   Points X;
   CellKind kind = CellKind::quad4;
@@ -52,7 +53,7 @@ struct Mesh {
   /// Per named boundary the node from which each of its chains counts arc length, in the order of arc length; it is
   /// chosen once and follows the boundary through every later mesh. Without an entry `arc_chains` chooses.
   std::map<std::string, std::vector<int>> arc_origin;
-  std::vector<int> points;                     ///< vertices that hold a point load or support: they stay where they are
+  std::vector<int> points;  ///< vertices that hold a point load or support: they stay where they are
 
   int node_count() const { return static_cast<int>(X.size()); }
   int cell_count() const { return static_cast<int>(cells.size()); }

@@ -44,7 +44,8 @@ std::map<int, Edge> boundary_edges(const Points& X, CellKind kind, const std::ve
     const Edge back{edge.to, edge.from, edge.mid};
     const auto other = std::lower_bound(edges.begin(), edges.end(), back, before);
     if (other != edges.end() && !before(back, *other)) {
-      if (other->mid != edge.mid) throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, edge.from));
+      if (other->mid != edge.mid)
+        throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, edge.from));
       continue;
     }
     if (!next.insert({edge.from, edge}).second) throw base::MeshError("two outlines meet in " + where(X, edge.from));

@@ -9,7 +9,8 @@ inline bool is_closed(const Chain& chain) { return chain.size() > 2 && chain.fro
 
 /// The closed loops bounding a set of counter-clockwise cells, body on the left: the loop of largest
 /// enclosed area first, the others in order of their smallest vertex. Each loop starts at its smallest vertex.
-/// Throws MeshError where two loops meet in one node, an edge belongs to more than two cells, or its cells differ in its mid node.
+/// Throws MeshError where two loops meet in one node, an edge belongs to more than two cells, or its cells differ in
+/// its mid node.
 std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<Cell>& cells);
 
 /// Joins oriented edges (from, to) into chains in the order of the outline; consecutive edges make one chain,

@@ -11,7 +11,8 @@ Place place_of(const Mesh& mesh, const Vec2& point) {
   for (const auto& loop : mesh.outline)
     for (std::size_t k = 1; k < loop.size(); ++k) {
       const Vec2 &a = mesh.X[loop[k - 1]], &b = mesh.X[loop[k]], e = b - a, r = point - a;
-      if ((a.y() > point.y()) != (b.y() > point.y()) && point.x() < a.x() + e.x() * r.y() / e.y()) place.inside = !place.inside;
+      if ((a.y() > point.y()) != (b.y() > point.y()) && point.x() < a.x() + e.x() * r.y() / e.y())
+        place.inside = !place.inside;
       const Vec2 foot = a + std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e;
       if (const double distance = (point - foot).norm(); distance < place.distance) {
         place.nearest = foot;

@@ -58,8 +58,8 @@ double bending(const Points& X, CellKind kind, const Cell& cell) {
   const bool tri = kind == CellKind::tri6;
   double smallest = 1.0;
   for (const Vec2& xi : tri ? triangle : square)
-    smallest = std::min(smallest, jacobian(X, kind, cell, xi) /
-                                      jacobian(X, tri ? CellKind::tri3 : CellKind::quad4, cell, xi));
+    smallest =
+        std::min(smallest, jacobian(X, kind, cell, xi) / jacobian(X, tri ? CellKind::tri3 : CellKind::quad4, cell, xi));
   return smallest;
 }
 
@@ -84,8 +84,9 @@ void check_nodes(const Mesh& mesh) {
 void check_cells(const Mesh& mesh) {
   for (int cell = 0; cell < mesh.cell_count(); ++cell)
     if (!(scaled_jacobian(mesh.X, mesh.kind, mesh.cells[cell]) > 0.0))
-      throw base::MeshError("cell " + std::to_string(cell) + at(mesh.X[mesh.cells[cell][0]]) +
-                            (order(mesh.kind) == 1 ? " has a corner that is folded over or flat" : " is folded over or flat"));
+      throw base::MeshError(
+          "cell " + std::to_string(cell) + at(mesh.X[mesh.cells[cell][0]]) +
+          (order(mesh.kind) == 1 ? " has a corner that is folded over or flat" : " is folded over or flat"));
 }
 
 std::set<Edge> edges_of(const std::vector<Chain>& chains) {

@@ -21,13 +21,19 @@ struct Pair {
   friend Pair operator+(const Pair& a, const Pair& b) { return {a.x + b.x, a.y + b.y}; }
   friend Pair operator-(const Pair& a, const Pair& b) { return {a.x - b.x, a.y - b.y}; }
   template <class S>
-  friend Pair operator*(const Pair& a, const S& s) { return {a.x * s, a.y * s}; }
+  friend Pair operator*(const Pair& a, const S& s) {
+    return {a.x * s, a.y * s};
+  }
 };
 
 template <class T>
-T dot(const Pair<T>& a, const Pair<T>& b) { return a.x * b.x + a.y * b.y; }
+T dot(const Pair<T>& a, const Pair<T>& b) {
+  return a.x * b.x + a.y * b.y;
+}
 template <class T>
-T cross(const Pair<T>& a, const Pair<T>& b) { return a.x * b.y - a.y * b.x; }
+T cross(const Pair<T>& a, const Pair<T>& b) {
+  return a.x * b.y - a.y * b.x;
+}
 inline Vec2 plain(const Pair<double>& a) { return {a.x, a.y}; }
 
 /// Outward unit normal of the line a -> b, body on the left.   (1)
@@ -51,24 +57,24 @@ Pair<T> averaged(const Pair<T>& n1, const Pair<T>& n2) {
 /// `xm`; `pairs` are primary facets in these numbers.
 template <class T>
 struct FacetInput {
-  int count = 2;                              ///< nodes of the facet: 2, or 3 with its control point last
-  std::array<Pair<T>, 3> x, n;                ///< positions, and the normal field: n(xi) = sum N_j n_j
-  std::array<Pair<double>, 3> X, x_before;    ///< on X; at the start of the increment
-  std::array<bool, 3> cut{};                  ///< the node carries no multiplier
+  int count = 2;                            ///< nodes of the facet: 2, or 3 with its control point last
+  std::array<Pair<T>, 3> x, n;              ///< positions, and the normal field: n(xi) = sum N_j n_j
+  std::array<Pair<double>, 3> X, x_before;  ///< on X; at the start of the increment
+  std::array<bool, 3> cut{};                ///< the node carries no multiplier
   std::vector<Pair<T>> xm;
   std::vector<Pair<double>> xm_before;
   std::vector<Facet> pairs;
   Analysis analysis = Analysis::plane_strain;
-  Kinematics measure = Kinematics::small;     ///< integrals over length on X (small) or on x (finite)
-  double search = 0.0;                        ///< pairs farther apart than this do not meet
+  Kinematics measure = Kinematics::small;  ///< integrals over length on X (small) or on x (finite)
+  double search = 0.0;                     ///< pairs farther apart than this do not meet
 };
 
 /// One quadrature point of a segment.
 template <class T>
 struct Quadrature {
   T xi{};
-  std::array<T, 3> N{}, Nm{};///< shape functions of the secondary facet and of the primary one
-  T gap{}, weight{};        ///< gap along the normal
+  std::array<T, 3> N{}, Nm{};  ///< shape functions of the secondary facet and of the primary one
+  T gap{}, weight{};           ///< gap along the normal
   double weight_on_X = 0.0;
   int pair = 0;
 };

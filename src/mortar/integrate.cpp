@@ -49,7 +49,8 @@ Pair<T> scalars(const Vec2& x, int& dof, Make make) {
   return {make(x.x(), dof - 2), make(x.y(), dof - 1)};
 }
 
-/// The secondary side of a facet as scalars T; `make(value, local dof)` decides on the seed. Returns the number of dofs.
+/// The secondary side of a facet as scalars T; `make(value, local dof)` decides on the seed. Returns the number of
+/// dofs.
 template <class T, class Make>
 int load_secondary(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make) {
   const Surface& s = *p.secondary;

@@ -11,9 +11,9 @@ namespace reye::mortar {
 struct Placement {
   const Surface* secondary = nullptr;
   const Surface* primary = nullptr;
-  Points xs, xm;                ///< current positions, of control points too
-  Points xs_before, xm_before;  ///< at the start of the increment
-  std::vector<char> cut;        ///< per secondary node: carries no multiplier
+  Points xs, xm;                                   ///< current positions, of control points too
+  Points xs_before, xm_before;                     ///< at the start of the increment
+  std::vector<char> cut;                           ///< per secondary node: carries no multiplier
   std::vector<char> secondary_near, primary_near;  ///< per node: takes part; facets of others are skipped; empty: all
   Analysis analysis = Analysis::plane_strain;
   Kinematics measure = Kinematics::small;  ///< strain measure of the secondary body: integrals over length on X or on x
@@ -29,12 +29,12 @@ struct Placement {
 /// The integrals of one covered facet and, once differentiated, their derivatives.
 struct FacetRecord {
   int facet = 0;
-  int count = 2;                  ///< its nodes
-  std::vector<int> primaries;     ///< primary surface node of each local one
-  std::vector<Facet> pairs;       ///< primary facets in local numbers
+  int count = 2;               ///< its nodes
+  std::vector<int> primaries;  ///< primary surface node of each local one
+  std::vector<Facet> pairs;    ///< primary facets in local numbers
   FacetIntegrals<double> value;
-  std::vector<int> dofs;          ///< surface dofs the integrals depend on
-  std::vector<double> slope;      ///< one row of dofs.size() per output
+  std::vector<int> dofs;      ///< surface dofs the integrals depend on
+  std::vector<double> slope;  ///< one row of dofs.size() per output
 
   /// Rows of `slope` for node j = 0 .. count - 1.
   int D(int j) const { return (count + 5) * j; }

@@ -20,7 +20,7 @@ using Facet = std::array<int, 3>;
 /// facet's shape functions: hats, or Bernstein polynomials. Facets run with the body on the left, so that the outward
 /// normal is the tangent turned by -90 degrees.
 struct Surface {
-  Points X;                        ///< nodes and control points on X [mm]
+  Points X;  ///< nodes and control points on X [mm]
   std::vector<Facet> facets;
   int order = 1;                   ///< 2 when some facet has a control point
   std::vector<int> before, after;  ///< per node: the facet that ends / starts there, or -1; a control point: its own

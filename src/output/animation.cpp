@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_moments = 60;
 constexpr std::size_t most_points = 300;  ///< of one profile
-constexpr std::size_t most_edges = 300;  ///< drawn inside the bodies in one moment
+constexpr std::size_t most_edges = 300;   ///< drawn inside the bodies in one moment
 
 std::string caption(double cycle) { return "cycle " + rounded(cycle, 6); }
 
@@ -104,7 +104,8 @@ Moment bodies_at(const DrawnFrame& frame, const Window& window) {
   for (const auto& edge : inner) draw(frame, edge, mesh);
   std::map<int, Line> lines;
   for (const auto& edge : outline) {
-    Line& line = lines.try_emplace(edge.body, Line{.colour = line_colour(static_cast<std::size_t>(edge.body))}).first->second;
+    Line& line =
+        lines.try_emplace(edge.body, Line{.colour = line_colour(static_cast<std::size_t>(edge.body))}).first->second;
     draw(frame, edge, line);
   }
   Moment moment{caption(frame.cycle), {mesh}};
@@ -114,7 +115,8 @@ Moment bodies_at(const DrawnFrame& frame, const Window& window) {
 
 Figure moving_bodies(const RunData& run, const std::string& dir, const std::vector<std::size_t>& chosen) {
   const Window window = contact_window(run, dir, chosen);
-  Figure figure{.id = "moving-bodies", .title = "Bodies about the contact, deformed", .x_label = "x, mm", .y_label = "y, mm"};
+  Figure figure{
+      .id = "moving-bodies", .title = "Bodies about the contact, deformed", .x_label = "x, mm", .y_label = "y, mm"};
   figure.x_range = window.x;
   figure.y_range = window.y;
   figure.exact_ranges = true;
@@ -133,8 +135,10 @@ Figure moving_column(const ContactData& contact, const std::string& column, doub
   for (const auto& surface : contact.sides) {
     const double centre = centre_of(surface);
     Line style{.label = side_name(surface.side), .colour = line_colour(surface.side == sim::Side::secondary ? 0 : 1)};
-    if (surface.side == contact.sides.front().side) figure.x_range = active_range(surface, centre);
-    else if (!both) break;
+    if (surface.side == contact.sides.front().side)
+      figure.x_range = active_range(surface, centre);
+    else if (!both)
+      break;
     if (both) figure.lines.push_back(style);
     for (std::size_t m = 0; m < chosen.size(); ++m) {
       Line line = thinned(column_line(surface, surface.frames[chosen[m]], column, factor, centre), most_points);
@@ -157,11 +161,14 @@ std::vector<Figure> moving_figures(const RunData& run, const std::string& dir) {
   for (const auto& contact : run.contacts) {
     const std::string name = file_part(contact.name);
     all.push_back(moving_column(contact, "pressure_MPa", 1.0, false,
-                                {.id = "moving-pressure-" + name, .title = title_of(run, contact, "Contact pressure"),
-                                 .y_label = "pressure, MPa"}, chosen));
+                                {.id = "moving-pressure-" + name,
+                                 .title = title_of(run, contact, "Contact pressure"),
+                                 .y_label = "pressure, MPa"},
+                                chosen));
     if (deepest_of(contact) == 0.0) continue;
     const Unit unit = length_unit(deepest_of(contact));
-    Figure depth{.id = "moving-depth-" + name, .title = title_of(run, contact, "Wear depth"),
+    Figure depth{.id = "moving-depth-" + name,
+                 .title = title_of(run, contact, "Wear depth"),
                  .y_label = "wear depth, " + unit.name};
     depth.y_down = true;
     all.push_back(moving_column(contact, "wear_depth_mm", unit.factor, true, std::move(depth), chosen));

@@ -10,8 +10,8 @@
 
 namespace reye::output {
 
-/// cereal's binary archive, read from bytes that may be anything: no size is believed that goes beyond what is left, no truth
-/// value but 0 and 1, no pointer to an object of another type. Throws cereal::Exception.
+/// cereal's binary archive, read from bytes that may be anything: no size is believed that goes beyond what is left, no
+/// truth value but 0 and 1, no pointer to an object of another type. Throws cereal::Exception.
 class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmptyClassElision> {
  public:
   explicit BoundedInput(std::string_view bytes) : InputArchive(this), left_(bytes) {}
@@ -44,7 +44,7 @@ class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmpt
 };
 
 template <class T>
-  requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     unsigned char byte = 0;
@@ -80,7 +80,8 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, cereal::memory_detail::Ptr
   wrapper.ptr.reset();
   if (number == 0) return;
   if (number & cereal::detail::msb_32bit) {
-    if ((number & ~cereal::detail::msb_32bit) != archive.shared.size() + 1) throw cereal::Exception("a pointer has a wrong number");
+    if ((number & ~cereal::detail::msb_32bit) != archive.shared.size() + 1)
+      throw cereal::Exception("a pointer has a wrong number");
     auto object = std::make_shared<std::remove_const_t<T>>();
     archive.shared.push_back({object, typeid(T)});
     archive(*object);

@@ -38,7 +38,8 @@ std::uint64_t from_little_endian(std::string_view bytes) {
 /// The body of a whole container; throws with the reason otherwise.
 std::string checked_body(const std::string& bytes) {
   if (bytes.size() < head_size) throw std::runtime_error("truncated");
-  if (bytes.compare(0, same_magic, magic, 0, same_magic) != 0) throw std::runtime_error("altered: not a checkpoint of this program");
+  if (bytes.compare(0, same_magic, magic, 0, same_magic) != 0)
+    throw std::runtime_error("altered: not a checkpoint of this program");
   const std::string_view view(bytes);
   const std::uint64_t length = from_little_endian(view.substr(8, 8));
   if (view.size() - head_size < length) throw std::runtime_error("truncated");
@@ -46,7 +47,8 @@ std::string checked_body(const std::string& bytes) {
   if (from_little_endian(view.substr(16, 8)) != checksum(view.substr(head_size)))
     throw std::runtime_error("altered: wrong checksum");
   if (bytes.compare(0, magic.size(), magic) != 0)
-    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") + commit() + ", cannot read");
+    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") +
+                             commit() + ", cannot read");
   return bytes.substr(head_size);
 }
 
@@ -57,7 +59,8 @@ std::string file_in(const std::string& dir, const char* name) {
 /// What is against a table of the folder, which must hold so many rows.
 void check_rows(const std::string& dir, const std::string& file, long rows) {
   // The name comes out of a file that may have been altered.
-  if (rows < 0 || fs::path(file).filename() != fs::path(file)) throw std::runtime_error("altered: it counts rows that no table has");
+  if (rows < 0 || fs::path(file).filename() != fs::path(file))
+    throw std::runtime_error("altered: it counts rows that no table has");
   (void)size_of_rows((fs::path(dir) / file).string(), rows);
 }
 
@@ -79,7 +82,8 @@ Checkpoint candidate(const std::string& dir, const char* name, const Origin& own
   if (!fs::is_regular_file(path)) throw std::runtime_error("missing");
   Checkpoint checkpoint = unpacked(read_text(path), own.layout);
   if (checkpoint.origin.version != own.version)
-    throw std::runtime_error("of another version, " + base::printable(checkpoint.origin.version) + " instead of " + own.version);
+    throw std::runtime_error("of another version, " + base::printable(checkpoint.origin.version) + " instead of " +
+                             own.version);
   if (!same_scene(checkpoint.origin, own)) throw std::runtime_error("of another scene");
   for (const auto& [file, rows] : tables_of(checkpoint.counters)) check_rows(dir, file, rows);
   if (examine) examine(checkpoint);
@@ -94,7 +98,8 @@ Origin own_origin(const std::string& scene_sha256, const std::string& fixed_sha2
 
 std::string packed(const Checkpoint& checkpoint) {
   const auto& o = checkpoint.origin;
-  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
+  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended,
+                                    checkpoint.counters, checkpoint.payload);
   return std::string(magic) + little_endian(body.size()) + little_endian(checksum(body)) + body;
 }
 
@@ -106,8 +111,9 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
     BoundedInput archive(body);
     archive(o.layout, o.commit);
     if (o.layout != layout)
-      throw std::runtime_error("written by the build of commit " + base::printable(o.commit) + ", whose layout the build of commit " +
-                               commit() + " cannot read; go on with a build of that commit, or run anew");
+      throw std::runtime_error("written by the build of commit " + base::printable(o.commit) +
+                               ", whose layout the build of commit " + commit() +
+                               " cannot read; go on with a build of that commit, or run anew");
     archive(o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
     archive.end();
   } catch (const cereal::Exception& error) {

@@ -35,16 +35,18 @@ struct Checkpoint {
 void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint);
 
 struct CheckpointSearch {
-  std::optional<Checkpoint> found;    ///< the newest that may be used
-  bool previous = false;              ///< it is the one before the last
-  std::vector<std::string> refusals;  ///< why a newer one was not, or why none: missing, truncated, altered, other scene,
-                                      ///< other version or layout, tables shorter than it says, or what `examine` threw
+  std::optional<Checkpoint> found;  ///< the newest that may be used
+  bool previous = false;            ///< it is the one before the last
+  std::vector<std::string>
+      refusals;  ///< why a newer one was not, or why none: missing, truncated, altered, other scene,
+                 ///< other version or layout, tables shorter than it says, or what `examine` threw
 };
 
 /// Throws for a checkpoint that cannot be gone on from, with the reason.
 using Examine = std::function<void(const Checkpoint&)>;
 
-/// The checkpoint to restart from: the current one, else the previous. Of the scene that `own` names; where it names none
+/// The checkpoint to restart from: the current one, else the previous. Of the scene that `own` names; where it names
+/// none
 /// (""), of one with its `fixed_sha256`.
 CheckpointSearch load_checkpoint(const std::string& dir, const Origin& own, const Examine& examine = {});
 
@@ -54,8 +56,8 @@ void restore_previous(const std::string& dir);
 /// The container alone: 8 bytes of magic, length and FNV-1a checksum of the body, then the body.
 std::string packed(const Checkpoint& checkpoint);
 
-/// The checkpoint in a whole container, whose ever it is; throws std::runtime_error with the reason where it is not whole or,
-/// but for its origin, of another layout than `layout`.
+/// The checkpoint in a whole container, whose ever it is; throws std::runtime_error with the reason where it is not
+/// whole or, but for its origin, of another layout than `layout`.
 Checkpoint unpacked(const std::string& bytes, std::uint64_t layout);
 
 }  // namespace reye::output

@@ -24,7 +24,8 @@ std::optional<double> number_in(std::string_view text) {
 /// Blanks before it do not keep a spreadsheet from it; apostrophes are counted so that they come back as they were.
 bool looks_like_formula(std::string_view text) {
   const auto first = text.find_first_not_of(" '");
-  return first != std::string_view::npos && begins_formula.find(text[first]) != std::string_view::npos && !number_in(text);
+  return first != std::string_view::npos && begins_formula.find(text[first]) != std::string_view::npos &&
+         !number_in(text);
 }
 
 }  // namespace
@@ -44,10 +45,14 @@ std::vector<std::string> csv_cells(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') cells.back() += line[++i];
-    else if (c == '"') quoted = !quoted;
-    else if (c == ',' && !quoted) cells.emplace_back();
-    else cells.back() += c;
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      cells.back() += line[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += c;
   }
   for (auto& cell : cells)
     if (cell.starts_with('\'') && looks_like_formula(std::string_view(cell).substr(1))) cell.erase(0, 1);

@@ -6,8 +6,8 @@
 /// Cells of a CSV table (RFC 4180), one record to a line.
 namespace reye::output {
 
-/// A text as a cell: quoted where it must be, control characters turned into blanks. One that a spreadsheet would take for a
-/// formula, because it begins with = + - @ and is no number, gets an apostrophe before it.
+/// A text as a cell: quoted where it must be, control characters turned into blanks. One that a spreadsheet would take
+/// for a formula, because it begins with = + - @ and is no number, gets an apostrophe before it.
 std::string csv_field(std::string_view text);
 
 /// The cells of a line, as they were before csv_field.

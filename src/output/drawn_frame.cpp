@@ -51,7 +51,8 @@ void add_cell(int type, const vtkIdList& nodes, int body, Edges& edges) {
   }
   const bool quadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_QUADRATIC_QUAD;
   const int corners = quadratic ? count / 2 : count;
-  for (int k = 0; k < corners; ++k) edges.add({node(k), quadratic ? node(corners + k) : -1, node((k + 1) % corners), body});
+  for (int k = 0; k < corners; ++k)
+    edges.add({node(k), quadratic ? node(corners + k) : -1, node((k + 1) % corners), body});
 }
 
 [[noreturn]] void damaged(const std::string& path) {

@@ -18,7 +18,8 @@ struct OverCycles {
 
 /// One line per frame, coloured by cycle.
 Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
-  Figure figure{.id = what.id, .title = what.title, .x_label = "position along the surface, mm", .y_label = what.y_label};
+  Figure figure{
+      .id = what.id, .title = what.title, .x_label = "position along the surface, mm", .y_label = what.y_label};
   figure.y_down = what.down;
   figure.y_from_zero = true;
   const double centre = centre_of(surface);
@@ -55,7 +56,8 @@ Figure last_tractions(const RunData& run, const ContactData& contact) {
     bound.dashed = true;
     figure.lines.push_back(std::move(bound));
   }
-  for (const auto& [column, label, colour] : {std::tuple("pressure_MPa", "pressure", 0), std::tuple("shear_MPa", "shear", 1)}) {
+  for (const auto& [column, label, colour] :
+       {std::tuple("pressure_MPa", "pressure", 0), std::tuple("shear_MPa", "shear", 1)}) {
     Line line = column_line(surface, rows, column, 1.0, centre);
     line.label = label;
     line.colour = line_colour(static_cast<std::size_t>(colour));
@@ -130,10 +132,11 @@ void add_profiles(const RunData& run, const ContactData& contact, std::vector<Fi
     if (largest(surface.table.column("wear_depth_mm")) == 0.0) continue;
     const std::string side = side_name(surface.side);
     const auto edges = run.identity.sides.find(contact.name);
-    const std::string edge = edges == run.identity.sides.end() ? "" : ": " + edges->second[surface.side == sim::Side::primary];
+    const std::string edge =
+        edges == run.identity.sides.end() ? "" : ": " + edges->second[surface.side == sim::Side::primary];
     all.push_back(over_cycles(surface, {"profile-" + file_part(contact.name) + '-' + side,
-                                        title_of(run, contact, "Worn profile, " + side + " side" + edge), "wear_depth_mm",
-                                        "wear depth, " + unit.name, unit.factor, true}));
+                                        title_of(run, contact, "Worn profile, " + side + " side" + edge),
+                                        "wear_depth_mm", "wear depth, " + unit.name, unit.factor, true}));
     all.back().y_range = Range{0.0, deepest * unit.factor};
   }
 }
@@ -143,9 +146,9 @@ void add_contact(const RunData& run, const ContactData& contact, std::vector<Fig
   add_profiles(run, contact, all);
   const SurfaceTable& first = contact.sides.front();
   if (first.frames.size() > 1)
-    all.push_back(over_cycles(first, {"pressure-" + file_part(contact.name),
-                                      title_of(run, contact, "Contact pressure over cycles"), "pressure_MPa",
-                                      "pressure, MPa"}));
+    all.push_back(
+        over_cycles(first, {"pressure-" + file_part(contact.name),
+                            title_of(run, contact, "Contact pressure over cycles"), "pressure_MPa", "pressure, MPa"}));
   all.push_back(last_tractions(run, contact));
   if (deepest_of(contact) == 0.0 || first.frames.size() < 2) return;
   all.push_back(depth_over_cycles(run, contact));

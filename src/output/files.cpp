@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& verb, const std::string& path, int error) {
-  const std::string reason = error == ELOOP ? "it is a symbolic link, which a run does not follow" : std::strerror(error);
+  const std::string reason =
+      error == ELOOP ? "it is a symbolic link, which a run does not follow" : std::strerror(error);
   throw std::runtime_error("cannot " + verb + " " + base::printable(path) + ": " + reason);
 }
 
@@ -123,7 +124,8 @@ std::string read_text(const std::string& path) {
   std::string text;
   if (!file || fs::is_directory(path)) fail("read", path, file ? EISDIR : errno);
   std::array<char, 1 << 16> part;
-  while (file.read(part.data(), part.size()) || file.gcount() > 0) text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  while (file.read(part.data(), part.size()) || file.gcount() > 0)
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
   if (file.bad()) fail("read", path, EIO);
   return text;
 }

@@ -3,11 +3,12 @@
 #include <optional>
 #include <string>
 
-/// Files written so that a killed run leaves either the old or the new one, and never through a symbolic link at the end of
-/// a path. All throw std::runtime_error with path and reason (no space, no permission ...).
+/// Files written so that a killed run leaves either the old or the new one, and never through a symbolic link at the
+/// end of a path. All throw std::runtime_error with path and reason (no space, no permission ...).
 namespace reye::output {
 
-/// Replaces the file as a whole: temporary file in the same folder, fsync, rename. A symbolic link in its place is replaced.
+/// Replaces the file as a whole: temporary file in the same folder, fsync, rename. A symbolic link in its place is
+/// replaced.
 void atomic_write(const std::string& path, const std::string& text);
 
 /// Adds to the end of the file, which is made when missing. Not atomic: a kill can leave half a text, a power cut
@@ -26,7 +27,8 @@ void sync_folder(const std::string& path);
 /// Makes the folder where there is none; a symbolic link or a file in its place is refused.
 void make_folder(const std::string& path);
 
-/// What a file of this name was to become, where it is one that atomic_write uses until it renames: a kill leaves it behind.
+/// What a file of this name was to become, where it is one that atomic_write uses until it renames: a kill leaves it
+/// behind.
 std::optional<std::string> becoming(const std::string& name);
 
 /// The whole file as bytes.

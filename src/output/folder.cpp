@@ -26,8 +26,8 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 /// Whether a run writes an entry of this name at the top of its folder.
 bool is_result(const std::string& name) {
-  for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "remesh.csv", "summary.json", "log.txt", "report.html",
-                          "frames", "figures", "checkpoint"})
+  for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "remesh.csv", "summary.json", "log.txt",
+                          "report.html", "frames", "figures", "checkpoint"})
     if (name == own) return true;
   return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));
 }
@@ -95,7 +95,8 @@ std::optional<Identity> read_identity(const std::string& dir) {
     Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}, {}};
     for (std::size_t i = 0; i < analyses.size(); ++i)
       if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
-    for (const auto& [name, mu] : json.at("friction").items()) identity.friction[name] = mu.is_null() ? std::nullopt : std::optional<double>(mu);
+    for (const auto& [name, mu] : json.at("friction").items())
+      identity.friction[name] = mu.is_null() ? std::nullopt : std::optional<double>(mu);
     for (const auto& [name, sides] : json.at("sides").items()) identity.sides[name] = {sides.at(0), sides.at(1)};
     identity.fixed_sha256 = json.value("fixed_sha256", "");
     identity.scene_text = json.value("scene_text", "");

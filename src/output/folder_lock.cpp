@@ -26,7 +26,8 @@ FolderLock::FolderLock(const std::string& dir) {
   fs::create_directories(dir);
   // Open for writing: over NFS only such a file can be locked alone.
   fd_ = ::open(lock_file(dir).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
-  if (fd_ < 0) throw std::runtime_error("cannot write " + base::printable(lock_file(dir)) + ": " + std::strerror(errno));
+  if (fd_ < 0)
+    throw std::runtime_error("cannot write " + base::printable(lock_file(dir)) + ": " + std::strerror(errno));
   if (::flock(fd_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   ::close(fd_);
   throw base::InputError({{"--out", dir, refusal_of_locked(dir)}});
@@ -43,7 +44,8 @@ bool is_locked(const std::string& dir) {
 }
 
 std::string refusal_of_locked(const std::string& dir) {
-  return "another run is writing to the output folder " + dir + "; wait for its end, or choose another folder with --out";
+  return "another run is writing to the output folder " + dir +
+         "; wait for its end, or choose another folder with --out";
 }
 
 }  // namespace reye::output

@@ -17,7 +17,9 @@ void add_energy(const RunData& run, std::vector<Figure>& all) {
   const auto& cycle = run.history.column("cycle");
   if (!any_nonzero(y)) return;
   const bool ring = run.identity.analysis == base::Analysis::axisymmetric;
-  Figure figure{.id = "energy", .title = "Energy dissipated by friction", .x_label = "cycles",
+  Figure figure{.id = "energy",
+                .title = "Energy dissipated by friction",
+                .x_label = "cycles",
                 .y_label = ring ? "energy, mJ" : "energy, mJ per mm"};
   const bool cycles = any_nonzero(cycle);
   Line line{.x = cycle, .y = y};

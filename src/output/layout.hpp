@@ -15,9 +15,9 @@
 
 namespace reye::output {
 
-/// An archive that holds no values but the types that a `serialize` function names, one after the other and through all that
-/// they are made of. Two programs with the same description read each other's bytes; two members of one type that change
-/// their places are not seen.
+/// An archive that holds no values but the types that a `serialize` function names, one after the other and through all
+/// that they are made of. Two programs with the same description read each other's bytes; two members of one type that
+/// change their places are not seen.
 class LayoutArchive {
  public:
   template <class... Values>
@@ -32,22 +32,47 @@ class LayoutArchive {
     add(static_cast<const T*>(nullptr));
   }
   template <class T>
-  void add(const std::vector<T>*) { text_ += "vector "; of<T>(); }
+  void add(const std::vector<T>*) {
+    text_ += "vector ";
+    of<T>();
+  }
   template <class T>
-  void add(const std::set<T>*) { text_ += "set "; of<T>(); }
+  void add(const std::set<T>*) {
+    text_ += "set ";
+    of<T>();
+  }
   template <class T>
-  void add(const std::optional<T>*) { text_ += "optional "; of<T>(); }
+  void add(const std::optional<T>*) {
+    text_ += "optional ";
+    of<T>();
+  }
   template <class T>
-  void add(const std::shared_ptr<T>*) { text_ += "shared "; of<std::remove_const_t<T>>(); }
+  void add(const std::shared_ptr<T>*) {
+    text_ += "shared ";
+    of<std::remove_const_t<T>>();
+  }
   template <class T, std::size_t N>
-  void add(const std::array<T, N>*) { text_ += "array " + std::to_string(N) + ' '; of<T>(); }
+  void add(const std::array<T, N>*) {
+    text_ += "array " + std::to_string(N) + ' ';
+    of<T>();
+  }
   template <class K, class V>
-  void add(const std::map<K, V>*) { text_ += "map "; of<K>(); of<V>(); }
+  void add(const std::map<K, V>*) {
+    text_ += "map ";
+    of<K>();
+    of<V>();
+  }
   template <class A, class B>
-  void add(const std::pair<A, B>*) { text_ += "pair "; of<A>(); of<B>(); }
+  void add(const std::pair<A, B>*) {
+    text_ += "pair ";
+    of<A>();
+    of<B>();
+  }
   void add(const std::string*) { text_ += "string "; }
   template <class T, int R, int C, int O, int MR, int MC>
-  void add(const Eigen::Matrix<T, R, C, O, MR, MC>*) { text_ += "matrix " + std::to_string(R) + ' ' + std::to_string(C) + ' '; }
+  void add(const Eigen::Matrix<T, R, C, O, MR, MC>*) {
+    text_ += "matrix " + std::to_string(R) + ' ' + std::to_string(C) + ' ';
+  }
   template <class T>
   void add(const T*) {
     text_ += typeid(T).name();
@@ -56,8 +81,10 @@ class LayoutArchive {
     } else {
       T value{};
       text_ += "{ ";
-      if constexpr (requires { value.serialize(*this); }) value.serialize(*this);
-      else serialize(*this, value);
+      if constexpr (requires { value.serialize(*this); })
+        value.serialize(*this);
+      else
+        serialize(*this, value);
       text_ += "} ";
     }
   }

@@ -40,8 +40,8 @@ std::string text_at(double x, double y, const std::string& text, const TextStyle
 
 std::string line_between(std::array<double, 4> p, const std::string& colour, double stroke, bool dashed = false) {
   return "<line" + attribute("x1", p[0]) + attribute("y1", p[1]) + attribute("x2", p[2]) + attribute("y2", p[3]) +
-         " stroke=\"" + colour + '"' + attribute("stroke-width", stroke) +
-         (dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
+         " stroke=\"" + colour + '"' + attribute("stroke-width", stroke) + (dashed ? " stroke-dasharray=\"6 4\"" : "") +
+         "/>\n";
 }
 
 std::string svg_open(double height, double wide = width) {
@@ -132,7 +132,8 @@ std::string draw_axes(const Figure& figure, const Layout& at) {
   }
   out += "<rect" + attribute("x", left) + attribute("y", at.top) + attribute("width", at.right - left) +
          attribute("height", at.bottom - at.top) + " fill=\"none\" stroke=\"#9aa1ab\"/>\n";
-  out += text_at(0.5 * (left + at.right), at.bottom + 40.0, with_power(figure.x_label, tx.exponent), {.anchor = "middle"});
+  out +=
+      text_at(0.5 * (left + at.right), at.bottom + 40.0, with_power(figure.x_label, tx.exponent), {.anchor = "middle"});
   return out + text_at(20.0, 0.5 * (at.top + at.bottom), with_power(figure.y_label, ty.exponent),
                        {.anchor = "middle", .upright = true});
 }
@@ -149,8 +150,8 @@ std::string draw_line(const Line& line, const Layout& at) {
   std::string dots;
   for (std::size_t i = 0; line.dots && i < line.x.size(); ++i)
     if (std::isfinite(line.x[i]) && std::isfinite(line.y[i]))
-      dots += "<circle" + attribute("cx", at.px(line.x[i])) + attribute("cy", at.py(line.y[i])) +
-              " r=\"3\" fill=\"" + line.colour + "\"/>\n";
+      dots += "<circle" + attribute("cx", at.px(line.x[i])) + attribute("cy", at.py(line.y[i])) + " r=\"3\" fill=\"" +
+              line.colour + "\"/>\n";
   return dots + "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + line.colour + '"' +
          attribute("stroke-width", line.width) + " stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
          (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
@@ -178,7 +179,8 @@ std::string draw_moments(const Figure& figure, const Layout& at, const std::stri
   std::string out;
   for (std::size_t k = 0; k < count; ++k) {
     out += "<g class=\"moment\"" + std::string(k + 1 < count ? " display=\"none\">\n" : ">\n") + timing(k, count);
-    out += text_at(at.right, 22.0, figure.moments[k].caption, {.anchor = "end"}) + "<g clip-path=\"url(#" + clip + ")\">\n";
+    out += text_at(at.right, 22.0, figure.moments[k].caption, {.anchor = "end"}) + "<g clip-path=\"url(#" + clip +
+           ")\">\n";
     for (const auto& line : figure.moments[k].lines) out += draw_line(line, at);
     out += "</g>\n</g>\n";
   }

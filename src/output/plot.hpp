@@ -37,9 +37,9 @@ struct Figure {
   std::optional<ColourScale> scale{};
   std::optional<Range> x_range{};  ///< else from the data
   std::optional<Range> y_range{};
-  bool y_down = false;           ///< depth grows downwards
+  bool y_down = false;  ///< depth grows downwards
   bool y_from_zero = false;
-  bool exact_ranges = false;     ///< not rounded out: shapes keep their angles when the ranges are in the plot's aspect
+  bool exact_ranges = false;  ///< not rounded out: shapes keep their angles when the ranges are in the plot's aspect
 };
 
 /// Width over height of the field of a figure without legend and scale.

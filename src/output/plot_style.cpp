@@ -40,8 +40,8 @@ Line thinned(const Line& line, std::size_t limit) {
   for (std::size_t r = 0; r < runs; ++r) {
     const std::size_t begin = r * count / runs, end = (r + 1) * count / runs;
     const auto first = line.y.begin();
-    const auto [low, high] = std::minmax_element(first + static_cast<std::ptrdiff_t>(begin),
-                                                 first + static_cast<std::ptrdiff_t>(end));
+    const auto [low, high] =
+        std::minmax_element(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end));
     const auto a = static_cast<std::size_t>(std::min(low, high) - first);
     const auto b = static_cast<std::size_t>(std::max(low, high) - first);
     keep(a);

@@ -39,7 +39,8 @@ double position(double arc, double centre, double round) {
 }
 
 /// The mean position of a weight on the rows of a frame, about `from`; nothing where it adds up to nothing.
-std::optional<double> centroid(const SurfaceTable& surface, const FrameRows& rows, const std::vector<double>& weight, double from) {
+std::optional<double> centroid(const SurfaceTable& surface, const FrameRows& rows, const std::vector<double>& weight,
+                               double from) {
   const auto& s = surface.table.column("arc_length_mm");
   const double round = round_of(surface, rows);
   double sum = 0.0, moment = 0.0;

@@ -34,7 +34,8 @@ double centre_of(const SurfaceTable& surface);
 Range active_range(const SurfaceTable& surface, double centre);
 
 /// A column of one frame against the position; between two chains the line is broken.
-Line column_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& column, double factor, double centre);
+Line column_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& column, double factor,
+                 double centre);
 
 /// At most `most` (>= 2) of the numbers from 0 to count - 1, evenly spread, first and last among them.
 std::vector<std::size_t> evenly_chosen(std::size_t count, std::size_t most);

@@ -43,8 +43,8 @@ li { margin: 2px 0; }
 std::string heading(const RunData& run) {
   const bool ended = run.summary.is_object();
   const std::string status = ended ? run.summary.value("status", "open") : "open";
-  std::string html = "<h1>" + escaped(run.identity.title) + "</h1>\n<p><span class=\"status " + escaped(status) + "\">" +
-                     (ended ? escaped(status) : "not finished") + "</span></p>\n";
+  std::string html = "<h1>" + escaped(run.identity.title) + "</h1>\n<p><span class=\"status " + escaped(status) +
+                     "\">" + (ended ? escaped(status) : "not finished") + "</span></p>\n";
   if (ended && run.summary.contains("reason") && run.summary["reason"].is_string())
     html += "<p><strong>Reason:</strong> " + escaped(run.summary["reason"].get<std::string>()) + "</p>\n";
   if (!ended) html += "<p>The run has not ended, or was killed: the figures show what is on disk so far.</p>\n";
@@ -64,7 +64,8 @@ std::string warning_list(const RunData& run) {
   std::string html = "<div class=\"warnings\">\n<h2>Warnings</h2>\n<ul>\n";
   for (const auto& w : *warnings) {
     const std::string about = w.contains("about") && w["about"].is_string() ? ", " + w["about"].get<std::string>() : "";
-    html += "<li><strong>" + escaped(w.value("kind", "") + about) + ":</strong> " + escaped(w.value("text", "")) + "</li>\n";
+    html += "<li><strong>" + escaped(w.value("kind", "") + about) + ":</strong> " + escaped(w.value("text", "")) +
+            "</li>\n";
   }
   return html + "</ul>\n</div>\n";
 }
@@ -80,21 +81,28 @@ std::string figure_grid(const std::vector<Figure>& all) {
 std::string film(const std::vector<Figure>& moving) {
   if (moving.empty()) return {};
   const std::string seconds = number(moment_seconds), last = std::to_string(moving.front().moments.size() - 1);
-  std::string html = "<h2>Animation</h2>\n<p><button type=\"button\" onclick=\"play()\">play</button> "
-                     "<input type=\"range\" id=\"moment\" min=\"0\" max=\"" + last + "\" value=\"" + last +
-                     "\" oninput=\"hold(Number(this.value))\"/></p>\n<div class=\"figures moving\">\n";
-  for (const auto& figure : moving) html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
-  return html + "</div>\n<script>\nconst films = document.querySelectorAll('.moving svg');\n"
-                "function hold(k) { films.forEach(f => { f.pauseAnimations(); f.setCurrentTime((k + 0.5) * " + seconds +
-         "); }); }\nfunction play() { films.forEach(f => { f.setCurrentTime(0); f.unpauseAnimations(); }); }\n</script>\n";
+  std::string html =
+      "<h2>Animation</h2>\n<p><button type=\"button\" onclick=\"play()\">play</button> "
+      "<input type=\"range\" id=\"moment\" min=\"0\" max=\"" +
+      last + "\" value=\"" + last + "\" oninput=\"hold(Number(this.value))\"/></p>\n<div class=\"figures moving\">\n";
+  for (const auto& figure : moving)
+    html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
+  return html +
+         "</div>\n<script>\nconst films = document.querySelectorAll('.moving svg');\n"
+         "function hold(k) { films.forEach(f => { f.pauseAnimations(); f.setCurrentTime((k + 0.5) * " +
+         seconds +
+         "); }); }\nfunction play() { films.forEach(f => { f.setCurrentTime(0); f.unpauseAnimations(); }); "
+         "}\n</script>\n";
 }
 
 std::string page(const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
-  std::string html = "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
-                     "<meta charset=\"utf-8\"/>\n"
-                     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-                     escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + warning_list(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) + remesh_table(run) + run_tables(run);
+  std::string html =
+      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+      "<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
+  html += heading(run) + warning_list(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) +
+          remesh_table(run) + run_tables(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }
@@ -111,7 +119,8 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
 }
 
 /// The page; a summary that has something else where a text should be is damaged.
-std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
+std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
+                    const std::vector<Figure>& moving) {
   try {
     return page(run, all, moving);
   } catch (const nlohmann::json::exception& error) {

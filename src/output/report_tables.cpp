@@ -78,7 +78,8 @@ std::string contact_table(const RunData& run) {
   std::vector<Row> rows;
   const auto add = [&](const Quantity& q, const std::string& side) {
     Row row{side.empty() ? q.label : q.label + ", " + side};
-    for (const auto& contact : contacts) row.push_back(shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
+    for (const auto& contact : contacts)
+      row.push_back(shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
     row.push_back(q.unit);
     rows.push_back(std::move(row));
   };
@@ -114,8 +115,11 @@ std::string bond_table(const RunData& run) {
                                    shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "")
                              : "–"});
     }
-  return table({"Bond, MPa", "largest of the run", "largest at its end", "mean at its end", "where the largest, mm, and when"}, rows, {4}) +
-         (singular ? "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the largest value there "
+  return table({"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
+                "where the largest, mm, and when"},
+               rows, {4}) +
+         (singular ? "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the "
+                     "largest value there "
                      "grows as elements get shorter. Compare means, or one mesh with the same mesh.</p>\n"
                    : "");
 }
@@ -123,7 +127,8 @@ std::string bond_table(const RunData& run) {
 std::string life_table(const RunData& run) {
   std::vector<Row> rows;
   for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
-    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") + band_of(run, name)});
+    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
+                              band_of(run, name)});
   return table({"Limit", "life"}, rows);
 }
 
@@ -137,10 +142,10 @@ std::string probe_table(const RunData& run) {
 std::string error_table(const RunData& run) {
   const Json& error = part(run.summary, "estimated_error");
   std::vector<Row> rows;
-  for (const auto& [key, label] : {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
-                                  std::pair("peak_pressure", "of the peak pressure, by the mesh"),
-                                  std::pair("kinematics", "of small strain"),
-                                  std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
+  for (const auto& [key, label] :
+       {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
+        std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
+        std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
     if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
   return table({"Estimated relative error", ""}, rows);
 }
@@ -185,7 +190,8 @@ Row remesh_cells(const Table& t, std::size_t i) {
   const auto value = [&](const char* column) { return t.column(column).at(i); };
   Row row{rounded(value("cycle"), 8), t.word(value("body")),
           rounded(value("nodes_before"), 9) + " → " + rounded(value("nodes_after"), 9)};
-  for (const char* jump : {"pressure_jump", "force_jump", "energy_jump"}) row.push_back(rounded(100.0 * value(jump), 2));
+  for (const char* jump : {"pressure_jump", "force_jump", "energy_jump"})
+    row.push_back(rounded(100.0 * value(jump), 2));
   row.push_back(rounded(1e3 * value("projection_mm"), 3));
   row.push_back(t.word(value("reason")));
   return row;
@@ -210,23 +216,28 @@ std::string ledger_table(const RunData& run) {
                     shown(part(contact, "secondary"), unit.worn, 6), shown(part(contact, "primary"), unit.worn, 6),
                     shown(contact, "ledger_relative_error", 2)});
   const std::string body = table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
-                                  "secondary" + amount, "primary" + amount, "relative error"}, rows);
+                                  "secondary" + amount, "primary" + amount, "relative error"},
+                                 rows);
   if (body.empty()) return {};
-  return section("Ledger", body + "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
-                                  "sum, over both sides; a dash where nothing wears.</p>\n");
+  return section("Ledger", body +
+                               "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
+                               "sum, over both sides; a dash where nothing wears.</p>\n");
 }
 
 std::string remesh_table(const RunData& run) {
   constexpr std::size_t shown_open = 20, shown_at_most = 200;
   const std::size_t count = run.remeshes.rows();
   std::vector<Row> rows;
-  for (std::size_t i = count - std::min(count, shown_at_most); i < count; ++i) rows.push_back(remesh_cells(run.remeshes, i));
+  for (std::size_t i = count - std::min(count, shown_at_most); i < count; ++i)
+    rows.push_back(remesh_cells(run.remeshes, i));
   if (rows.empty()) return {};
   const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
          "><summary>Bodies meshed anew: " + std::to_string(count) +
-         (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" + table(head, rows, {1, 7}) +
-         "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: largest "
+         (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
+         table(head, rows, {1, 7}) +
+         "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "
+         "largest "
          "difference in pressure over the largest pressure, difference of contact force and of strain energy. Outside: "
          "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";
 }
@@ -234,7 +245,8 @@ std::string remesh_table(const RunData& run) {
 std::string run_tables(const RunData& run) {
   if (!run.summary.is_object()) return {};
   return "<div class=\"columns\">\n" + section("The run", count_table(run)) +
-         section("Where the time went", time_bars(run)) + section("Skipped, and why", list(part(run.summary, "skipped"))) +
+         section("Where the time went", time_bars(run)) +
+         section("Skipped, and why", list(part(run.summary, "skipped"))) +
          section("Cut-backs, and why", list(part(run.summary, "cutback_reasons"))) + "</div>\n";
 }
 

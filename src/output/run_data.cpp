@@ -52,10 +52,12 @@ std::vector<FrameRows> frames_of(const Table& table) {
 /// Numbers of a run are far below this, or unknown; what is larger would only overflow in a picture.
 constexpr double most = 1e100;
 
-/// A table whose columns begin with those of `header`. What ends in half a row belongs to a run that goes on, or was killed.
+/// A table whose columns begin with those of `header`. What ends in half a row belongs to a run that goes on, or was
+/// killed.
 Table read_table(const std::string& file, const std::string& header, bool ended) {
   const std::string text = read_text(file);
-  if (!text.starts_with(header.substr(0, header.size() - 1))) damaged(file, "it does not begin with the names of its columns");
+  if (!text.starts_with(header.substr(0, header.size() - 1)))
+    damaged(file, "it does not begin with the names of its columns");
   if (ended && !text.ends_with('\n')) damaged(file, "its last row is cut");
   Table table;
   try {
@@ -69,7 +71,8 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   return table;
 }
 
-std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side, bool done) {
+std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side,
+                                         bool done) {
   const auto file = (fs::path(dir) / surface_file(contact, side)).string();
   if (!fs::exists(file)) {
     if (done) damaged(file, "it is missing, though the run is done");
@@ -95,7 +98,8 @@ Json read_summary(const std::string& file) {
   if (!fs::exists(file)) return {};
   const Json summary = Json::parse(read_text(file), nullptr, false);
   const auto status = summary.is_object() ? summary.find("status") : summary.end();
-  if (!summary.is_object() || status == summary.end() || !status->is_string()) damaged(file, "it does not say how the run ended");
+  if (!summary.is_object() || status == summary.end() || !status->is_string())
+    damaged(file, "it does not say how the run ended");
   return summary;
 }
 
@@ -136,9 +140,12 @@ RunData read_run(const std::string& dir) {
   try {
     run.summary = read_summary(file("summary.json"));
     const bool ended = run.summary.is_object(), done = ended && run.summary["status"] == "done";
-    if (fs::exists(file("history.csv"))) run.history = read_table(file("history.csv"), history_header({}, run.identity.analysis), ended);
-    else if (ended) damaged(file("history.csv"), "it is missing, though the run has ended");
-    if (fs::exists(file("remesh.csv"))) run.remeshes = read_table(file("remesh.csv"), remesh_header(run.identity.analysis), ended);
+    if (fs::exists(file("history.csv")))
+      run.history = read_table(file("history.csv"), history_header({}, run.identity.analysis), ended);
+    else if (ended)
+      damaged(file("history.csv"), "it is missing, though the run has ended");
+    if (fs::exists(file("remesh.csv")))
+      run.remeshes = read_table(file("remesh.csv"), remesh_header(run.identity.analysis), ended);
     for (const auto& [name, mu] : run.identity.friction) {
       ContactData contact{name, mu, {}};
       for (const auto side : {sim::Side::secondary, sim::Side::primary})

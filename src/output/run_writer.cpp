@@ -97,7 +97,9 @@ void RunWriter::write_collections() const {
 
 void RunWriter::remove_frames_from(std::size_t index) const {
   std::error_code none;
-  while (fs::remove(path(frame_file("bodies", "vtu", index)), none) | fs::remove(path(frame_file("surface", "vtp", index)), none)) ++index;
+  while (fs::remove(path(frame_file("bodies", "vtu", index)), none) |
+         fs::remove(path(frame_file("surface", "vtp", index)), none))
+    ++index;
 }
 
 void RunWriter::extend() const { mark_folder(dir_, identity_); }

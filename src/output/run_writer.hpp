@@ -31,7 +31,8 @@ struct Counters {
 };
 
 /// Writes the output folder of one run. Every member throws std::runtime_error when the disk refuses.
-/// Call begin() for a new run or resume() for a restarted one before anything is written; hold the FolderLock meanwhile.
+/// Call begin() for a new run or resume() for a restarted one before anything is written; hold the FolderLock
+/// meanwhile.
 class RunWriter {
  public:
   RunWriter(std::string dir, const scene::Scene& scene);

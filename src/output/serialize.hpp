@@ -82,7 +82,8 @@ void serialize(Archive& archive, BodyOptions& options) {
 
 template <class Archive>
 void serialize(Archive& archive, FineZone& zone) {
-  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact, zone.key, zone.turns);
+  archive(zone.bodies, zone.centre_mm, zone.half_width_mm, zone.depth_mm, zone.size_mm, zone.angle_deg, zone.contact,
+          zone.key, zone.turns);
 }
 
 template <class Archive>
@@ -104,8 +105,8 @@ void serialize(Archive& archive, Shape& shape) {
 
 namespace reye::output {
 
-/// The bytes of values that cereal can save, and back. from_bytes throws cereal::Exception for bytes that are not of such
-/// values: a size beyond their end, a pointer to something else, more or fewer bytes.
+/// The bytes of values that cereal can save, and back. from_bytes throws cereal::Exception for bytes that are not of
+/// such values: a size beyond their end, a pointer to something else, more or fewer bytes.
 template <class... Values>
 std::string to_bytes(const Values&... values) {
   std::ostringstream stream(std::ios::binary);

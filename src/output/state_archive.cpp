@@ -24,7 +24,8 @@ void serialize(Archive& archive, MortarRow& row) {
 template <class Archive>
 void serialize(Archive& archive, ContactState& s) {
   archive(s.lambda, s.normal, s.status, s.reference, s.pending_secondary, s.pending_primary, s.removed_secondary,
-          s.removed_primary, s.others_secondary, s.others_primary, s.slip, s.energy_secondary, s.friction, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
+          s.removed_primary, s.others_secondary, s.others_primary, s.slip, s.energy_secondary, s.friction,
+          s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
 }
 
 }  // namespace reye::contact
@@ -65,7 +66,8 @@ namespace reye::sim {
 
 template <class Archive>
 void serialize(Archive& archive, Counts& c) {
-  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks, c.cycles_solved, c.refused_blocks);
+  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks, c.cycles_solved,
+          c.refused_blocks);
 }
 
 template <class Archive>
@@ -113,8 +115,9 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
-  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_rate, s.block_cycles, s.jump_error, s.factors, s.solution, s.recall, s.renewed_at,
-          s.displaced, s.approached, s.life_cycles, s.life_error, s.limit_measure, s.small_strain_error, s.warnings, s.watch, s.bonds, s.counts, s.shown, s.cutback_reasons);
+  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_rate, s.block_cycles, s.jump_error, s.factors,
+          s.solution, s.recall, s.renewed_at, s.displaced, s.approached, s.life_cycles, s.life_error, s.limit_measure,
+          s.small_strain_error, s.warnings, s.watch, s.bonds, s.counts, s.shown, s.cutback_reasons);
 }
 
 }  // namespace

@@ -112,9 +112,12 @@ Json warnings(const sim::Summary& summary) {
 
 const char* status_name(sim::RunStatus status) {
   switch (status) {
-    case sim::RunStatus::done: return "done";
-    case sim::RunStatus::failed: return "failed";
-    case sim::RunStatus::interrupted: break;
+    case sim::RunStatus::done:
+      return "done";
+    case sim::RunStatus::failed:
+      return "failed";
+    case sim::RunStatus::interrupted:
+      break;
   }
   return "interrupted";
 }

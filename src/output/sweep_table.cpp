@@ -20,8 +20,8 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// Parts of the summary that hold figures; the times are those that no second run repeats.
-constexpr const char* parts[] = {"cycles",          "contacts", "bonds", "probes", "life_cycles", "life_band",
-                                 "estimated_error", "counts",   "wall_s", "cpu_s",       "peak_rss_MB"};
+constexpr const char* parts[] = {"cycles",          "contacts", "bonds",  "probes", "life_cycles", "life_band",
+                                 "estimated_error", "counts",   "wall_s", "cpu_s",  "peak_rss_MB"};
 
 void add_figures(const Json& value, const std::string& name, RunEnd& end) {
   if (value.is_object())

@@ -8,7 +8,8 @@ namespace reye::output {
 
 /// How the run in a folder ended, as its summary says.
 struct RunEnd {
-  std::string status = "missing";  ///< "done", "failed", "interrupted", "missing" without a summary, "damaged" with one that cannot be read
+  std::string status = "missing";  ///< "done", "failed", "interrupted", "missing" without a summary, "damaged" with one
+                                   ///< that cannot be read
   std::string reason;
   std::string sha256;
   /// The numbers of the summary by their place in it ("contacts.pad.peak_pressure_MPa"), in its order, unknown ones

@@ -21,8 +21,9 @@ std::string history_header(const HistoryColumns& columns, base::Analysis analysi
   std::string line =
       "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,energy_" + unit.energy;
   for (const auto& contact : columns.contacts)
-    for (const auto& column : {std::string("_pressure_max_MPa"), std::string("_depth_max_secondary_mm"), std::string("_depth_max_primary_mm"),
-                               "_energy_" + unit.energy, "_normal_force_" + unit.force, "_tangential_force_" + unit.force})
+    for (const auto& column : {std::string("_pressure_max_MPa"), std::string("_depth_max_secondary_mm"),
+                               std::string("_depth_max_primary_mm"), "_energy_" + unit.energy,
+                               "_normal_force_" + unit.force, "_tangential_force_" + unit.force})
       line += ',' + csv_field(contact + column);
   for (const auto& [support, moment] : columns.supports) {
     for (const char* axis : {"_force_x_", "_force_y_"}) line += ',' + csv_field(support + axis + unit.force);
@@ -37,12 +38,12 @@ std::string history_header(const HistoryColumns& columns, base::Analysis analysi
 std::string history_row(const sim::IncrementRecord& record) {
   std::string line = csv_field(record.step) + ',' + number(record.cycle) + ',' + number(record.progress) + ',' +
                      std::to_string(record.newton);
-  for (const double value : {record.pressure_max_MPa, record.depth_max_secondary_mm, record.depth_max_primary_mm,
-                             record.energy_mJ})
+  for (const double value :
+       {record.pressure_max_MPa, record.depth_max_secondary_mm, record.depth_max_primary_mm, record.energy_mJ})
     line += ',' + number(value);
   for (const auto& contact : record.contacts)
-    for (const double value : {contact.pressure_max_MPa, contact.depth_max_secondary_mm, contact.depth_max_primary_mm, contact.energy_mJ,
-                               contact.normal_force, contact.tangential_force})
+    for (const double value : {contact.pressure_max_MPa, contact.depth_max_secondary_mm, contact.depth_max_primary_mm,
+                               contact.energy_mJ, contact.normal_force, contact.tangential_force})
       line += ',' + number(value);
   for (std::size_t s = 0; s < record.support_forces.size(); ++s) {
     line += ',' + number(record.support_forces[s].x()) + ',' + number(record.support_forces[s].y());
@@ -56,13 +57,15 @@ std::string history_row(const sim::IncrementRecord& record) {
 
 std::string remesh_header(base::Analysis analysis) {
   const bool ring = analysis == base::Analysis::axisymmetric;
-  return std::string("step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,") +
-         (ring ? "volume_residue_mm3" : "area_residue_mm2") + ",gap_moved_mm,gap_left_mm,pressure_jump,peak_jump,force_jump,energy_jump,reason\n";
+  return std::string(
+             "step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,") +
+         (ring ? "volume_residue_mm3" : "area_residue_mm2") +
+         ",gap_moved_mm,gap_left_mm,pressure_jump,peak_jump,force_jump,energy_jump,reason\n";
 }
 
 std::string remesh_row(const sim::RemeshRecord& r) {
-  std::string line = csv_field(r.step) + ',' + number(r.cycle) + ',' + csv_field(r.body) + ',' + std::to_string(r.nodes_before) +
-                     ',' + std::to_string(r.nodes_after);
+  std::string line = csv_field(r.step) + ',' + number(r.cycle) + ',' + csv_field(r.body) + ',' +
+                     std::to_string(r.nodes_before) + ',' + std::to_string(r.nodes_after);
   for (const double value : {r.scaled_jacobian_before, r.scaled_jacobian_after, r.projection_mm, r.area_residue,
                              r.gap_moved_mm, r.gap_left_mm, r.pressure_jump, r.peak_jump, r.force_jump, r.energy_jump})
     line += ',' + number(value);
@@ -98,7 +101,8 @@ std::uintmax_t size_of_rows(const std::string& path, long rows) {
   std::ifstream file(path, std::ios::binary);
   for (long line = 0; line <= rows && file; ++line) file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   // Reading past the last line break sets eof: the row asked for is missing or only half there.
-  if (!file || file.eof()) throw std::runtime_error(base::printable(path) + " holds fewer than " + std::to_string(rows) + " rows");
+  if (!file || file.eof())
+    throw std::runtime_error(base::printable(path) + " holds fewer than " + std::to_string(rows) + " rows");
   return static_cast<std::uintmax_t>(file.tellg());
 }
 

@@ -42,8 +42,8 @@ std::string rounded(double value, int digits) {
 std::string file_part(std::string_view name) {
   std::string part(name);
   for (char& c : part) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
-                       c == '-' || c == '_';
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
     if (!plain) c = '_';
   }
   return part;
@@ -54,12 +54,18 @@ std::string escaped(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = base::utf8_length(text, i);
     const char c = text[i];
-    if (length == 0) result += "\xef\xbf\xbd";  // the sign for a character that is none
-    else if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '"') result += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') result += text.substr(i, length);
+    if (length == 0)
+      result += "\xef\xbf\xbd";  // the sign for a character that is none
+    else if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t')
+      result += text.substr(i, length);
     i += length == 0 ? 1 : length;
   }
   return result;

@@ -33,8 +33,7 @@ vtkNew<Array> make_array(const char* name, const Names& components = {}) {
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfComponents(components.empty() ? 1 : static_cast<int>(components.size()));
-  for (std::size_t i = 0; i < components.size(); ++i)
-    array->SetComponentName(static_cast<vtkIdType>(i), components[i]);
+  for (std::size_t i = 0; i < components.size(); ++i) array->SetComponentName(static_cast<vtkIdType>(i), components[i]);
   return array;
 }
 
@@ -51,8 +50,9 @@ void add_field_data(vtkDataSet* data, const sim::Frame& frame) {
   for (const auto& body : frame.bodies) names->InsertNextValue(body.name);
   const auto units = make_array<vtkStringArray>("units");
   units->InsertNextValue("mm, MPa, cycles");
-  for (vtkAbstractArray* array : {static_cast<vtkAbstractArray*>(time.Get()), static_cast<vtkAbstractArray*>(names.Get()),
-                                  static_cast<vtkAbstractArray*>(units.Get())})
+  for (vtkAbstractArray* array :
+       {static_cast<vtkAbstractArray*>(time.Get()), static_cast<vtkAbstractArray*>(names.Get()),
+        static_cast<vtkAbstractArray*>(units.Get())})
     data->GetFieldData()->AddArray(array);
 }
 
@@ -73,10 +73,14 @@ std::string written(vtkDataSet* data) {
 
 VTKCellType vtk_type(mesh::CellKind kind) {
   switch (kind) {
-    case mesh::CellKind::tri3: return VTK_TRIANGLE;
-    case mesh::CellKind::quad4: return VTK_QUAD;
-    case mesh::CellKind::tri6: return VTK_QUADRATIC_TRIANGLE;
-    case mesh::CellKind::quad8: break;
+    case mesh::CellKind::tri3:
+      return VTK_TRIANGLE;
+    case mesh::CellKind::quad4:
+      return VTK_QUAD;
+    case mesh::CellKind::tri6:
+      return VTK_QUADRATIC_TRIANGLE;
+    case mesh::CellKind::quad8:
+      break;
   }
   return VTK_QUADRATIC_QUAD;
 }
@@ -187,8 +191,8 @@ std::string bodies_vtu(const sim::Frame& frame) {
   BodyGrid all;
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) all.add(frame.bodies[i], static_cast<int>(i));
   all.grid->SetPoints(all.points);
-  for (vtkDoubleArray* array : {all.displacement.Get(), all.reference.Get(), all.stress.Get(), all.mises.Get(),
-                                all.depth.Get()})
+  for (vtkDoubleArray* array :
+       {all.displacement.Get(), all.reference.Get(), all.stress.Get(), all.mises.Get(), all.depth.Get()})
     all.grid->GetPointData()->AddArray(array);
   const auto yields = [](const sim::BodyFrame& body) { return !body.plastic_strain.empty(); };
   if (std::any_of(frame.bodies.begin(), frame.bodies.end(), yields)) all.grid->GetPointData()->AddArray(all.plastic);

@@ -13,8 +13,8 @@ namespace reye::output {
 /// Field data: TimeValue = cycles, body_names, units.
 std::string bodies_vtu(const sim::Frame& frame);
 
-/// The meshes of the bodies of a frame on X (.vtu, inline binary), with their boundaries as lines: what `cad` reads again.
-/// Cells: body, boundary (-1: none). Field data: body_names, boundary_names.
+/// The meshes of the bodies of a frame on X (.vtu, inline binary), with their boundaries as lines: what `cad` reads
+/// again. Cells: body, boundary (-1: none). Field data: body_names, boundary_names.
 std::string mesh_vtu(const sim::Frame& frame);
 
 /// All contact surfaces as polylines (.vtp) on x. Points: pressure_MPa, shear_MPa, slip_mm, status,

@@ -35,7 +35,6 @@ bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> nam
 std::string takes_instead(base::Analysis analysis, std::string_view key);
 
 /// An issue with `rule` on each of the keys that is given.
-void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule,
-            Issues& issues);
+void refuse(const Entry& entry, std::initializer_list<std::string_view> names, const std::string& rule, Issues& issues);
 
 }  // namespace reye::scene

@@ -28,8 +28,10 @@ std::optional<base::Kinematics> kinematics_of(const Entry& body) {
 std::map<std::string, BodyMaterial> body_materials_of(const Entry& root) {
   std::map<std::string, BodyMaterial> materials;
   for (const auto& entry : root.all("body"))
-    materials[entry.name()] = {.material = entry.text("material"), .b_bar = entry.maybe_flag("b_bar"),
-                               .kinematics = kinematics_of(entry), .kinematics_given = entry.given("kinematics")};
+    materials[entry.name()] = {.material = entry.text("material"),
+                               .b_bar = entry.maybe_flag("b_bar"),
+                               .kinematics = kinematics_of(entry),
+                               .kinematics_given = entry.given("kinematics")};
   return materials;
 }
 
@@ -71,11 +73,15 @@ namespace {
 std::string too_steep(const cad::Profile& profile) {
   constexpr double steepest = 5.0;
   for (std::size_t i = 1; i < profile.arc_mm.size(); ++i) {
-    const double rise = std::abs(profile.height_mm[i] - profile.height_mm[i - 1]), along = profile.arc_mm[i] - profile.arc_mm[i - 1];
+    const double rise = std::abs(profile.height_mm[i] - profile.height_mm[i - 1]),
+                 along = profile.arc_mm[i] - profile.arc_mm[i - 1];
     if (rise <= steepest * along) continue;
     char rule[200];
-    std::snprintf(rule, sizeof rule, "its height changes by %.4g mm over %.4g mm at arc length %.4g mm, more steeply than %g : 1; heights in um "
-                  "must be divided by 1000", rise, along, profile.arc_mm[i - 1], steepest);
+    std::snprintf(
+        rule, sizeof rule,
+        "its height changes by %.4g mm over %.4g mm at arc length %.4g mm, more steeply than %g : 1; heights in um "
+        "must be divided by 1000",
+        rise, along, profile.arc_mm[i - 1], steepest);
     return rule;
   }
   return {};
@@ -128,8 +134,7 @@ std::optional<cad::Section> section_of(const Entry& root, Issues& issues) {
   const auto point = entry.numbers("point_mm"), normal = entry.numbers("normal");
   if (point.size() != 3 || normal.size() != 3) return std::nullopt;
   const cad::Section section{{point[0], point[1], point[2]}, {normal[0], normal[1], normal[2]}};
-  if (section.normal.isZero(0.0))
-    issues.push_back({entry.key("normal"), entry.written("normal"), "must not be zero"});
+  if (section.normal.isZero(0.0)) issues.push_back({entry.key("normal"), entry.written("normal"), "must not be zero"});
   return section;
 }
 

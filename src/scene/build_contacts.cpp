@@ -13,8 +13,8 @@ namespace {
 constexpr double per_J = 1e-3;
 
 /// Exponent and reference of one factor of the rate; a reference is asked for by its exponent, and by nothing else.
-void add_factor(const Entry& wear, std::string_view exponent_key, std::string_view ref_key, double& exponent, double& ref,
-                Issues& issues) {
+void add_factor(const Entry& wear, std::string_view exponent_key, std::string_view ref_key, double& exponent,
+                double& ref, Issues& issues) {
   exponent = wear.number(exponent_key);
   ref = wear.maybe_number(ref_key).value_or(1.0);
   if (exponent != 0.0 && !wear.given(ref_key))
@@ -116,7 +116,8 @@ void add_sliding(const Entry& entry, bool axisymmetric, contact::ContactOptions&
   contact.imposed_sliding = sliding_of(entry, entry.given(keys[1]) ? keys[1] : keys[0]);
   contact.imposed_turn = sliding_of(entry, keys[2]);
   if (entry.given(keys[2]) && !axisymmetric)
-    issues.push_back({entry.key(keys[2]), entry.written(keys[2]), "needs analysis = \"axisymmetric\": it turns about the axis"});
+    issues.push_back(
+        {entry.key(keys[2]), entry.written(keys[2]), "needs analysis = \"axisymmetric\": it turns about the axis"});
 }
 
 contact::ContactOptions contact_of(const Entry& entry, bool axisymmetric, Issues& issues) {
@@ -135,8 +136,8 @@ contact::ContactOptions contact_of(const Entry& entry, bool axisymmetric, Issues
   return contact;
 }
 
-/// The bodies that a contact's or a bond's edges lie on. An edge named only in the geometry file may belong to any body: none
-/// are named then, and its zones refine all.
+/// The bodies that a contact's or a bond's edges lie on. An edge named only in the geometry file may belong to any
+/// body: none are named then, and its zones refine all.
 std::vector<std::string> touching_bodies(const Entry& joint, const std::vector<cad::BoundaryOptions>& boundaries) {
   auto edges = joint.texts("primary");
   edges.insert(edges.begin(), joint.text("secondary"));

@@ -11,8 +11,8 @@ const base::Vec2 none(0.0, 0.0);
 /// The parts of a load, each a load of its own: they add up. Without a list the load itself is the only one.
 std::vector<Entry> parts_of(const Entry& entry, Issues& issues) {
   if (!entry.given("parts")) return {entry};
-  refuse(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3", "history"}, "stands in each of the parts",
-         issues);
+  refuse(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3", "history"},
+         "stands in each of the parts", issues);
   return entry.all("parts");
 }
 
@@ -61,7 +61,8 @@ void add_body_force(const Entry& entry, const std::vector<Entry>& parts, Scene& 
   refuse(entry, {"interval_mm"}, "does not go with force_N_per_mm3", issues);
   for (const auto& part : parts) {
     if (!part.given("force_N_per_mm3")) issues.push_back({part.key("force_N_per_mm3"), "", "missing"});
-    refuse(part, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N"}, "does not go with force_N_per_mm3", issues);
+    refuse(part, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N"}, "does not go with force_N_per_mm3",
+           issues);
     scene.body_forces.push_back({.name = entry.name(),
                                  .body = entry.text("body"),
                                  .force_N_per_mm3 = part.pair("force_N_per_mm3").value_or(none),

@@ -10,16 +10,19 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-constexpr std::array<std::string_view, 8> parameters = {"yield_MPa", "modulus_MPa", "saturation_MPa", "rate",
-                                                        "strength_MPa", "offset", "exponent", "points"};
+constexpr std::array<std::string_view, 8> parameters = {"yield_MPa",    "modulus_MPa", "saturation_MPa", "rate",
+                                                        "strength_MPa", "offset",      "exponent",       "points"};
 
 /// A hardening law takes `needed` and `optional`, and nothing else of its table.
 void check_parameters(const Entry& entry, Names needed, Names optional, Issues& issues) {
-  const auto in = [](Names names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto in = [](Names names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const auto name : parameters) {
     if (in(needed, name) && !entry.given(name))
       issues.push_back({entry.key(name), "", "missing; hardening by " + entry.text("law") + " needs it"});
-    if (!in(needed, name) && !in(optional, name)) refuse(entry, {name}, "hardening by " + entry.text("law") + " takes none", issues);
+    if (!in(needed, name) && !in(optional, name))
+      refuse(entry, {name}, "hardening by " + entry.text("law") + " takes none", issues);
   }
 }
 
@@ -29,12 +32,15 @@ material::Hardening hardening_of(const Entry& entry, Issues& issues) {
     check_parameters(entry, {"yield_MPa", "saturation_MPa", "rate"}, {"modulus_MPa"}, issues);
     if (entry.given("saturation_MPa") && entry.number("saturation_MPa") < entry.number("yield_MPa"))
       issues.push_back({entry.key("saturation_MPa"), entry.written("saturation_MPa"), "must be >= yield_MPa"});
-    return material::VoceHardening{.yield_MPa = entry.number("yield_MPa"), .saturation_MPa = entry.number("saturation_MPa"),
-                                   .rate = entry.number("rate"), .modulus_MPa = entry.number("modulus_MPa")};
+    return material::VoceHardening{.yield_MPa = entry.number("yield_MPa"),
+                                   .saturation_MPa = entry.number("saturation_MPa"),
+                                   .rate = entry.number("rate"),
+                                   .modulus_MPa = entry.number("modulus_MPa")};
   }
   if (law == "swift") {
     check_parameters(entry, {"strength_MPa", "offset", "exponent"}, {}, issues);
-    return material::SwiftHardening{.strength_MPa = entry.number("strength_MPa"), .offset = entry.number("offset"),
+    return material::SwiftHardening{.strength_MPa = entry.number("strength_MPa"),
+                                    .offset = entry.number("offset"),
                                     .exponent = entry.number("exponent")};
   }
   if (law == "table") {
@@ -70,7 +76,8 @@ material::Material material_of(const Entry& entry, Issues& issues) {
     const auto hardening = entry.at("hardening");
     if (hardening.is_table())
       return material::HenckyJ2{.E_MPa = E, .nu = nu, .hardening = hardening_of(hardening, issues)};
-    if (!entry.given("hardening")) issues.push_back({entry.key("hardening"), "", "missing; hencky_j2 needs a table of it"});
+    if (!entry.given("hardening"))
+      issues.push_back({entry.key("hardening"), "", "missing; hencky_j2 needs a table of it"});
   }
   if (law == "neo_hookean") {
     const auto volumetric = volumetric_of(entry.text("volumetric"));

@@ -28,7 +28,8 @@ std::vector<Step> repeated(const Entry& root, std::vector<Step> steps, Issues& i
   const auto first = std::search(steps.begin(), steps.end(), names.begin(), names.end(),
                                  [](const Step& step, const std::string& name) { return step.name == name; });
   if (names.empty() || first == steps.end()) {
-    issues.push_back({spectrum.key("steps"), spectrum.written("steps"), "must name steps that follow one another, in their order"});
+    issues.push_back(
+        {spectrum.key("steps"), spectrum.written("steps"), "must name steps that follow one another, in their order"});
     return steps;
   }
   const auto count = static_cast<std::ptrdiff_t>(names.size());
@@ -40,9 +41,7 @@ std::vector<Step> repeated(const Entry& root, std::vector<Step> steps, Issues& i
 
 }  // namespace
 
-std::map<std::string, History> histories_of(const Entry& root) {
-  return root.at("history").histories();
-}
+std::map<std::string, History> histories_of(const Entry& root) { return root.at("history").histories(); }
 
 std::vector<Step> steps_of(const Entry& root, Issues& issues) {
   std::vector<Step> steps;

@@ -11,7 +11,8 @@ struct Keys {
 
 Keys keys_of(std::string_view motion, base::Analysis analysis) {
   if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", "spring_N_mm_per_mm", {}};
-  if (analysis == base::Analysis::axisymmetric) return {"motion_mm", "force_N", "spring_N_per_mm", {"force_N_per_mm", "spring_N_per_mm2"}};
+  if (analysis == base::Analysis::axisymmetric)
+    return {"motion_mm", "force_N", "spring_N_per_mm", {"force_N_per_mm", "spring_N_per_mm2"}};
   return {"motion_mm", "force_N_per_mm", "spring_N_per_mm2", {"force_N", "spring_N_per_mm"}};
 }
 
@@ -34,8 +35,11 @@ void add_part(const Entry& part, const Keys& keys, body::Motion& motion, Issues&
   const auto drive = moved && !far_end ? body::Drive::moved : body::Drive::loaded;
   const auto key = moved ? keys.moved : keys.loaded;
   if (motion.drive != body::Drive::free && motion.drive != drive)
-    return refuse(part, {key}, "does not go with the " + std::string(moved ? keys.loaded : keys.moved) + " of the parts before it: a "
-                  "motion is imposed, or a force leaves it to the equations", issues);
+    return refuse(part, {key},
+                  "does not go with the " + std::string(moved ? keys.loaded : keys.moved) +
+                      " of the parts before it: a "
+                      "motion is imposed, or a force leaves it to the equations",
+                  issues);
   motion.drive = drive;
   motion.parts.push_back({part.number(key) * (far_end ? motion.stiffness : 1.0), part.text("history")});
 }
@@ -44,7 +48,8 @@ void add_part(const Entry& part, const Keys& keys, body::Motion& motion, Issues&
 void add_spring(const std::vector<Entry>& parts, const Keys& keys, body::Motion& motion, Issues& issues) {
   for (const auto& part : parts) {
     if (!part.given(keys.spring)) continue;
-    if (motion.stiffness != 0.0) refuse(part, {keys.spring}, "is the second spring of this motion; write one, with the sum of both", issues);
+    if (motion.stiffness != 0.0)
+      refuse(part, {keys.spring}, "is the second spring of this motion; write one, with the sum of both", issues);
     motion.stiffness = part.number(keys.spring);
     motion.drive = body::Drive::loaded;
   }
@@ -85,8 +90,9 @@ void check_rigid(const Entry& entry, const body::Support& support, Issues& issue
     refuse(entry, {"rotation"}, "needs a rigid edge", issues);
     const bool sprung = support.x.stiffness > 0.0 || support.y.stiffness > 0.0;
     if (loaded(support))
-      issues.push_back({entry.key("rigid"), entry.written("rigid"),
-                        sprung ? "a spring needs a rigid edge" : "a force or moment needs a rigid edge; or use [load]"});
+      issues.push_back(
+          {entry.key("rigid"), entry.written("rigid"),
+           sprung ? "a spring needs a rigid edge" : "a force or moment needs a rigid edge; or use [load]"});
   }
   if (!support.point_mm) refuse(entry, {"body"}, "an edge has its own body", issues);
 }

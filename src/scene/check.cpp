@@ -12,18 +12,30 @@ namespace {
 
 std::string type_rule(Type type) {
   switch (type) {
-    case Type::text: return "must be a text in quotes";
-    case Type::texts: return "must be a list of texts in quotes";
-    case Type::number: return "must be a number";
-    case Type::whole: return "must be a whole number";
-    case Type::flag: return "must be true or false";
-    case Type::pair: return "must be a list of two numbers";
-    case Type::triple: return "must be a list of three numbers";
-    case Type::box: return "must be a list of four numbers";
-    case Type::numbers: return "must be a list of numbers";
-    case Type::curve: return "must be a list of at least two pairs of numbers";
-    case Type::history: return "must be a list of at least two pairs [progress, factor]";
-    case Type::refused: break;
+    case Type::text:
+      return "must be a text in quotes";
+    case Type::texts:
+      return "must be a list of texts in quotes";
+    case Type::number:
+      return "must be a number";
+    case Type::whole:
+      return "must be a whole number";
+    case Type::flag:
+      return "must be true or false";
+    case Type::pair:
+      return "must be a list of two numbers";
+    case Type::triple:
+      return "must be a list of three numbers";
+    case Type::box:
+      return "must be a list of four numbers";
+    case Type::numbers:
+      return "must be a list of numbers";
+    case Type::curve:
+      return "must be a list of at least two pairs of numbers";
+    case Type::history:
+      return "must be a list of at least two pairs [progress, factor]";
+    case Type::refused:
+      break;
   }
   return {};
 }
@@ -36,22 +48,31 @@ bool numbers(const Node& list, std::size_t count) {
 bool has_type(const Node& node, Type type) {
   const auto& parts = node.children;
   switch (type) {
-    case Type::text: return node.kind == NodeKind::text;
-    case Type::number: return node.is_number();
-    case Type::whole: return node.is_number() && (std::rint(node.number) == node.number || !std::isfinite(node.number));
-    case Type::flag: return node.kind == NodeKind::flag;
-    case Type::pair: return numbers(node, 2);
-    case Type::triple: return numbers(node, 3);
-    case Type::box: return numbers(node, 4);
+    case Type::text:
+      return node.kind == NodeKind::text;
+    case Type::number:
+      return node.is_number();
+    case Type::whole:
+      return node.is_number() && (std::rint(node.number) == node.number || !std::isfinite(node.number));
+    case Type::flag:
+      return node.kind == NodeKind::flag;
+    case Type::pair:
+      return numbers(node, 2);
+    case Type::triple:
+      return numbers(node, 3);
+    case Type::box:
+      return numbers(node, 4);
     case Type::texts:
       return node.kind == NodeKind::list &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return n.kind == NodeKind::text; });
-    case Type::numbers: return !parts.empty() && numbers(node, parts.size());
+    case Type::numbers:
+      return !parts.empty() && numbers(node, parts.size());
     case Type::curve:
     case Type::history:
       return node.kind == NodeKind::list && parts.size() >= 2 &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return numbers(n, 2); });
-    case Type::refused: break;
+    case Type::refused:
+      break;
   }
   return false;
 }
@@ -118,7 +139,7 @@ std::string broken_rule(const Node& node, const Spec& place) {
   if (key.type == Type::history) return history_rule(node);
   if (!in_range(node, key.range)) return rule_of(key);
   if (key.type == Type::curve) return curve_rule(node);
-  constexpr double most = 1e9;   // whole numbers are kept as int
+  constexpr double most = 1e9;  // whole numbers are kept as int
   if (key.type == Type::whole && std::abs(node.number) > most) return "must be at most 1e9";
   return {};
 }
@@ -146,7 +167,8 @@ void check_table(const Node& table, const Spec& place, Issues& issues) {
 
 bool lists_tables(const Node& node) {
   return node.kind == NodeKind::list && !node.children.empty() &&
-         std::all_of(node.children.begin(), node.children.end(), [](const Node& n) { return n.kind == NodeKind::table; });
+         std::all_of(node.children.begin(), node.children.end(),
+                     [](const Node& n) { return n.kind == NodeKind::table; });
 }
 
 void check_list(const Node& list, const Spec& place, Issues& issues) {
@@ -170,7 +192,8 @@ void check(const Node& node, const Spec& place, Issues& issues) {
     const auto rule = broken_rule(node, place);
     if (!rule.empty()) issues.push_back({node.key, node.written, rule});
   } else {
-    issues.push_back({node.key, node.written, place.list_or_table ? "must be a table, or a list of such tables" : "must be a table"});
+    issues.push_back({node.key, node.written,
+                      place.list_or_table ? "must be a table, or a list of such tables" : "must be a table"});
   }
 }
 

@@ -87,7 +87,8 @@ std::string in_words(const Scene& scene, const ElementChoice& choice) {
   std::string taken;
   for (const auto& name : choice.second_order) taken += (taken.empty() ? "second order for " : ", ") + name;
   if (choice.linear) taken += std::string(taken.empty() ? "" : " and ") + "linear multipliers";
-  return "contact " + scene.contacts[choice.contact].name + ": only forces drive it, so that it slips in part at most: " + taken +
+  return "contact " + scene.contacts[choice.contact].name +
+         ": only forces drive it, so that it slips in part at most: " + taken +
          ", since elements of first order let the edge of a stick zone recede as it wears";
 }
 

@@ -3,10 +3,11 @@
 
 /// The order of elements and the multipliers' basis, chosen by the contact where the scene leaves them open.
 ///
-/// A contact that only forces drive cannot slide as a whole: the force would carry its body away. It slips in part, and as
-/// wear empties the annulus around the stick zone, pressure and shear become singular at its edge. Elements of first order make
-/// a sheared edge up to 1.2 times as strong as a pressed one, and sticking recedes (results/partial_slip_life); second order with
-/// linear multipliers has a ratio of 0.99. What moves a body by a given way may slide it as a whole: there first order stays.
+/// A contact that only forces drive cannot slide as a whole: the force would carry its body away. It slips in part, and
+/// as wear empties the annulus around the stick zone, pressure and shear become singular at its edge. Elements of first
+/// order make a sheared edge up to 1.2 times as strong as a pressed one, and sticking recedes
+/// (results/partial_slip_life); second order with linear multipliers has a ratio of 0.99. What moves a body by a given
+/// way may slide it as a whole: there first order stays.
 namespace reye::scene {
 
 /// What one contact takes because the scene leaves it open.

@@ -14,7 +14,8 @@ namespace {
 struct Source {
   std::vector<std::string> lines;
   std::vector<std::size_t> starts;  ///< byte at which each begins
-  std::map<unsigned, std::vector<std::size_t>> characters;  ///< where they begin, and the end, in lines of more than ASCII
+  std::map<unsigned, std::vector<std::size_t>>
+      characters;  ///< where they begin, and the end, in lines of more than ASCII
 
   explicit Source(const std::string& toml) : lines(1), starts{0} {
     for (std::size_t i = 0; i < toml.size(); ++i) {
@@ -30,7 +31,8 @@ struct Source {
 
   void note_characters(unsigned i) {
     const auto& line = lines[i];
-    if (std::none_of(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; })) return;
+    if (std::none_of(line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; }))
+      return;
     for (std::size_t at = 0; at <= line.size(); ++at)
       if (at == line.size() || (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U) characters[i + 1].push_back(at);
   }
@@ -43,9 +45,7 @@ struct Source {
   }
 
   /// Byte of a place in the whole text.
-  std::size_t byte(const toml::source_position& place) const {
-    return starts.at(place.line - 1) + offset(place);
-  }
+  std::size_t byte(const toml::source_position& place) const { return starts.at(place.line - 1) + offset(place); }
 
   /// A value on one line; long or broken values are shortened, they help nobody in a message.
   std::string slice(const toml::source_region& region) const {
@@ -70,9 +70,8 @@ void add_children(Node& node, const toml::table& table, const Source& source) {
                         convert(value, source, node.key.empty() ? child : node.key + '.' + child, child));
     if (name.source().begin) std::get<Node>(placed.back()).line = static_cast<int>(name.source().begin.line);
   }
-  std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {
-    return std::get<0>(a) < std::get<0>(b);
-  });
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const auto& a, const auto& b) { return std::get<0>(a) < std::get<0>(b); });
   for (auto& [place, child] : placed) node.children.push_back(std::move(child));
 }
 
@@ -84,7 +83,11 @@ void add_elements(Node& node, const toml::array& list, const Source& source) {
 }
 
 Node convert(const toml::node& value, const Source& source, std::string key, std::string name) {
-  Node node{.kind = NodeKind::other, .key = std::move(key), .name = std::move(name), .written = {}, .text = {},
+  Node node{.kind = NodeKind::other,
+            .key = std::move(key),
+            .name = std::move(name),
+            .written = {},
+            .text = {},
             .children = {}};
   if (value.source().begin) {
     node.line = static_cast<int>(value.source().begin.line);
@@ -113,7 +116,8 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
 
 /// The parser's words; of a text that goes on beyond its line it only sees the line's end.
 std::string in_words(const std::string& description) {
-  const bool open = description.find("parsing string") != std::string::npos && description.find("control characters") != std::string::npos;
+  const bool open = description.find("parsing string") != std::string::npos &&
+                    description.find("control characters") != std::string::npos;
   return open ? "a text lacks its closing quotation mark" : description;
 }
 
@@ -124,12 +128,18 @@ void check_depth(const std::vector<std::string>& lines) {
     int parts = 1;
     char quote = '\0';
     for (char c : lines[i]) {
-      if (c == quote) quote = '\0';
-      else if (quote != '\0') continue;
-      else if (c == '"' || c == '\'') quote = c;
-      else if (c == '#') break;
-      else if (c == '.') ++parts;
-      else if (std::string_view(",=[]{}").find(c) != std::string_view::npos) parts = 1;
+      if (c == quote)
+        quote = '\0';
+      else if (quote != '\0')
+        continue;
+      else if (c == '"' || c == '\'')
+        quote = c;
+      else if (c == '#')
+        break;
+      else if (c == '.')
+        ++parts;
+      else if (std::string_view(",=[]{}").find(c) != std::string_view::npos)
+        parts = 1;
       if (parts > most) throw SyntaxError("a key of more than 32 parts", static_cast<int>(i) + 1);
     }
   }

@@ -12,11 +12,12 @@ enum class NodeKind { table, list, text, number, whole, flag, other };
 /// One value of the file with the key it stands under. Children in the order of the file.
 struct Node {
   NodeKind kind = NodeKind::table;
-  std::string key;      ///< whole key: "material.steel.nu", "step[0].cycles"
-  std::string name;     ///< its last part
+  std::string key;   ///< whole key: "material.steel.nu", "step[0].cycles"
+  std::string name;  ///< its last part
   int line = 1;
   std::string written;  ///< the value as it stands in the file; empty for tables
-  /// Bytes [begin, end) of the value in the text; of a headed table its header, of one made by a dotted key that part of it.
+  /// Bytes [begin, end) of the value in the text; of a headed table its header, of one made by a dotted key that part
+  /// of it.
   std::size_t begin = 0, end = 0;
   std::string text;
   double number = 0.0;

@@ -25,7 +25,9 @@ void add_differences(const Node& was, const Node& now, const Document& before, c
   for (const auto& child : was.children) {
     const auto* other = now.find(child.name);
     if (!other)
-      issues.push_back({child.key, "", "is missing, and was " + (child.written.empty() ? "" : child.written + ' ') + "in the run that is to go on"});
+      issues.push_back({child.key, "",
+                        "is missing, and was " + (child.written.empty() ? "" : child.written + ' ') +
+                            "in the run that is to go on"});
     else if (is_branch(child) && is_branch(*other))
       add_differences(child, *other, before, after, issues);
     else if (value_of(child, before.text) != value_of(*other, after.text))
@@ -64,7 +66,8 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
   Issues differences, wrong;
   add_differences(before.root, after.root, before, after, differences);
   for (auto& issue : differences) {
-    const bool may = issue.key == "limit" || issue.key.starts_with("limit.") || (cycles_may && issue.key == extension.cycles_key);
+    const bool may =
+        issue.key == "limit" || issue.key.starts_with("limit.") || (cycles_may && issue.key == extension.cycles_key);
     if (may) {
       extension.changes.push_back(base::in_words(issue));
       continue;
@@ -73,11 +76,15 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
     wrong.push_back(std::move(issue));
   }
   if (wrong.empty() && fixed_part(before.root, was) != fixed_part(after.root, now.text))
-    wrong.push_back({"", "", std::string("tables stand in another order than in the run that is to go on") + only_these});
+    wrong.push_back(
+        {"", "", std::string("tables stand in another order than in the run that is to go on") + only_these});
   if (wrong.empty() && was_fixed != now.fixed_sha256)
-    wrong.push_back({"geometry", "", std::string("its files, or those of profiles, are not those of the run that is to go on") + only_these});
+    wrong.push_back(
+        {"geometry", "",
+         std::string("its files, or those of profiles, are not those of the run that is to go on") + only_these});
   if (wrong.empty() && now.accuracy > 0.0)
-    wrong.push_back({"accuracy", shown(now.accuracy), "chose elements and jumps for the run as it was; write the sizes that its plan tells as "
+    wrong.push_back({"accuracy", shown(now.accuracy),
+                     "chose elements and jumps for the run as it was; write the sizes that its plan tells as "
                      "`size_mm`, and `jump`, in its place, and run anew"});
   if (!wrong.empty()) throw located(now, wrong);
   return extension;

@@ -16,8 +16,8 @@ struct Extension {
   std::string cycles_key;            ///< of the cycles of the last step
 };
 
-/// How `now` extends the scene of the text `was`, whose `fixed_sha256` was `was_fixed`. Throws base::InputError with a line
-/// per value that may not be another.
+/// How `now` extends the scene of the text `was`, whose `fixed_sha256` was `was_fixed`. Throws base::InputError with a
+/// line per value that may not be another.
 Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now);
 
 }  // namespace reye::scene

@@ -12,16 +12,20 @@ std::string cycles_key_of(const Node& root) {
   const auto name = given ? given->text : "step " + std::to_string(steps->children.size());
   const auto* spectrum = root.find("spectrum");
   const auto* repeated = spectrum ? spectrum->find("steps") : nullptr;
-  if (repeated && std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return n.text == name; }))
+  if (repeated &&
+      std::any_of(repeated->children.begin(), repeated->children.end(), [&](const Node& n) { return n.text == name; }))
     return {};
   return last.key + ".cycles";
 }
 
 bool is_branch(const Node& node) {
-  return node.kind == NodeKind::table || (node.kind == NodeKind::list && !node.children.empty() && node.children.front().kind == NodeKind::table);
+  return node.kind == NodeKind::table ||
+         (node.kind == NodeKind::list && !node.children.empty() && node.children.front().kind == NodeKind::table);
 }
 
-std::string value_of(const Node& leaf, const std::string& text) { return text.substr(leaf.begin, leaf.end - leaf.begin); }
+std::string value_of(const Node& leaf, const std::string& text) {
+  return text.substr(leaf.begin, leaf.end - leaf.begin);
+}
 
 namespace {
 

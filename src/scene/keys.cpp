@@ -12,6 +12,8 @@ constexpr Range at_least(double low) { return {.low = low}; }
 constexpr Range from_to(double low, double high) { return {.low = low, .high = high}; }
 constexpr Range one_of(std::string_view choices) { return {.choices = choices}; }
 
+// One key a paragraph.
+// clang-format off
 constexpr Key table[] = {
     {"title", Type::text, "", "", any, "headline of the results; without it the scene's name"},
     {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
@@ -243,6 +245,7 @@ constexpr Key table[] = {
     {"solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"},
     {"solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"},
 };
+// clang-format on
 
 /// `{a,b}_c` as a_c, b_c.
 std::vector<std::string> alternatives(const std::string& segment) {

@@ -43,8 +43,8 @@ std::span<const Key> keys();
 
 /// The table of keys as a tree: what may stand under a place of the scene.
 struct Spec {
-  const Key* key = nullptr;  ///< set when a plain value may stand here
-  bool list = false;         ///< a list of tables: each element takes the names below
+  const Key* key = nullptr;    ///< set when a plain value may stand here
+  bool list = false;           ///< a list of tables: each element takes the names below
   bool list_or_table = false;  ///< the same, where a table by itself is a list of one
   std::vector<std::pair<std::string, std::unique_ptr<Spec>>> named;
   std::unique_ptr<Spec> any;  ///< under a name the user gives

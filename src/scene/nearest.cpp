@@ -61,8 +61,7 @@ std::string unknown_rule(const std::string& name, const Spec& place) {
   return "unknown key; known here: " + joined(names, "");
 }
 
-std::string unknown_name_rule(const std::string& what, const std::string& name,
-                              const std::vector<std::string>& names) {
+std::string unknown_name_rule(const std::string& what, const std::string& name, const std::vector<std::string>& names) {
   const auto start = "there is no " + what + " \"" + name + "\"";
   const auto meant = nearest(name, names);
   if (!meant.empty()) return start + "; did you mean \"" + meant + "\"?";

@@ -23,7 +23,7 @@ namespace reye::scene {
 using History = std::vector<std::array<double, 2>>;
 
 struct BodyMaterial {
-  std::string material;  ///< empty for a rigid body
+  std::string material;       ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
   std::optional<base::Kinematics> kinematics = base::Kinematics::small;  ///< empty: the run chooses
   bool kinematics_given = false;  ///< else small strain that turns out to be wrong ends the run
@@ -34,11 +34,11 @@ struct Step {
   std::vector<std::string> play;
   int increments = 1;
   bool wear = true;
-  double cycles = 0.0;  ///< 0: a load step, which is no cycle
-  double jump = 1.0;    ///< cycles per block; of the first one where a tolerance chooses the others
+  double cycles = 0.0;          ///< 0: a load step, which is no cycle
+  double jump = 1.0;            ///< cycles per block; of the first one where a tolerance chooses the others
   double jump_tolerance = 0.0;  ///< error that the run chooses its jumps by; 0: fixed
   double jump_most = std::numeric_limits<double>::infinity();  ///< cycles no block may exceed under a tolerance
-  double period_s = 0.0;  ///< how long one play lasts; 0: not given
+  double period_s = 0.0;                                       ///< how long one play lasts; 0: not given
 };
 
 /// The first cycle at which a depth (or the worn area) is reached.
@@ -61,12 +61,12 @@ struct Probe {
 /// When a frame is written, besides the first and last state of each step; 0 and false: not for this reason.
 struct FrameRules {
   double every_cycles = 0.0;
-  int every_blocks = 0;         ///< of a step
-  int per_decade = 0;           ///< log-spaced: so many per factor of ten in cycles
-  bool at_remeshes = false;     ///< at the end of a block in which a body was meshed anew
+  int every_blocks = 0;      ///< of a step
+  int per_decade = 0;        ///< log-spaced: so many per factor of ten in cycles
+  bool at_remeshes = false;  ///< at the end of a block in which a body was meshed anew
   bool every_increment = false;
-  bool last_block = false;      ///< at each increment of the last block of every step
-  bool paraview = true;         ///< false: rows of the surface tables alone
+  bool last_block = false;  ///< at each increment of the last block of every step
+  bool paraview = true;     ///< false: rows of the surface tables alone
 };
 
 struct Output {
@@ -89,12 +89,12 @@ struct Remesh {
 struct Scene {
   std::string title;
   base::Analysis analysis = base::Analysis::plane_strain;
-  double accuracy = 0.0;                               ///< relative, that sizes and jumps left open are for; 0: none
-  cad::GeometryOptions geometry;                       ///< files, bodies, boundaries, fine zones; size 0: left to `accuracy`
+  double accuracy = 0.0;          ///< relative, that sizes and jumps left open are for; 0: none
+  cad::GeometryOptions geometry;  ///< files, bodies, boundaries, fine zones; size 0: left to `accuracy`
   std::map<std::string, material::Material> materials;
-  std::map<std::string, BodyMaterial> body_material;   ///< by body name
+  std::map<std::string, BodyMaterial> body_material;  ///< by body name
   std::vector<contact::ContactOptions> contacts;
-  std::vector<contact::ContactOptions> bonds;          ///< what is joined for good: name and sides alone count
+  std::vector<contact::ContactOptions> bonds;  ///< what is joined for good: name and sides alone count
   std::vector<body::Support> supports;
   std::vector<fem::BoundaryLoad> boundary_loads;
   std::vector<fem::PointLoad> point_loads;
@@ -104,12 +104,12 @@ struct Scene {
   std::vector<Limit> limits;
   Output output;
   Remesh remesh;
-  bool shape = true;         ///< false (shape = "off"): wear stays in the gap
+  bool shape = true;  ///< false (shape = "off"): wear stays in the gap
   int max_newton = 30;
   int max_cutbacks = 8;
 
   // Where the scene came from.
-  std::string name;          ///< file name without .toml, or the folder's name for scene.toml
+  std::string name;  ///< file name without .toml, or the folder's name for scene.toml
   std::string path;
   std::string text;          ///< of the file
   std::string sha256;        ///< over scene, geometry files and profiles

@@ -9,13 +9,15 @@ namespace reye::scene {
 
 namespace {
 
-constexpr double stiffest_MPa = 1e9;         ///< diamond has 1.2e6; a thousand times steel stands for a rigid body in some scenes
-constexpr double most_friction = 3.0;        ///< dry rubber and clean metals stay below it
-constexpr double cutting_mm3_per_J = 1.0;    ///< a lathe takes 0.3 mm^3 of steel off per joule
+constexpr double stiffest_MPa =
+    1e9;  ///< diamond has 1.2e6; a thousand times steel stands for a rigid body in some scenes
+constexpr double most_friction = 3.0;      ///< dry rubber and clean metals stay below it
+constexpr double cutting_mm3_per_J = 1.0;  ///< a lathe takes 0.3 mm^3 of steel off per joule
 constexpr double smallest_mm3_per_J = 1e-12;
-constexpr double largest_per_MPa = 1e-2;     ///< of Archard's law: chalk has less
-constexpr double smallest_per_MPa = 1e-14;   ///< diamond-like coatings have 1e-11
-constexpr double least_motion_mm = 1e-6, smallest_motion_mm = 1e-4;  ///< between them a way is one in metres; a smaller one is meant
+constexpr double largest_per_MPa = 1e-2;    ///< of Archard's law: chalk has less
+constexpr double smallest_per_MPa = 1e-14;  ///< diamond-like coatings have 1e-11
+constexpr double least_motion_mm = 1e-6,
+                 smallest_motion_mm = 1e-4;  ///< between them a way is one in metres; a smaller one is meant
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -28,28 +30,35 @@ void look_at_modulus(const Entry& material, Issues& found) {
   const double E = material.number("E_MPa");
   if (E <= stiffest_MPa) return;
   found.push_back({material.key("E_MPa"), material.written("E_MPa"),
-                   text("no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be %.4g; for a body that does not "
-                        "deform write rigid = true", 1e-6 * E)});
+                   text("no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be %.4g; for a "
+                        "body that does not "
+                        "deform write rigid = true",
+                        1e-6 * E)});
 }
 
 void look_at_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& found) {
   if (contact.friction <= most_friction) return;
   found.push_back({entry.key("friction"), entry.written("friction"),
-                   text("no dry contact has a coefficient of friction above %g; in per cent it would be %.4g", most_friction, contact.friction / 100.0)});
+                   text("no dry contact has a coefficient of friction above %g; in per cent it would be %.4g",
+                        most_friction, contact.friction / 100.0)});
 }
 
 void look_at_coefficients(const Entry& wear, Issues& found) {
   if (!wear.is_table()) return;
-  const auto look = [&](const char* name, double least, double most, const std::string& much, double by, const std::string& small, double up) {
+  const auto look = [&](const char* name, double least, double most, const std::string& much, double by,
+                        const std::string& small, double up) {
     const double value = wear.maybe_number(name).value_or(0.0);
     if (value > most) found.push_back({wear.key(name), wear.written(name), much + text("%.4g", value * by)});
-    if (value > 0.0 && value < least) found.push_back({wear.key(name), wear.written(name), small + text("%.4g", value * up)});
+    if (value > 0.0 && value < least)
+      found.push_back({wear.key(name), wear.written(name), small + text("%.4g", value * up)});
   };
   for (const char* name : {"secondary_mm3_per_J", "primary_mm3_per_J"})
-    look(name, smallest_mm3_per_J, cutting_mm3_per_J, "no wear takes off more than 1 mm^3/J, as metal cutting hardly does; in um^3/mJ it would be ", 1e-6,
+    look(name, smallest_mm3_per_J, cutting_mm3_per_J,
+         "no wear takes off more than 1 mm^3/J, as metal cutting hardly does; in um^3/mJ it would be ", 1e-6,
          "no wear is measured below 1e-12 mm^3/J; in m^3/J it would be ", 1e9);
   for (const char* name : {"secondary_per_MPa", "primary_per_MPa"})
-    look(name, smallest_per_MPa, largest_per_MPa, "no wear takes off more than 0.01 of the sliding distance per MPa; in 1e-6 mm^3/(N m) it would be ", 1e-9,
+    look(name, smallest_per_MPa, largest_per_MPa,
+         "no wear takes off more than 0.01 of the sliding distance per MPa; in 1e-6 mm^3/(N m) it would be ", 1e-9,
          "no wear is measured below 1e-14 1/MPa; in 1/Pa it would be ", 1e6);
 }
 
@@ -59,7 +68,8 @@ void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
       const double way = part.number("motion_mm"), most = std::abs(way) * largest_factor(scene, part.text("history"));
       if (most < least_motion_mm || most >= smallest_motion_mm) continue;
       found.push_back({part.key("motion_mm"), part.written("motion_mm"),
-                       text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g", most, way * 1e3)});
+                       text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g",
+                            most, way * 1e3)});
     }
   }
 }
@@ -67,7 +77,8 @@ void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
 void look_at_jump(const Entry& step, Issues& found) {
   const double cycles = step.number("cycles"), jump = step.maybe_number("jump").value_or(1.0);
   if (cycles == 0.0 || jump <= cycles) return;
-  found.push_back({step.key("jump"), step.written("jump"), text("is more than cycles = %g: the step is one block of %g cycles", cycles, cycles)});
+  found.push_back({step.key("jump"), step.written("jump"),
+                   text("is more than cycles = %g: the step is one block of %g cycles", cycles, cycles)});
 }
 
 }  // namespace

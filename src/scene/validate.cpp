@@ -70,17 +70,20 @@ void check_period(const Entry& step, const Scene& scene, Issues& issues) {
   if (!step.flag("wear") || step.given("period_s")) return;
   for (const auto& contact : scene.contacts)
     if (contact.wear.wears() && contact.wear.speed_exponent != 0.0) {
-      issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" wears with a speed_exponent"});
+      issues.push_back(
+          {step.key("period_s"), "", "missing; contact \"" + contact.name + "\" wears with a speed_exponent"});
       return;
     }
 }
 
-/// True when a history that rises by this much in a cycle turns bodies by whole turns or is a way to slide, and moves nothing else.
+/// True when a history that rises by this much in a cycle turns bodies by whole turns or is a way to slide, and moves
+/// nothing else.
 bool may_go_on(const Scene& scene, const std::string& history, double rise) {
   bool goes_on = false;
   const auto driven = [&](const base::Part& part) { return part.history == history; };
   const auto any_driven = [&](const base::Parts& parts) { return std::any_of(parts.begin(), parts.end(), driven); };
-  for (const auto& contact : scene.contacts) goes_on = goes_on || any_driven(contact.imposed_sliding) || any_driven(contact.imposed_turn);
+  for (const auto& contact : scene.contacts)
+    goes_on = goes_on || any_driven(contact.imposed_sliding) || any_driven(contact.imposed_turn);
   const auto whole = [&](double angle_rad) {
     constexpr double small = 1e-6;
     const double count = angle_rad * rise / (2.0 * std::numbers::pi);
@@ -100,19 +103,23 @@ bool may_go_on(const Scene& scene, const std::string& history, double rise) {
   return goes_on && !loads(scene.boundary_loads) && !loads(scene.point_loads) && !loads(scene.body_forces);
 }
 
-/// A cycle ends where it began, but for whole turns: the jump back to its start would be played inside the next one's first
-/// increment, once in a block of many cycles.
+/// A cycle ends where it began, but for whole turns: the jump back to its start would be played inside the next one's
+/// first increment, once in a block of many cycles.
 void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
   if (step.number("cycles") <= 1.0 || !step.flag("wear")) return;
   for (const auto& name : step.texts("play")) {
     const auto found = scene.histories.find(name);
     if (found == scene.histories.end() || found->second.empty()) continue;
-    const auto factor = [](double v) { std::ostringstream text; text << v; return text.str(); };
+    const auto factor = [](double v) {
+      std::ostringstream text;
+      text << v;
+      return text.str();
+    };
     const double start = found->second.front()[1], end = found->second.back()[1];
     if (start != end && !may_go_on(scene, name, end - start))
       issues.push_back({step.key("play"), step.written("play"),
-                        "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " + factor(start) +
-                            "; give it the way back: a last corner [1, " + factor(start) + "]"});
+                        "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " +
+                            factor(start) + "; give it the way back: a last corner [1, " + factor(start) + "]"});
   }
 }
 
@@ -136,8 +143,9 @@ void check_kinematics(const Entry& root, const Scene& scene, Issues& issues) {
     if (found == scene.materials.end() || body.text("kinematics") != "finite") continue;
     if (std::holds_alternative<material::LinearElastic>(found->second))
       issues.push_back({body.key("kinematics"), body.written("kinematics"),
-                        "material \"" + found->first + "\" is linear_elastic, a law of small strain; the same E_MPa and nu "
-                        "serve hencky, neo_hookean and st_venant_kirchhoff"});
+                        "material \"" + found->first +
+                            "\" is linear_elastic, a law of small strain; the same E_MPa and nu "
+                            "serve hencky, neo_hookean and st_venant_kirchhoff"});
   }
 }
 
@@ -157,7 +165,8 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
 std::string no_band_rule(const Scene& scene) {
   for (const auto& contact : scene.contacts) {
     if (contact.wear.threshold > 0.0) return "contact \"" + contact.name + "\" has a threshold of wear";
-    if (!contact.friction_over_cycles.empty()) return "the friction of contact \"" + contact.name + "\" changes over the cycles";
+    if (!contact.friction_over_cycles.empty())
+      return "the friction of contact \"" + contact.name + "\" changes over the cycles";
   }
   for (const auto& [name, material] : scene.materials)
     if (std::holds_alternative<material::HenckyJ2>(material)) return "material \"" + name + "\" flows, cycle by cycle";

@@ -12,7 +12,8 @@ void validate(const Entry& root, const Scene& scene, Issues& issues);
 /// Contacts as a whole: sides on two bodies, a secondary side that can deform, no ring.
 void validate_contacts(const Entry& root, const Scene& scene, Issues& issues);
 
-/// Values that nothing has in the unit of their key, with what they would be in the unit that was meant; a jump beyond its step.
+/// Values that nothing has in the unit of their key, with what they would be in the unit that was meant; a jump beyond
+/// its step.
 void suspicious_values(const Entry& root, const Scene& scene, Issues& found);
 
 /// What is suspicious but no error.

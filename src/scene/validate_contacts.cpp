@@ -36,18 +36,22 @@ void check_bodies(const Entry& entry, const Scene& scene, const contact::Contact
                         "\"" + edge + "\" lies on the body of the secondary side, \"" + secondary->name + "\""});
 }
 
-/// What is bonded carries traction everywhere: such an edge is secondary once. Contacts may share one, each against other edges.
-void check_shared_secondary(const std::vector<Entry>& entries, const std::vector<contact::ContactOptions>& joints, Issues& issues) {
+/// What is bonded carries traction everywhere: such an edge is secondary once. Contacts may share one, each against
+/// other edges.
+void check_shared_secondary(const std::vector<Entry>& entries, const std::vector<contact::ContactOptions>& joints,
+                            Issues& issues) {
   const auto kind = [&](std::size_t i) { return std::string(joints[i].bonded ? "bond" : "contact"); };
   const auto named = [&](std::size_t i) { return kind(i) + " \"" + joints[i].name + '"'; };
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (joints[i].secondary.empty() || joints[i].secondary != joints[j].secondary) continue;
       const auto& mine = joints[i].primary;
-      const auto both = std::find_first_of(mine.begin(), mine.end(), joints[j].primary.begin(), joints[j].primary.end());
+      const auto both =
+          std::find_first_of(mine.begin(), mine.end(), joints[j].primary.begin(), joints[j].primary.end());
       if (joints[i].bonded && joints[j].bonded)
-        issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
-                          "is already the secondary side of " + named(j) + "; give one bond all its primary boundaries"});
+        issues.push_back(
+            {entries[i].key("secondary"), entries[i].written("secondary"),
+             "is already the secondary side of " + named(j) + "; give one bond all its primary boundaries"});
       else if (joints[i].bonded || joints[j].bonded)
         issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
                           "is already the secondary side of " + named(j) + ", and what is bonded meets nothing else"});

@@ -79,8 +79,8 @@ Pilot piloted(const scene::Scene& scene) {
     best = {n, error, n * std::max(1.0, finer)};
   }
   if (best.elements > 0.0) return best;
-  refuse(scene, text("a pilot run on %g elements per half width of the fine zones tells no error: ", last_elements) +
-                    reason);
+  refuse(scene,
+         text("a pilot run on %g elements per half width of the fine zones tells no error: ", last_elements) + reason);
 }
 
 /// The sizes chosen, as the scene could say them.
@@ -102,8 +102,10 @@ std::vector<std::string> choose_sizes(scene::Scene& scene, Cache& cache) {
   const double start = cpu_seconds();
   const Pilot pilot = piloted(scene);
   const scene::Scene chosen = with_elements(scene, pilot.suited);
-  const auto told = text("with %g elements per half width of the fine zones the estimated error is %.2g %% and falls "
-                         "with size^%g; ", pilot.elements, 100.0 * *pilot.error.surface, pilot.error.order) +
+  const auto told = text(
+                        "with %g elements per half width of the fine zones the estimated error is %.2g %% and falls "
+                        "with size^%g; ",
+                        pilot.elements, 100.0 * *pilot.error.surface, pilot.error.order) +
                     text("%.0f elements suit the accuracy: ", pilot.suited) + sizes(scene, chosen);
   if (pilot.suited > most_elements) refuse(scene, told + text("; more than %g are not chosen", most_elements));
   scene = chosen;

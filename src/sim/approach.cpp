@@ -23,7 +23,8 @@ Vector translation(const Problem& problem, const solver::System& system, int b, 
       [&](const auto& o) {
         for (int k = 0; k < static_cast<int>(o.contact_nodes().size()); ++k) {
           const auto p = o.position(k, zero);
-          for (int i = p.count - o.freedom(k).free; i < p.count; ++i) t[p.terms[i].column] = p.terms[i].direction.dot(d);
+          for (int i = p.count - o.freedom(k).free; i < p.count; ++i)
+            t[p.terms[i].column] = p.terms[i].direction.dot(d);
         }
         for (const auto& column : o.support_columns()) t[column.column] = column.direction.dot(d);
       },
@@ -51,7 +52,8 @@ double peak_factor(const Problem& problem, const scene::Step& step, const std::s
 }
 
 const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
-  return std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
+  return std::visit(
+      [](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
 const body::Motion& motion_of(const Problem& problem, int b, const body::SupportColumn& column) {
@@ -60,15 +62,19 @@ const body::Motion& motion_of(const Problem& problem, int b, const body::Support
 }
 
 /// Force that drives body b along d: loaded support motions and loads at their peaks in a step.
-double driving_force(const Problem& problem, const scene::Step& step, const solver::System& system, int b, const Vec2& d) {
+double driving_force(const Problem& problem, const scene::Step& step, const solver::System& system, int b,
+                     const Vec2& d) {
   double force = 0.0;
   const auto& op = system.bodies[b];
   for (const auto& column : support_columns(op))
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
-      for (const auto& part : m.parts) force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
-  const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, op);
+      for (const auto& part : m.parts)
+        force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
+  const auto& loads = std::visit(
+      [](const auto& o) -> const auto& { return o.loads(); }, op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
-  for (std::size_t i = 0; i < loads.size(); ++i) factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
   const Vector t = translation(problem, system, b, d), zero = Vector::Zero(t.size());
   const auto at_rest = [&](const auto& o) -> Vector {
     if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
@@ -88,7 +94,8 @@ Vector interior_of(const body::Operator& op, const Vector& t) {
 }
 
 /// Distance that body b can move along d until the first covered secondary node of its contacts meets.
-std::optional<double> free_way(const Problem& problem, const solver::System& system, const State& state, int b, const Vec2& d) {
+std::optional<double> free_way(const Problem& problem, const solver::System& system, const State& state, int b,
+                               const Vec2& d) {
   std::optional<double> way;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];

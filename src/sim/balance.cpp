@@ -26,7 +26,8 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
 double pressure_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried) {
   double difference = 0.0, all = 0.0;
   for (std::size_t j = 0; j < carried.normal.size(); ++j) {
-    const double A = setup.secondary.area[j], before = carried.normal[j] / A, now = state.lambda[j].dot(state.normal[j]);
+    const double A = setup.secondary.area[j], before = carried.normal[j] / A,
+                 now = state.lambda[j].dot(state.normal[j]);
     difference += A * (now - before) * (now - before);
     all += A * before * before;
   }

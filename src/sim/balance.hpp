@@ -10,8 +10,8 @@ namespace reye::sim {
 
 /// What the equilibria before and after a remesh are compared by.
 struct Balance {
-  std::vector<Vec2> force;        ///< on the secondary side of each contact
-  std::vector<double> energy;     ///< strain energy of each body [mJ per mm; mJ]
+  std::vector<Vec2> force;     ///< on the secondary side of each contact
+  std::vector<double> energy;  ///< strain energy of each body [mJ per mm; mJ]
 };
 
 Balance balance_of(const Problem& problem, const State& state, const solver::System& system);
@@ -19,7 +19,8 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
 /// Root mean square over the contact of p - p0, over that of p0; p0 the pressures that were carried over.
 double pressure_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried);
 
-/// Largest |p - p0| over the largest p0, without the outermost twentieth of the loaded nodes at either end of each run of them.
+/// Largest |p - p0| over the largest p0, without the outermost twentieth of the loaded nodes at either end of each run
+/// of them.
 double peak_jump(const contact::Setup& setup, const contact::ContactState& state, const HeldTraction& carried);
 
 }  // namespace reye::sim

@@ -1,9 +1,9 @@
 #include "sim/block.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 #include "sim/approach.hpp"
 #include "sim/bond_traction.hpp"
@@ -71,7 +71,8 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
 }
 
 /// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
-std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to, int depth) {
+std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to,
+                 int depth) {
   const auto& [span, observer, held, in_history, last_length, newton, played] = block;
   const auto& system = timed_system(problem, state, cache);
   const auto factors = factors_at(problem.scene, *span.step, to, held);
@@ -166,7 +167,8 @@ void begin_state(const Problem& problem, State& state, Cache& cache) {
   state.solution.q = state.solution.q_low = Vector::Zero(system.dofs);
   state.solution.interiors.assign(system.bodies.size(), {});
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
-    if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b])) state.solution.interiors[b] = body->start();
+    if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]))
+      state.solution.interiors[b] = body->start();
   state.solution.contacts.clear();
   for (const auto& setup : system.contacts) state.solution.contacts.push_back(contact::fresh_state(setup));
   approach(problem, state, system);
@@ -174,7 +176,8 @@ void begin_state(const Problem& problem, State& state, Cache& cache) {
   for (char rigid : problem.rigid) state.counts.factorisations += rigid ? 0 : 1;
 }
 
-Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span,
+                        const Observer& observer) {
   const auto& output = problem.scene.output;
   Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
   cache.newton.reset();
@@ -182,7 +185,8 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
   const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
   double from = 0.0;
   if (span.cycles && state.step_cycles == 0.0 && factors_at(problem.scene, *span.step, 0.0, block.held) != block.held)
-    if (const auto failure = play(problem, state, cache, block, 0.0, 0.0, 0); !failure.empty()) return {std::move(state), failure, false};
+    if (const auto failure = play(problem, state, cache, block, 0.0, 0.0, 0); !failure.empty())
+      return {std::move(state), failure, false};
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
@@ -217,7 +221,8 @@ Outcome end_block(const Problem& problem, State state, Cache& cache, const Block
   return outcome;
 }
 
-Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+                   const Observer& observer) {
   Outcome outcome = play_increments(problem, state, cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   return end_block(problem, std::move(outcome.state), cache, span, observer);

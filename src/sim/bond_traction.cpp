@@ -11,8 +11,8 @@ namespace reye::sim {
 
 namespace {
 
-/// Rows of a table that are within two facets of a free end of what is bonded: neither on a line of symmetry, which a support
-/// holds, nor where a ring closes.
+/// Rows of a table that are within two facets of a free end of what is bonded: neither on a line of symmetry, which a
+/// support holds, nor where a ring closes.
 std::vector<char> rows_at_ends(const contact::Setup& setup, const SurfaceRecord& s) {
   std::set<int> held;
   for (int j = 0; j < setup.secondary_count(); ++j)
@@ -66,12 +66,14 @@ BondTraction bond_traction(const contact::Setup& setup, const SurfaceRecord& s, 
   return {peak(s, at_end, cycle, tension), peak(s, at_end, cycle, shear), mean(s, tension), mean(s, shear)};
 }
 
-std::vector<BondTraction> bond_tractions(const Problem& problem, const State& state, const solver::System& system, double cycle) {
+std::vector<BondTraction> bond_tractions(const Problem& problem, const State& state, const solver::System& system,
+                                         double cycle) {
   std::vector<BondTraction> all;
   for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
     const auto c = problem.contacts.size() + b;
     const auto& setup = system.contacts[c];
-    all.push_back(bond_traction(setup, surface_records(setup, state.solution.contacts[c], state.shapes, problem.bonds[b])[0], cycle));
+    all.push_back(bond_traction(
+        setup, surface_records(setup, state.solution.contacts[c], state.shapes, problem.bonds[b])[0], cycle));
   }
   return all;
 }

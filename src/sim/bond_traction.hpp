@@ -10,7 +10,8 @@ namespace reye::sim {
 BondTraction bond_traction(const contact::Setup& setup, const SurfaceRecord& surface, double cycle);
 
 /// Of every bond, in the state.
-std::vector<BondTraction> bond_tractions(const Problem& problem, const State& state, const solver::System& system, double cycle);
+std::vector<BondTraction> bond_tractions(const Problem& problem, const State& state, const solver::System& system,
+                                         double cycle);
 
 /// Keeps the largest in `State::bonds`, at the end of an accepted increment.
 void watch_bonds(State& state, const std::vector<BondTraction>& now);

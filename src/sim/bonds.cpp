@@ -33,8 +33,10 @@ std::string why_unbonded(const contact::Setup& setup) {
   if (worst < 0) return {};
   char text[240];
   const Vec2& x = setup.secondary.X[worst];
-  std::snprintf(text, sizeof text, "its sides are %.3g mm apart at (%.4g, %.4g) mm, where facets are %.3g mm long; a bond joins what "
-                "lies on one another: draw the sides so, or make it a contact", largest, x.x(), x.y(), setup.length[worst]);
+  std::snprintf(text, sizeof text,
+                "its sides are %.3g mm apart at (%.4g, %.4g) mm, where facets are %.3g mm long; a bond joins what "
+                "lies on one another: draw the sides so, or make it a contact",
+                largest, x.x(), x.y(), setup.length[worst]);
   return text;
 }
 

@@ -4,7 +4,8 @@
 
 namespace reye::sim {
 
-mortar::Surface surface_of(const contact::BoundaryRef& ref, base::Analysis analysis, const std::vector<body::ShapePtr>& shapes) {
+mortar::Surface surface_of(const contact::BoundaryRef& ref, base::Analysis analysis,
+                           const std::vector<body::ShapePtr>& shapes) {
   const auto& mesh = shapes[ref.body]->mesh;
   std::vector<int> nodes;
   return mortar::make_surface(mesh.X, mesh.boundaries.at(ref.boundary), analysis, nodes, mesh::order(mesh.kind));
@@ -21,13 +22,15 @@ std::vector<double> column(std::size_t count, Get get) {
   return values;
 }
 
-std::vector<double> carry_volume(const mortar::Surface& from, const std::vector<double>& volume, const mortar::Surface& to) {
+std::vector<double> carry_volume(const mortar::Surface& from, const std::vector<double>& volume,
+                                 const mortar::Surface& to) {
   return adapt::carry(from, {{"removed volume", SurfaceKind::summed, volume}}, to).fields[0].values;
 }
 
 /// Volumes at the nodes of a primary side, part by part.
-std::vector<double> carry_parts(const PlacedContact& placed, base::Analysis analysis, const std::vector<body::ShapePtr>& from,
-                                const std::vector<body::ShapePtr>& to, const std::vector<double>& volume) {
+std::vector<double> carry_parts(const PlacedContact& placed, base::Analysis analysis,
+                                const std::vector<body::ShapePtr>& from, const std::vector<body::ShapePtr>& to,
+                                const std::vector<double>& volume) {
   std::vector<double> carried;
   auto first = volume.begin();
   for (const auto& ref : placed.primary) {
@@ -41,20 +44,22 @@ std::vector<double> carry_parts(const PlacedContact& placed, base::Analysis anal
   return carried;
 }
 
-void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, contact::ContactState& s, HeldTraction& held) {
+void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, contact::ContactState& s,
+                     HeldTraction& held) {
   if (!s.others_secondary.empty()) s.others_secondary = carry_volume(from, s.others_secondary, to);
   const std::size_t n = s.lambda.size();
-  auto fields = adapt::carry(from,
-                             {{"normal force", SurfaceKind::summed, held.normal},
-                              {"tangential force", SurfaceKind::summed, held.tangential},
-                              {"removed volume", SurfaceKind::summed, s.removed_secondary},
-                              {"frictional work", SurfaceKind::summed, s.energy_secondary},
-                              {"slip", SurfaceKind::interpolated, s.slip},
-                              {"normal x", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].x(); })},
-                              {"normal y", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].y(); })},
-                              {"status", SurfaceKind::nearest, column(n, [&](auto j) { return double(s.status[j]); })}},
-                             to)
-                    .fields;
+  auto fields =
+      adapt::carry(from,
+                   {{"normal force", SurfaceKind::summed, held.normal},
+                    {"tangential force", SurfaceKind::summed, held.tangential},
+                    {"removed volume", SurfaceKind::summed, s.removed_secondary},
+                    {"frictional work", SurfaceKind::summed, s.energy_secondary},
+                    {"slip", SurfaceKind::interpolated, s.slip},
+                    {"normal x", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].x(); })},
+                    {"normal y", SurfaceKind::interpolated, column(n, [&](auto j) { return s.normal[j].y(); })},
+                    {"status", SurfaceKind::nearest, column(n, [&](auto j) { return double(s.status[j]); })}},
+                   to)
+          .fields;
   held.normal = std::move(fields[0].values);
   held.tangential = std::move(fields[1].values);
   s.removed_secondary = std::move(fields[2].values);
@@ -81,11 +86,14 @@ void carry_contact(const PlacedContact& placed, base::Analysis analysis, const s
                    const std::vector<body::ShapePtr>& to, contact::ContactState& state, HeldTraction& held) {
   const auto fresh = [&](const contact::BoundaryRef& ref) { return from[ref.body] != to[ref.body]; };
   bool any = fresh(placed.secondary);
-  if (any) carry_secondary(surface_of(placed.secondary, analysis, from), surface_of(placed.secondary, analysis, to), state, held);
+  if (any)
+    carry_secondary(surface_of(placed.secondary, analysis, from), surface_of(placed.secondary, analysis, to), state,
+                    held);
   for (const auto& ref : placed.primary) any = any || fresh(ref);
   if (!any) return;
   state.removed_primary = carry_parts(placed, analysis, from, to, state.removed_primary);
-  if (!state.others_primary.empty()) state.others_primary = carry_parts(placed, analysis, from, to, state.others_primary);
+  if (!state.others_primary.empty())
+    state.others_primary = carry_parts(placed, analysis, from, to, state.others_primary);
   state.pending_primary.assign(state.removed_primary.size(), 0.0);
   state.reference.assign(state.lambda.size(), contact::MortarRow{});
 }

@@ -36,7 +36,9 @@ SideShift side_of(const mortar::Surface& surface, const Values& removed, double 
   side.by.assign(n, 0.0);
   side.free.assign(n, 0.0);
   if (coefficient == 0.0) return side;
-  const auto depth = [&](int k) { return removed[static_cast<std::size_t>(k)] / surface.area[static_cast<std::size_t>(k)]; };
+  const auto depth = [&](int k) {
+    return removed[static_cast<std::size_t>(k)] / surface.area[static_cast<std::size_t>(k)];
+  };
   for (const auto& facet : surface.facets)
     for (int k : facet)
       for (int beside : facet)
@@ -103,8 +105,8 @@ contact::Interface meeting(const contact::Setup& setup, const contact::ContactSt
   return face;
 }
 
-/// The direction in which the secondary is pressed, the axis in axisymmetry; zero where the contact goes round the body, so that
-/// all nodes count alike.
+/// The direction in which the secondary is pressed, the axis in axisymmetry; zero where the contact goes round the
+/// body, so that all nodes count alike.
 Vec2 pressed_along(const contact::Interface& face, const HeldTraction& held) {
   Vec2 load = Vec2::Zero();
   double all = 0.0;
@@ -118,9 +120,10 @@ Vec2 pressed_along(const contact::Interface& face, const HeldTraction& held) {
   return load.norm() > least * all ? Vec2(load.normalized()) : Vec2(Vec2::Zero());
 }
 
-/// By how much the gap of each secondary node closes when its side goes along e as a whole, per length: n . e, but beside a
-/// corner, where n is not that of the facets it meets.
-Values closed_by(const Vec2& e, const contact::Interface& face, const contact::ContactState& contact, solver::Sides at) {
+/// By how much the gap of each secondary node closes when its side goes along e as a whole, per length: n . e, but
+/// beside a corner, where n is not that of the facets it meets.
+Values closed_by(const Vec2& e, const contact::Interface& face, const contact::ContactState& contact,
+                 solver::Sides at) {
   const auto& setup = face.setup();
   double length = 0.0;
   for (double A : setup.secondary.area) length = std::max(length, A);
@@ -147,7 +150,8 @@ void bring_together(Gaps& c) {
   for (std::size_t j = 0; j < c.rows.size(); ++j) c.gap[j] -= apart / closed * c.rows[j].carried() * c.rates[j];
 }
 
-/// What content may be given back by: under the contact a motion of the whole side against its load, which costs no pressure.
+/// What content may be given back by: under the contact a motion of the whole side against its load, which costs no
+/// pressure.
 void free_motion(Gaps& c) {
   Values met(c.primary.by.size(), 0.0), sum = met;
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
@@ -177,7 +181,8 @@ std::vector<std::vector<int>> lines(const mortar::Surface& surface) {
   return all;
 }
 
-/// Beyond its ends a motion goes on for a facet, so that what is open beside it stays as open, and fades out over two more.
+/// Beyond its ends a motion goes on for a facet, so that what is open beside it stays as open, and fades out over two
+/// more.
 void fade_out(const mortar::Surface& surface, SideShift& side) {
   const int whole = surface.order, reach = 3 * surface.order;
   for (const auto& line : lines(surface))

@@ -8,7 +8,7 @@ namespace reye::sim {
 
 /// One side of a contact: what its nodes have lost, where tractions act, and how far the nodes go outwards.
 struct SideShift {
-  std::vector<double> room;              ///< no node goes farther: what it, or a node beside it, has lost
+  std::vector<double> room;  ///< no node goes farther: what it, or a node beside it, has lost
   std::vector<char> loaded;
   std::vector<double> by, free;
 };
@@ -20,8 +20,8 @@ struct Closing {
   double moved_mm = 0.0;  ///< farthest move
 };
 
-/// Moves of the worn nodes of a contact, in its state `contact`, that close the gaps at the positions `at`, where the tractions
-/// `held` are in equilibrium.   (README, 5)
+/// Moves of the worn nodes of a contact, in its state `contact`, that close the gaps at the positions `at`, where the
+/// tractions `held` are in equilibrium.   (README, 5)
 Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
                    const HeldTraction& held);
 

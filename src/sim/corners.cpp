@@ -42,7 +42,8 @@ double angle_between(const Vec2& a, const Vec2& b) {
 /// The normal of a facet at one of its nodes.
 Vec2 normal_at(const mortar::Surface& s, int facet, int end) {
   const auto& [a, b, c] = s.facets[facet];
-  return end == 0 ? mesh::outward_normal(s.X[a], s.X[s.beside(facet, 0)]) : mesh::outward_normal(s.X[s.beside(facet, 1)], s.X[b]);
+  return end == 0 ? mesh::outward_normal(s.X[a], s.X[s.beside(facet, 0)])
+                  : mesh::outward_normal(s.X[s.beside(facet, 1)], s.X[b]);
 }
 
 /// Whether the corner at a node points out of the body and neither of its facets faces a normal.
@@ -71,8 +72,10 @@ std::vector<base::Issue> corner_issues(const Problem& problem, const solver::Sys
       const auto opposite = nearest(setup.primary, setup.primary.X, s.X[j]);
       if (opposite.distance > first + 0.5 * setup.length[j] || !pokes(s, j, opposite.normal)) continue;
       char text[200];
-      std::snprintf(text, sizeof text, "its corner at (%.4g, %.4g) mm is what touches, and the forces of a corner have no "
-                    "direction of their own; %s", s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
+      std::snprintf(text, sizeof text,
+                    "its corner at (%.4g, %.4g) mm is what touches, and the forces of a corner have no "
+                    "direction of their own; %s",
+                    s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
       issues.push_back({"contact." + setup.options.name + ".secondary", '"' + setup.options.secondary + '"', text});
       break;
     }
@@ -93,13 +96,15 @@ std::optional<Warning> corner_warning(const contact::Setup& setup, const contact
   for (int j = 0; j < s.node_count(); ++j) {
     const double share = load[j] / all;
     if (!s.corner[j] || !(share > worth_a_word) || (worst && share <= worst->severity)) continue;
-    const double angle = angle_between(state.normal[j], -nearest(setup.primary, sides.primary, sides.secondary[j]).normal);
+    const double angle =
+        angle_between(state.normal[j], -nearest(setup.primary, sides.primary, sides.secondary[j]).normal);
     if (angle <= faced) continue;
     char text[320];
-    std::snprintf(text, sizeof text,
-                  "a corner of its secondary side, at (%.4g, %.4g) mm, carries %.2g %% of its normal load along a normal %.2g "
-                  "degrees off the surface opposite: its force may leave the cone of friction; swap the sides, or round it",
-                  sides.secondary[j].x(), sides.secondary[j].y(), 100.0 * share, angle * 180.0 / std::numbers::pi);
+    std::snprintf(
+        text, sizeof text,
+        "a corner of its secondary side, at (%.4g, %.4g) mm, carries %.2g %% of its normal load along a normal %.2g "
+        "degrees off the surface opposite: its force may leave the cone of friction; swap the sides, or round it",
+        sides.secondary[j].x(), sides.secondary[j].y(), 100.0 * share, angle * 180.0 / std::numbers::pi);
     worst = Warning{"corner", "contact " + setup.options.name, text, share};
   }
   return worst;
@@ -112,7 +117,8 @@ std::vector<Warning> corner_warnings(const solver::System& system, const State& 
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     if (setup.options.bonded || !has_corners(setup.secondary)) continue;
-    auto warning = corner_warning(setup, state.solution.contacts[c], solver::positions(system, setup, state.solution.q));
+    auto warning =
+        corner_warning(setup, state.solution.contacts[c], solver::positions(system, setup, state.solution.q));
     if (warning) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -4,8 +4,8 @@
 #include "sim/records.hpp"
 #include "sim/state.hpp"
 
-/// Sharp corners on secondary sides: their multiplier acts along the normal of one of the two facets, which the other side
-/// need not face.
+/// Sharp corners on secondary sides: their multiplier acts along the normal of one of the two facets, which the other
+/// side need not face.
 namespace reye::sim {
 
 /// Contacts whose secondary side touches first with a corner that neither of its facets faces: refused, with the cure.

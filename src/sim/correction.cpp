@@ -115,7 +115,8 @@ struct Corrections {
   std::vector<double> secondary, primary, energy;
 };
 
-std::optional<Corrections> corrections(const solver::System& system, const Twice& t, const State& halves, std::size_t c) {
+std::optional<Corrections> corrections(const solver::System& system, const Twice& t, const State& halves,
+                                       std::size_t c) {
   const auto passed = passed_nodes(t, halves, c);
   const auto& setup = system.contacts[c];
   const auto secondary = secondary_plays(t, halves, c), primary = primary_plays(t, halves, c);
@@ -131,8 +132,8 @@ std::optional<Corrections> corrections(const solver::System& system, const Twice
   return possible ? std::optional(std::move(result)) : std::nullopt;
 }
 
-double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted, const std::vector<double>& once,
-                       const std::vector<double>& halves) {
+double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted,
+                       const std::vector<double>& once, const std::vector<double>& halves) {
   const double volume = sum(halves), depth = deepest(surface, halves);
   if (volume <= 0.0) return 0.0;
   double apart = 0.0;
@@ -175,7 +176,9 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
       return corrected ? trust(surface, flags) : std::vector<double>(flags.size(), 0.0);
     };
     difference = std::max(
-        {difference, side_difference(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary, b.removed_secondary),
+        {difference,
+         side_difference(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary,
+                         b.removed_secondary),
          side_difference(setup.primary, trusted(setup.primary, passed[1]), a.removed_primary, b.removed_primary)});
   }
   return difference;

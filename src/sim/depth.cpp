@@ -26,8 +26,8 @@ void measure(const Problem& problem, const State& state, const contact::Boundary
              const double* others, double* removed) {
   const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
   const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
-  // A remesh divides an arc into other chords and keeps the content under them: nodes lie about a sagitta off the worn curve.
-  // Wear that is not much deeper is told by the volume removed at each node.
+  // A remesh divides an arc into other chords and keeps the content under them: nodes lie about a sagitta off the worn
+  // curve. Wear that is not much deeper is told by the volume removed at each node.
   constexpr double sagittas = 20.0;
   double facets = 0.0, deepest = 0.0;
   for (std::size_t k = 0; k < depth.size(); ++k) {
@@ -37,7 +37,8 @@ void measure(const Problem& problem, const State& state, const contact::Boundary
   }
   if (deepest < sagittas * facets) return;
   for (std::size_t k = 0; k < depth.size(); ++k)
-    if (removed[k] > 0.0) removed[k] = std::max(depth[k] * surface.area[k] - (others ? others[k] : 0.0), 0.0) + pending[k];
+    if (removed[k] > 0.0)
+      removed[k] = std::max(depth[k] * surface.area[k] - (others ? others[k] : 0.0), 0.0) + pending[k];
 }
 
 }  // namespace
@@ -51,8 +52,8 @@ void measure_depths(const Problem& problem, State& state) {
     auto& contact = state.solution.contacts[c];
     const auto& law = placed.options.wear;
     if (law.wears() && law.secondary > 0.0)
-      measure(problem, state, placed.secondary, contact.pending_secondary.data(), of_others(contact.others_secondary, 0),
-              contact.removed_secondary.data());
+      measure(problem, state, placed.secondary, contact.pending_secondary.data(),
+              of_others(contact.others_secondary, 0), contact.removed_secondary.data());
     std::size_t first = 0;
     for (const auto& ref : placed.primary) {
       if (law.wears() && law.primary > 0.0)

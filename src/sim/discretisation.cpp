@@ -22,8 +22,8 @@ namespace {
 
 constexpr double coarsening = 2.0;
 /// Powers of the element size that the errors fall with: tractions have a root at the edge of contact, worn profiles
-/// are smooth but for a corner at the end (measured in `results/time_against_error`, `results/mesh_error`); with an edge
-/// of stick, which is found to one node, their error falls with it (`results/partial_slip_life`).
+/// are smooth but for a corner at the end (measured in `results/time_against_error`, `results/mesh_error`); with an
+/// edge of stick, which is found to one node, their error falls with it (`results/partial_slip_life`).
 constexpr double traction_order = 1.0, wear_order = 2.0, stick_order = 1.0;
 constexpr double margin = 3.0;  ///< elements that a zone keeps free at each end
 

@@ -8,8 +8,9 @@
 /// How far a run may be from one on a mesh without end.
 namespace reye::sim {
 
-/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch, its
-/// kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends (`leaves_zone`).
+/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch,
+/// its kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends
+/// (`leaves_zone`).
 scene::Scene coarser(const Problem& problem, const State& state);
 
 /// How far apart the ends of a run are on two meshes, the largest of all contacts; a point of one mesh is compared with

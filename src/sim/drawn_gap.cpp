@@ -1,9 +1,9 @@
 #include "sim/drawn_gap.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <Eigen/Geometry>
 #include <limits>
 #include <tuple>
 
@@ -16,11 +16,12 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double at_once = 0.05;       ///< of the facet that a node lies behind: less is closed in one increment, and facets of
-                                       ///< drawn curves that touch lie so deep in one another
-constexpr double touching = 1e-4;      ///< of a facet: less is rounding of the drawing
-constexpr double facing = 0.1;         ///< cosine between two facets, as the integrals have it
-constexpr double other_surface = 3.0;  ///< a node so many times nearer to the rest of the outline has not come in by this side
+constexpr double at_once = 0.05;  ///< of the facet that a node lies behind: less is closed in one increment, and facets
+                                  ///< of drawn curves that touch lie so deep in one another
+constexpr double touching = 1e-4;  ///< of a facet: less is rounding of the drawing
+constexpr double facing = 0.1;     ///< cosine between two facets, as the integrals have it
+constexpr double other_surface =
+    3.0;  ///< a node so many times nearer to the rest of the outline has not come in by this side
 constexpr double deepest = 1.0 / 3.0;  ///< of a body: no fit is drawn deeper
 constexpr int own_increments = 10;     ///< of the step that lets overlaps in before cycles
 
@@ -57,7 +58,8 @@ struct Patch {
     if (!box.contains(x)) return false;
     bool inside = false;
     for (const auto& [a, b] : outline)
-      if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (b.x() - a.x()) * (x.y() - a.y()) / (b.y() - a.y())) inside = !inside;
+      if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (b.x() - a.x()) * (x.y() - a.y()) / (b.y() - a.y()))
+        inside = !inside;
     return inside;
   }
 };
@@ -90,7 +92,8 @@ void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
       if (piece.faces(facet) && (!behind || facet.distance(x) < behind->distance(x))) behind = &facet;
     if (!behind) return;
     const double depth = behind->distance(x), facet = behind->along().norm();
-    if (depth <= std::max(drawn.overlap_mm, touching * facet) || depth > other_surface * nearest(other.outline, x)) return;
+    if (depth <= std::max(drawn.overlap_mm, touching * facet) || depth > other_surface * nearest(other.outline, x))
+      return;
     drawn = {0.0, depth, x, mesh::outward_normal(behind->a, behind->b), drawn.primary, depth > at_once * facet};
   };
   for (const Piece& piece : own.pieces) {
@@ -115,16 +118,19 @@ std::string why_no_fit(const Problem& problem, const PlacedContact& contact) {
   for (int body : {contact.secondary.body, drawn.primary}) {
     const double size = extent(problem.shapes[body]->mesh, drawn.out);
     if (drawn.overlap_mm > deepest * size)
-      return text("its sides overlap by %.3g mm as drawn, at (%.4g, %.4g) mm, of the %.3g mm that body %s measures there: too deep "
-                  "for a fit; draw the bodies apart, or name the boundaries that touch", drawn.overlap_mm, drawn.at.x(),
-                  drawn.at.y(), size, problem.inputs[body].name.c_str());
+      return text(
+          "its sides overlap by %.3g mm as drawn, at (%.4g, %.4g) mm, of the %.3g mm that body %s measures there: too "
+          "deep "
+          "for a fit; draw the bodies apart, or name the boundaries that touch",
+          drawn.overlap_mm, drawn.at.x(), drawn.at.y(), size, problem.inputs[body].name.c_str());
   }
   return {};
 }
 
 /// The history of what is left, in the first step or a step of its own before it.
 void add_to_steps(scene::Scene& scene) {
-  if (!scene.histories.emplace(overlap_left, scene::History{{0.0, 1.0}, {1.0, 0.0}}).second) return;  // a companion run's scene
+  if (!scene.histories.emplace(overlap_left, scene::History{{0.0, 1.0}, {1.0, 0.0}}).second)
+    return;  // a companion run's scene
   if (scene.steps.front().cycles > 0.0) {
     scene::Step step;
     step.name = overlap_left;
@@ -202,18 +208,24 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
     let_in = let_in || drawn.let_in;
     if (drawn.gap_mm > farthest_way_of_all(problem))
       warn(problem.warnings, {"gap", "contact " + options.name,
-                              text("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g mm, nor does a force: they never "
-                                   "touch. Draw them closer, or move them farther.", drawn.gap_mm, farthest_way_of_all(problem))});
-    if (const auto why = why_no_fit(problem, contact); !why.empty()) issues.push_back({"contact." + options.name, "", why});
+                              text("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g "
+                                   "mm, nor does a force: they never "
+                                   "touch. Draw them closer, or move them farther.",
+                                   drawn.gap_mm, farthest_way_of_all(problem))});
+    if (const auto why = why_no_fit(problem, contact); !why.empty())
+      issues.push_back({"contact." + options.name, "", why});
   }
   if (let_in) add_to_steps(problem.scene);
   return issues;
 }
 
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm) {
-  if (contact.drawn.gap_mm <= search_mm) return ": they do not look at one another; name boundaries that face each other";
+  if (contact.drawn.gap_mm <= search_mm)
+    return ": they do not look at one another; name boundaries that face each other";
   std::string why = text("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
-  if (!closes(problem, contact)) return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther", farthest_way(problem, contact));
+  if (!closes(problem, contact))
+    return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther",
+                      farthest_way(problem, contact));
   return why + (contact.options.search_mm > 0.0 ? ": leave search_mm out" : "");
 }
 
@@ -223,12 +235,14 @@ std::string in_words(const Problem& problem, const PlacedContact& contact) {
   if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0)
     return about + text("its sides touch as drawn, at (%.6g, %.6g) mm", drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   const bool overlaps = drawn.overlap_mm > 0.0;
-  const std::string size = about + text("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
-                                        overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);
+  const std::string size =
+      about + text("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
+                   overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   if (!overlaps) return size;
   if (!drawn.let_in) return size + ", closed at once: it is less than a twentieth of a facet";
   const auto& step = problem.scene.steps.front();
-  return size + text(", let in over the %d increment%s of step \"%s\"", step.increments, step.increments == 1 ? "" : "s", step.name.c_str());
+  return size + text(", let in over the %d increment%s of step \"%s\"", step.increments,
+                     step.increments == 1 ? "" : "s", step.name.c_str());
 }
 
 }  // namespace reye::sim

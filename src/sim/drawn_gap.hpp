@@ -8,8 +8,8 @@ namespace reye::sim {
 /// How the sides of a contact lie to one another on these shapes.
 DrawnGap drawn_gap(const PlacedContact& contact, const std::vector<body::ShapePtr>& shapes);
 
-/// Measures every contact, has its search reach what the drawing asks for, and lets overlaps in over the first step; where that
-/// counts cycles, over a step before it. An issue for each overlap that is too deep for a fit.
+/// Measures every contact, has its search reach what the drawing asks for, and lets overlaps in over the first step;
+/// where that counts cycles, over a step before it. An issue for each overlap that is too deep for a fit.
 std::vector<base::Issue> place_drawn_gaps(Problem& problem);
 
 /// The farthest that a support moves one of the bodies of a contact [mm].

@@ -21,7 +21,8 @@ namespace {
 constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
 
 /// What parts change by between two moments of a step.
-double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to) {
+double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
+                      double to) {
   double sum = 0.0;
   for (const auto& [value, history] : parts) {
     if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
@@ -95,7 +96,8 @@ const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
 }
 
 /// What is slid between two moments of a step: parts without history evenly, where `evenly` says so.
-double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from, double to, bool evenly) {
+double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
+                    double to, bool evenly) {
   double sum = played_between(scene, step, parts, from, to);
   for (const auto& part : parts)
     if (evenly && part.history.empty()) sum += part.value * (to - from);
@@ -108,7 +110,8 @@ double first_way(const scene::Scene& scene, const base::Parts& parts) {
     double way = value;
     if (!history.empty()) {
       const auto& corners = scene.histories.at(history);
-      const auto moved = std::find_if(corners.begin(), corners.end(), [&](const auto& c) { return c[1] != corners.front()[1]; });
+      const auto moved =
+          std::find_if(corners.begin(), corners.end(), [&](const auto& c) { return c[1] != corners.front()[1]; });
       way = moved == corners.end() ? 0.0 : value * ((*moved)[1] - corners.front()[1]);
     }
     if (way != 0.0) return way < 0.0 ? -1.0 : 1.0;
@@ -116,8 +119,8 @@ double first_way(const scene::Scene& scene, const base::Parts& parts) {
   return 1.0;
 }
 
-contact::IncrementOptions contact_options(const scene::Scene& scene, const contact::ContactOptions& options, const scene::Step& step,
-                                          double from, double to, double jump) {
+contact::IncrementOptions contact_options(const scene::Scene& scene, const contact::ContactOptions& options,
+                                          const scene::Step& step, double from, double to, double jump) {
   contact::IncrementOptions o;
   o.jump = jump;
   o.wear = step.wear && options.wear.wears();
@@ -181,7 +184,8 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
   for (auto& spring : controls.springs) spring.rest -= from.at(spring.column);
 }
 
-std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions) {
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system,
+                                                   const Vector& reactions) {
   std::vector<std::optional<double>> moments(problem.supports.size());
   for (std::size_t s = 0; s < moments.size(); ++s)
     if (problem.scene.analysis != base::Analysis::axisymmetric && problem.supports[s].support.rigid) moments[s] = 0.0;

@@ -24,7 +24,8 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
                              const std::map<std::string, double>& factors, const scene::Step& step, double from,
                              double to, double jump);
 
-/// How far inside its body the primary side of a contact lies while its drawn overlap is let in: overlap x what is left [mm].
+/// How far inside its body the primary side of a contact lies while its drawn overlap is let in: overlap x what is left
+/// [mm].
 double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors);
 
 /// Coefficients of friction at a cycle, in contacts that have a table of them: constant before and after it.
@@ -34,9 +35,10 @@ void set_friction(solver::Controls& controls, const Problem& problem, double cyc
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
                         const State& state);
 
-/// Moment on the body of each support of the scene that is a rigid edge, about the middle of the edge; none in axisymmetry,
-/// where no edge turns.
-std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system, const Vector& reactions);
+/// Moment on the body of each support of the scene that is a rigid edge, about the middle of the edge; none in
+/// axisymmetry, where no edge turns.
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system,
+                                                   const Vector& reactions);
 
 /// Force on the body of each support of the scene, in x and y.
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);

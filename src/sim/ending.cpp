@@ -12,7 +12,9 @@ bool step_over(const scene::Step& step, const State& state) {
 
 bool at_end(const Problem& problem, const State& state) {
   const auto& [steps, limits] = std::tie(problem.scene.steps, problem.scene.limits);
-  if (std::any_of(limits.begin(), limits.end(), [&](const auto& limit) { return limit.stop && state.life_cycles.contains(limit.name); })) return true;
+  if (std::any_of(limits.begin(), limits.end(),
+                  [&](const auto& limit) { return limit.stop && state.life_cycles.contains(limit.name); }))
+    return true;
   const auto last = static_cast<int>(steps.size()) - 1;
   return state.step > last || (state.step == last && step_over(steps.back(), state));
 }

@@ -43,9 +43,10 @@ solver::System unyielding(solver::System system) {
   return system;
 }
 
-/// How soft springs must be for pressures that stay nearly as they are given: a layer of thirty lengths of the contact, which
-/// leaves a thirtieth of what a gap would change to the next pass. Where normals have turned, the given tractions miss the
-/// load, and a body goes that share of the approach times thirty: on softer springs it would go too far for gaps to be linear.
+/// How soft springs must be for pressures that stay nearly as they are given: a layer of thirty lengths of the contact,
+/// which leaves a thirtieth of what a gap would change to the next pass. Where normals have turned, the given tractions
+/// miss the load, and a body goes that share of the approach times thirty: on softer springs it would go too far for
+/// gaps to be linear.
 double soft(const contact::Setup& setup, const contact::ContactState& contact) {
   double compliance = 0.0;
   for (std::size_t j = 0; j < contact.status.size(); ++j)
@@ -53,8 +54,9 @@ double soft(const contact::Setup& setup, const contact::ContactState& contact) {
   return compliance;
 }
 
-solver::SolveResult held_equilibrium(const Problem& problem, const State& state, const solver::System& system, Cache& cache,
-                                     const BlockSpan& span, const std::vector<HeldTraction>& held, bool on_springs) {
+solver::SolveResult held_equilibrium(const Problem& problem, const State& state, const solver::System& system,
+                                     Cache& cache, const BlockSpan& span, const std::vector<HeldTraction>& held,
+                                     bool on_springs) {
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
@@ -110,7 +112,8 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   auto result = held_equilibrium(problem, state, system, cache, span, held, false);
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged)
-    return scene_line(problem.scene, "step " + span.step->name) + "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
+    return scene_line(problem.scene, "step " + span.step->name) +
+           "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
            why_failed(problem, state, {span.step, span.jump, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)

@@ -17,8 +17,11 @@ constexpr double shorter = 0.25;  ///< of the cycles of a block that failed, for
 void tell(const BlockSpan& span, double wanted, const std::string& failure, State& state, const Observer& observer) {
   if (observer.log) observer.log("shortened: " + failure);
   char text[240];
-  std::snprintf(text, sizeof text, "A block of %g cycles failed at cycle %g; from there on blocks have %g (the log says why). Write jump = %g, or "
-                "jump = { tolerance = 0.01 }.", wanted, state.cycle - span.jump, span.jump, span.jump);
+  std::snprintf(
+      text, sizeof text,
+      "A block of %g cycles failed at cycle %g; from there on blocks have %g (the log says why). Write jump = %g, or "
+      "jump = { tolerance = 0.01 }.",
+      wanted, state.cycle - span.jump, span.jump, span.jump);
   warn(state, observer, {"jump", "step " + span.step->name, text, span.step->jump / span.jump});
 }
 

@@ -66,7 +66,8 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
   }
 }
 
-/// A renewed reference is no start: its displacements count from where the body was at first, on the nodes' first places.
+/// A renewed reference is no start: its displacements count from where the body was at first, on the nodes' first
+/// places.
 void count_from_start(const State& state, Frame& frame) {
   for (std::size_t b = 0; b < state.displaced.size(); ++b) {
     const auto& before = state.displaced[b];
@@ -104,7 +105,8 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
       frame.surfaces.push_back(std::move(surface));
   for (std::size_t b = 0; b < problem.bonds.size(); ++b) {
     const auto c = problem.contacts.size() + b;
-    frame.bonds.push_back(surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.bonds[b]).front());
+    frame.bonds.push_back(
+        surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.bonds[b]).front());
   }
   return frame;
 }

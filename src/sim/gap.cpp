@@ -24,7 +24,8 @@ bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wea
 
 double sum(const Values& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
-/// What the moves give back a node has no longer lost; the body keeps its content, so that all together have lost what they had.
+/// What the moves give back a node has no longer lost; the body keeps its content, so that all together have lost what
+/// they had.
 void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
   const double before = sum(removed);
   for (std::size_t k = 0; k < removed.size(); ++k)
@@ -55,7 +56,8 @@ void book(const Problem& problem, State& next, int body, double removed) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& placed = problem.contacts[c];
     auto& contact = next.solution.contacts[c];
-    const bool primary = std::any_of(placed.primary.begin(), placed.primary.end(), [&](const auto& ref) { return ref.body == body; });
+    const bool primary =
+        std::any_of(placed.primary.begin(), placed.primary.end(), [&](const auto& ref) { return ref.body == body; });
     if (placed.secondary.body != body && !primary) continue;
     (placed.secondary.body == body ? contact.strip_secondary : contact.strip_primary) += removed;
     return;

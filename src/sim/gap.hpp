@@ -14,10 +14,10 @@ struct CarriedGap {
   std::string failure;    ///< why nothing was moved; empty when it was
 };
 
-/// Equilibrium after a shape step or a remesh that carries the gap of worn contacts: worn nodes of `next` move until the
-/// pressures in `held` are in equilibrium on the new shapes, and every body keeps its content. What a conforming contact presses
-/// is decided by gaps far below what a moved or redrawn outline keeps of them. A failure of the equilibrium in words.
-/// (README, 5)
+/// Equilibrium after a shape step or a remesh that carries the gap of worn contacts: worn nodes of `next` move until
+/// the pressures in `held` are in equilibrium on the new shapes, and every body keeps its content. What a conforming
+/// contact presses is decided by gaps far below what a moved or redrawn outline keeps of them. A failure of the
+/// equilibrium in words. (README, 5)
 std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
                                  const std::vector<HeldTraction>& held, CarriedGap& gap);
 

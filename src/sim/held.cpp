@@ -12,12 +12,15 @@ namespace {
 
 using base::Issue;
 
-/// Contacts hold a rotation only where the body cannot lift off them while it turns: where they or supports hold it in place.
+/// Contacts hold a rotation only where the body cannot lift off them while it turns: where they or supports hold it in
+/// place.
 bool contacts_hold(const Problem& p, int b, const std::string& motion) {
   if (!held_by_contact(p, b, motion)) return false;
   if (motion != "rotation") return true;
-  const auto left = body::unheld_together({{&p.shapes[b]->mesh, &p.inputs[b].supports}}, p.scene.analysis == base::Analysis::axisymmetric);
-  return std::all_of(left.begin(), left.end(), [&](const std::string& other) { return other == motion || held_by_contact(p, b, other); });
+  const auto left = body::unheld_together({{&p.shapes[b]->mesh, &p.inputs[b].supports}},
+                                          p.scene.analysis == base::Analysis::axisymmetric);
+  return std::all_of(left.begin(), left.end(),
+                     [&](const std::string& other) { return other == motion || held_by_contact(p, b, other); });
 }
 
 void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
@@ -34,7 +37,8 @@ void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
     }
     for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
       if (!contacts_hold(p, b, motion))
-        issues.push_back({"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
+        issues.push_back(
+            {"body." + p.inputs[b].name, "", motion + " is free: no support holds it and no load drives it"});
   }
 }
 
@@ -68,9 +72,11 @@ void check_groups(const Problem& p, std::vector<Issue>& issues) {
       names += (names.empty() ? "" : b == group.back() ? " and " : ", ") + p.inputs[b].name;
     }
     for (const auto& motion : body::unheld_together(bodies, p.scene.analysis == base::Analysis::axisymmetric))
-      issues.push_back({"body." + p.inputs[group.front()].name, "",
-                        motion + " of " + names + " together is free: no support of any of them holds it, so that no force along it has "
-                        "anything to push against; give one of them a support that is fixed or moved there, or a spring"});
+      issues.push_back(
+          {"body." + p.inputs[group.front()].name, "",
+           motion + " of " + names +
+               " together is free: no support of any of them holds it, so that no force along it has "
+               "anything to push against; give one of them a support that is fixed or moved there, or a spring"});
   }
 }
 

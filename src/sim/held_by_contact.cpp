@@ -27,8 +27,8 @@ double distance(const Vec2& x, const std::array<Vec2, 2>& facet) {
 }
 
 /// How the motion presses the two sides of a touching contact together (> 0) or takes them apart (< 0), at most.
-void look(const Problem& problem, const contact::BoundaryRef& own, const contact::BoundaryRef& other, const std::string& motion,
-          double& most, double& least) {
+void look(const Problem& problem, const contact::BoundaryRef& own, const contact::BoundaryRef& other,
+          const std::string& motion, double& most, double& least) {
   const Vec2 centre = problem.inputs[own.body].centre;
   const auto opposite = facets_of(problem, other);
   for (const auto& facet : facets_of(problem, own)) {
@@ -40,7 +40,9 @@ void look(const Problem& problem, const contact::BoundaryRef& own, const contact
       });
       if (!touches) continue;
       const Vec2 arm = x - centre;
-      Vec2 way = motion == "translation along x" ? Vec2(1.0, 0.0) : motion == "translation along y" ? Vec2(0.0, 1.0) : Vec2(-arm.y(), arm.x());
+      Vec2 way = motion == "translation along x"   ? Vec2(1.0, 0.0)
+                 : motion == "translation along y" ? Vec2(0.0, 1.0)
+                                                   : Vec2(-arm.y(), arm.x());
       if (way.norm() > 0.0) way.normalize();
       most = std::max(most, normal.dot(way));
       least = std::min(least, normal.dot(way));

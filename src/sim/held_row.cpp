@@ -13,7 +13,8 @@ HeldRow::HeldRow(const Observer& outside) : outside_(outside), inside_(outside) 
   };
 }
 
-void HeldRow::settle(const Problem& problem, const State& state, const solver::System& system, const scene::Step& step) {
+void HeldRow::settle(const Problem& problem, const State& state, const solver::System& system,
+                     const scene::Step& step) {
   if (!row_) return;
   auto controls = controls_at(problem, system, state.factors, step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);

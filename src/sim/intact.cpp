@@ -40,13 +40,17 @@ bool finite(const contact::MortarRow& row) {
 
 /// The mesh of a body, whichever.
 void check_mesh(const mesh::Mesh& mesh, bool rigid, const std::string& body) {
-  require(counted(static_cast<int>(mesh.kind), static_cast<int>(mesh::CellKind::quad8)), "body " + body + " has cells of no kind");
+  require(counted(static_cast<int>(mesh.kind), static_cast<int>(mesh::CellKind::quad8)),
+          "body " + body + " has cells of no kind");
   require(mesh.cells.empty() == rigid, "body " + body + (rigid ? " is rigid and has cells" : " has no cells"));
   for (const auto& loop : mesh.outline)
-    for (const int node : loop) require(counted(node, mesh.node_count() - 1), "the outline of body " + body + " names a node that it lacks");
-  for (const int node : mesh.points) require(counted(node, mesh.node_count() - 1), "a point of body " + body + " is a node that it lacks");
+    for (const int node : loop)
+      require(counted(node, mesh.node_count() - 1), "the outline of body " + body + " names a node that it lacks");
+  for (const int node : mesh.points)
+    require(counted(node, mesh.node_count() - 1), "a point of body " + body + " is a node that it lacks");
   for (const auto& [name, origins] : mesh.arc_origin)
-    for (const int node : origins) require(counted(node, mesh.node_count() - 1), "a boundary of body " + body + " begins at a node that it lacks");
+    for (const int node : origins)
+      require(counted(node, mesh.node_count() - 1), "a boundary of body " + body + " begins at a node that it lacks");
   try {
     mesh::check(mesh);
   } catch (const base::MeshError& error) {
@@ -70,19 +74,23 @@ void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& b
     for (const auto& edge : loop) check_edge(edge, body);
   }
   for (const auto& [name, choice] : drawing.boundaries) {
-    require(choice.size() == drawing.part.loops.size(), "a boundary of body " + body + " is drawn on loops that it lacks");
+    require(choice.size() == drawing.part.loops.size(),
+            "a boundary of body " + body + " is drawn on loops that it lacks");
     for (std::size_t k = 0; k < choice.size(); ++k)
-      require(choice[k].size() == drawing.part.loops[k].size(), "a boundary of body " + body + " is drawn on curves that it lacks");
+      require(choice[k].size() == drawing.part.loops[k].size(),
+              "a boundary of body " + body + " is drawn on curves that it lacks");
   }
   const auto& mesh = drawing.options.mesh;
-  require(counted(static_cast<int>(mesh.element), static_cast<int>(mesh::CellKind::quad8)) && (mesh.order == 1 || mesh.order == 2) &&
-              finite(mesh.far_size_mm) && mesh.far_size_mm >= 0.0 && finite(mesh.growth) && mesh.growth >= 1.0,
+  require(counted(static_cast<int>(mesh.element), static_cast<int>(mesh::CellKind::quad8)) &&
+              (mesh.order == 1 || mesh.order == 2) && finite(mesh.far_size_mm) && mesh.far_size_mm >= 0.0 &&
+              finite(mesh.growth) && mesh.growth >= 1.0,
           "the mesh of body " + body + " is to be made of no elements");
   for (const auto& zone : drawing.zones)
     require(finite(zone.centre_mm) && finite(zone.half_width_mm) && finite(zone.depth_mm) && finite(zone.angle_deg) &&
                 finite(zone.size_mm) && zone.size_mm > 0.0,
             "a fine zone of body " + body + " has no size");
-  require(finite(drawing.options.points_mm) && (!drawing.options.at || finite(*drawing.options.at)), "a point of body " + body + " lies nowhere");
+  require(finite(drawing.options.points_mm) && (!drawing.options.at || finite(*drawing.options.at)),
+          "a point of body " + body + " lies nowhere");
   if (drawing.part.mesh) check_mesh(*drawing.part.mesh, rigid, body);
 }
 
@@ -97,17 +105,20 @@ void check_shape(const body::ShapePtr& shape, const body::ShapePtr& start, bool 
           "body " + body + " was born as another mesh");
   require(shape->mesh.kind == start->mesh.kind, "body " + body + " has cells of another kind than at the start");
   for (const auto& [name, boundary] : start->mesh.boundaries)
-    require(shape->mesh.boundaries.contains(name) && shape->born->boundaries.contains(name), "body " + body + " has lost its boundary " + name);
+    require(shape->mesh.boundaries.contains(name) && shape->born->boundaries.contains(name),
+            "body " + body + " has lost its boundary " + name);
   if (shape->drawing) check_drawing(*shape->drawing, rigid, body);
 }
 
 void check_progress(const Problem& problem, const State& state) {
   const auto& steps = problem.scene.steps;
   require(counted(state.step, static_cast<int>(steps.size())), "it is in a step that the scene lacks");
-  require(state.approached || (state.step == 0 && state.step_blocks == 0 && state.cycle == 0.0), "it is under way and has not begun");
-  require(finite(state.cycle) && state.cycle >= 0.0 && finite(state.step_cycles) && state.step_cycles >= 0.0 && state.step_blocks >= 0 &&
-              finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) && finite(state.jump_error) &&
-              finite(state.block_cycles) && (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
+  require(state.approached || (state.step == 0 && state.step_blocks == 0 && state.cycle == 0.0),
+          "it is under way and has not begun");
+  require(finite(state.cycle) && state.cycle >= 0.0 && finite(state.step_cycles) && state.step_cycles >= 0.0 &&
+              state.step_blocks >= 0 && finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) &&
+              finite(state.jump_error) && finite(state.block_cycles) &&
+              (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
           "its cycles are no number");
   const double most = state.step < static_cast<int>(steps.size()) ? steps[state.step].cycles : 0.0;
   require(state.step_cycles <= most * (1.0 + 1e-9) + 1e-9 && state.step_cycles <= state.cycle * (1.0 + 1e-9) + 1e-9,
@@ -116,36 +127,46 @@ void check_progress(const Problem& problem, const State& state) {
     require(problem.scene.histories.contains(name) && finite(factor), "history " + name + " is at no factor");
   for (const auto* numbers : {&state.life_cycles, &state.life_error, &state.limit_measure})
     for (const auto& [name, value] : *numbers)
-      require(finite(value) && std::any_of(problem.scene.limits.begin(), problem.scene.limits.end(), [&](const auto& l) { return l.name == name; }),
+      require(finite(value) && std::any_of(problem.scene.limits.begin(), problem.scene.limits.end(),
+                                           [&](const auto& l) { return l.name == name; }),
               "limit " + name + " has no life");
   const auto& c = state.counts;
-  require(c.blocks >= 0 && c.increments >= 0 && c.newton_iterations >= 0 && c.factorisations >= 0 && c.remeshes >= 0 && c.cutbacks >= 0,
+  require(c.blocks >= 0 && c.increments >= 0 && c.newton_iterations >= 0 && c.factorisations >= 0 && c.remeshes >= 0 &&
+              c.cutbacks >= 0,
           "its counts are below zero");
 }
 
 bool optional(std::size_t size, std::size_t full) { return size == 0 || size == full; }
 
 void check_statuses(const std::vector<contact::ContactStatus>& statuses) {
-  for (const auto status : statuses) require(status <= contact::ContactStatus::slip, "a node is neither open nor sticks nor slips");
+  for (const auto status : statuses)
+    require(status <= contact::ContactStatus::slip, "a node is neither open nor sticks nor slips");
 }
 
 void check_rows(const std::vector<contact::MortarRow>& rows, int secondary, int primary) {
   for (const auto& row : rows) {
-    for (const auto& [node, share] : row.off) require(counted(node, secondary - 1), "a contact names a node that its secondary side lacks");
-    for (const auto& [node, share] : row.M) require(counted(node, primary - 1), "a contact names a node that its primary side lacks");
+    for (const auto& [node, share] : row.off)
+      require(counted(node, secondary - 1), "a contact names a node that its secondary side lacks");
+    for (const auto& [node, share] : row.M)
+      require(counted(node, primary - 1), "a contact names a node that its primary side lacks");
   }
 }
 
 void check_contact(const contact::ContactState& s, const contact::Setup& setup) {
-  const auto secondary = static_cast<std::size_t>(setup.secondary_count()), primary = static_cast<std::size_t>(setup.primary_count());
+  const auto secondary = static_cast<std::size_t>(setup.secondary_count()),
+             primary = static_cast<std::size_t>(setup.primary_count());
   const std::string lacks = "contact " + setup.options.name + " has a value too many or too few";
-  require(s.lambda.size() == secondary && s.normal.size() == secondary && s.status.size() == secondary && s.slip.size() == secondary &&
-              s.energy_secondary.size() == secondary && s.pending_secondary.size() == secondary && s.removed_secondary.size() == secondary,
+  require(s.lambda.size() == secondary && s.normal.size() == secondary && s.status.size() == secondary &&
+              s.slip.size() == secondary && s.energy_secondary.size() == secondary &&
+              s.pending_secondary.size() == secondary && s.removed_secondary.size() == secondary,
           lacks);
   require(optional(s.others_secondary.size(), secondary) && optional(s.others_primary.size(), primary), lacks);
-  require(s.reference.size() == secondary && s.pending_primary.size() == primary && s.removed_primary.size() == primary, lacks);
-  require(finite(s.lambda) && finite(s.normal) && finite(s.slip) && finite(s.energy_secondary) && finite(s.pending_secondary) &&
-              finite(s.pending_primary) && finite(s.removed_secondary) && finite(s.removed_primary) && finite(s.others_secondary) && finite(s.others_primary) && finite(s.reference),
+  require(s.reference.size() == secondary && s.pending_primary.size() == primary && s.removed_primary.size() == primary,
+          lacks);
+  require(finite(s.lambda) && finite(s.normal) && finite(s.slip) && finite(s.energy_secondary) &&
+              finite(s.pending_secondary) && finite(s.pending_primary) && finite(s.removed_secondary) &&
+              finite(s.removed_primary) && finite(s.others_secondary) && finite(s.others_primary) &&
+              finite(s.reference),
           "contact " + setup.options.name + " has a value that is no number");
   for (const double sum : {s.friction, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary})
     require(finite(sum), "contact " + setup.options.name + " has a sum that is no number");
@@ -153,46 +174,58 @@ void check_contact(const contact::ContactState& s, const contact::Setup& setup) 
   check_rows(s.reference, setup.secondary_count(), setup.primary_count());
 }
 
-void check_interior(const body::Interior& interior, const body::Operator& op, const mesh::Mesh& mesh, const std::string& body) {
+void check_interior(const body::Interior& interior, const body::Operator& op, const mesh::Mesh& mesh,
+                    const std::string& body) {
   const auto* nonlinear = std::get_if<body::NonlinearBody>(&op);
   const body::Interior start = nonlinear ? nonlinear->start() : body::Interior{};
   require(interior.y.high.size() == start.y.high.size() && interior.y.low.size() == start.y.low.size() &&
               interior.history.size() == start.history.size(),
           "body " + body + " has a value too many or too few inside");
   const std::size_t points = mesh.cells.size() * fem::stiffness_rule(mesh.kind).size();
-  require(interior.F0.empty() || interior.F0.size() == points, "body " + body + " has a deformation too many or too few inside");
+  require(interior.F0.empty() || interior.F0.size() == points,
+          "body " + body + " has a deformation too many or too few inside");
   require(finite(interior.F0), "body " + body + " has a deformation that is no number");
   require(finite(interior.y.high) && finite(interior.y.low), "body " + body + " has a displacement that is no number");
   for (const auto& point : interior.history)
-    require(finite(point.strain) && finite(point.accumulated) && point.accumulated >= 0.0, "body " + body + " has a plastic strain that is none");
+    require(finite(point.strain) && finite(point.accumulated) && point.accumulated >= 0.0,
+            "body " + body + " has a plastic strain that is none");
 }
 
-void check_guess(const solver::Guess& guess, const solver::System& system, const std::vector<body::Interior>& interiors) {
+void check_guess(const solver::Guess& guess, const solver::System& system,
+                 const std::vector<body::Interior>& interiors) {
   require(guess.dq.size() == system.dofs && finite(guess.dq) && guess.lambda.size() == system.contacts.size() &&
               guess.status.size() == system.contacts.size() && guess.inside.size() == system.bodies.size(),
           "an increment led elsewhere than it can");
   for (std::size_t b = 0; b < interiors.size(); ++b)
-    require(guess.inside[b].size() == interiors[b].y.size() && finite(guess.inside[b]), "an increment led elsewhere than it can");
+    require(guess.inside[b].size() == interiors[b].y.size() && finite(guess.inside[b]),
+            "an increment led elsewhere than it can");
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto nodes = static_cast<std::size_t>(system.contacts[c].secondary_count());
-    require(guess.lambda[c].size() == nodes && finite(guess.lambda[c]) && guess.status[c].size() == nodes, "an increment led elsewhere than it can");
+    require(guess.lambda[c].size() == nodes && finite(guess.lambda[c]) && guess.status[c].size() == nodes,
+            "an increment led elsewhere than it can");
     check_statuses(guess.status[c]);
   }
 }
 
 void check_solution(const Problem& problem, const State& state, const solver::System& system) {
   const auto& s = state.solution;
-  require(s.q.size() == system.dofs && s.q_low.size() == system.dofs && finite(s.q) && finite(s.q_low), "its displacements are not those of its meshes");
-  require(s.interiors.size() == system.bodies.size() && s.contacts.size() == system.contacts.size(), "it has a body or a contact too many or too few");
+  require(s.q.size() == system.dofs && s.q_low.size() == system.dofs && finite(s.q) && finite(s.q_low),
+          "its displacements are not those of its meshes");
+  require(s.interiors.size() == system.bodies.size() && s.contacts.size() == system.contacts.size(),
+          "it has a body or a contact too many or too few");
   for (std::size_t c = 0; c < s.contacts.size(); ++c) check_contact(s.contacts[c], system.contacts[c]);
-  for (std::size_t b = 0; b < s.interiors.size(); ++b) check_interior(s.interiors[b], system.bodies[b], state.shapes[b]->mesh, problem.inputs[b].name);
+  for (std::size_t b = 0; b < s.interiors.size(); ++b)
+    check_interior(s.interiors[b], system.bodies[b], state.shapes[b]->mesh, problem.inputs[b].name);
 }
 
 void check_beside(const Problem& problem, const State& state) {
-  require(optional(state.renewed_at.size(), problem.supports.size()) && finite(state.renewed_at), "a support stands nowhere");
-  require(optional(state.displaced.size(), state.shapes.size()) && finite(state.displaced), "a body is displaced by no number");
+  require(optional(state.renewed_at.size(), problem.supports.size()) && finite(state.renewed_at),
+          "a support stands nowhere");
+  require(optional(state.displaced.size(), state.shapes.size()) && finite(state.displaced),
+          "a body is displaced by no number");
   for (std::size_t b = 0; b < state.displaced.size(); ++b)
-    require(optional(state.displaced[b].size(), state.shapes[b]->mesh.X.size()), "a body is displaced at nodes that it lacks");
+    require(optional(state.displaced[b].size(), state.shapes[b]->mesh.X.size()),
+            "a body is displaced at nodes that it lacks");
   require(optional(state.watch.size(), problem.contacts.size()), "it has seen contacts that there are not");
   require(optional(state.bonds.size(), problem.bonds.size()), "it has seen bonds that there are not");
   require(finite(state.small_strain_error), "its error of small strain is no number");
@@ -203,7 +236,8 @@ void check_beside(const Problem& problem, const State& state) {
 void check_state(const Problem& problem, const State& state, Cache& cache) {
   const auto bodies = static_cast<std::size_t>(problem.body_count());
   require(state.shapes.size() == bodies, "it has another number of bodies");
-  for (std::size_t b = 0; b < bodies; ++b) check_shape(state.shapes[b], problem.shapes[b], problem.rigid[b] != 0, problem.inputs[b].name);
+  for (std::size_t b = 0; b < bodies; ++b)
+    check_shape(state.shapes[b], problem.shapes[b], problem.rigid[b] != 0, problem.inputs[b].name);
   check_progress(problem, state);
   check_beside(problem, state);
   const auto& system = system_of(problem, state, cache);

@@ -18,12 +18,14 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double fewest = 1.0;  ///< cycles of a block that jumps none: it is played once and has no error
-constexpr double aim = 0.85;    ///< times what a block may have, for the next block
+constexpr double fewest = 1.0;      ///< cycles of a block that jumps none: it is played once and has no error
+constexpr double aim = 0.85;        ///< times what a block may have, for the next block
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
-constexpr double most_steeper = 1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
-constexpr double levelling = 0.2;  ///< of a block's cycles, in those that level it: more than its extrapolation leaves uneven
+constexpr double most_steeper =
+    1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
+constexpr double levelling =
+    0.2;  ///< of a block's cycles, in those that level it: more than its extrapolation leaves uneven
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -126,7 +128,8 @@ double allowed(const Problem& problem, const scene::Step& step, const State& sta
   double growth = step.cycles / end;
   for (const auto& limit : problem.scene.limits) {
     const auto measure = start.limit_measure.find(limit.name);
-    if (measure == start.limit_measure.end() || measure->second <= 0.0 || start.life_cycles.contains(limit.name)) continue;
+    if (measure == start.limit_measure.end() || measure->second <= 0.0 || start.life_cycles.contains(limit.name))
+      continue;
     growth = std::min(growth, bound_of(limit) / measure->second * start.step_cycles / end);
   }
   return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
@@ -138,19 +141,18 @@ struct Trial {
   double error = 0.0;     ///< estimated; 0 where it was not played to its end
   bool too_long = false;  ///< by its error
   bool slips_throughout = false;
-  Recording rows, later;  ///< of the halves, and of what came after them
+  Recording rows, later;                   ///< of the halves, and of what came after them
   IncrementRecord uncorrected, corrected;  ///< what was worn at the end of the halves
 };
 
 /// The cycles of a block without those that level it.
-double without_levelling(const BlockSpan& span) {
-  return span.level ? span.jump / (1.0 + levelling) : span.jump;
-}
+double without_levelling(const BlockSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 /// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body is to be
-/// meshed anew, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no cycle that
-/// wore the corrected layer. The last block of a step leaves remeshing to the next step.
-Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles, const Observer& observer) {
+/// meshed anew, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no
+/// cycle that wore the corrected layer. The last block of a step leaves remeshing to the next step.
+Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
+               const Observer& observer) {
   span.jump = levelling * cycles;
   span.remesh = false;
   span.extrapolated = true;
@@ -164,8 +166,8 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   return end_block(problem, std::move(outcome.state), cache, span, observer);
 }
 
-void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span, const Observer& observer,
-                Trial& trial) {
+void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span,
+                const Observer& observer, Trial& trial) {
   BlockSpan block = span;
   block.jump = without_levelling(span);
   block.last = span.last && !span.level;
@@ -193,7 +195,8 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
 }
 
 /// A block of one cycle: nothing is jumped.
-Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+                       const Observer& observer) {
   Outcome outcome = play_block(problem, state, cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   outcome.state.jump = most_growth * span.jump;
@@ -207,13 +210,15 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
 
 double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
   const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
-  const double steeper = rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
+  const double steeper =
+      rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
   const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // of the share
   const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
   return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
 }
 
-Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {
+Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span,
+                        const Observer& observer) {
   State start = state;
   while (span.jump > fewest) {
     Trial trial;

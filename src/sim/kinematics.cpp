@@ -14,13 +14,14 @@ namespace reye::sim {
 
 namespace {
 
-/// Each step once and without wear, from corner to corner of its histories unless a body is nonlinear or turns and may need
-/// the increments asked for.
+/// Each step once and without wear, from corner to corner of its histories unless a body is nonlinear or turns and may
+/// need the increments asked for.
 Problem trial_of(const Problem& problem) {
   Problem trial = problem;
   bool stepwise = false;
   for (int b = 0; b < trial.body_count(); ++b)
-    stepwise = stepwise || (!trial.rigid[b] && (is_nonlinear(trial.inputs[b]) || body::pivot_of(trial.shapes[b]->mesh, trial.inputs[b])));
+    stepwise = stepwise || (!trial.rigid[b] &&
+                            (is_nonlinear(trial.inputs[b]) || body::pivot_of(trial.shapes[b]->mesh, trial.inputs[b])));
   auto& scene = trial.scene;
   scene.steps.clear();
   std::set<std::string> played;
@@ -62,7 +63,8 @@ void choose_kinematics(Problem& problem, Cache& cache) {
   watch.frame = [&](const Frame& frame) {
     for (std::size_t b = 0; b < choices.size(); ++b)
       if (const auto& body = frame.bodies[b]; choices[b])
-        keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis, fem::in_frame(body.mesh->X, body.u, body.angle_rad)));
+        keep_largest(*choices[b], fem::distortion(*body.mesh, trial.scene.analysis,
+                                                  fem::in_frame(body.mesh->X, body.u, body.angle_rad)));
   };
   watch.interrupted = over;
   const Summary summary = march(trial, state, watch, cache);

@@ -31,7 +31,9 @@ double crossing(double bound, double before, std::optional<double> middle, doubl
 
 double bound_of(const scene::Limit& limit) { return limit.depth_mm ? *limit.depth_mm : *limit.area_mm2; }
 
-bool is_reached(const scene::Limit& limit, double measure) { return measure >= (limit.stop ? 1.0 - at_limit : 1.0) * bound_of(limit); }
+bool is_reached(const scene::Limit& limit, double measure) {
+  return measure >= (limit.stop ? 1.0 - at_limit : 1.0) * bound_of(limit);
+}
 
 bool any_stop_ahead(const Problem& problem, const State& state) {
   const auto& limits = problem.scene.limits;
@@ -47,7 +49,8 @@ std::optional<double> share_to_stop(const Problem& problem, const State& before,
     const double now = measures.at(limit.name), bound = bound_of(limit);
     if (!limit.stop || before.life_cycles.contains(limit.name) || now <= (1.0 + at_limit) * bound) continue;
     const auto then = before.limit_measure.find(limit.name);
-    const double at = crossing(bound, then == before.limit_measure.end() ? 0.0 : then->second, found(middle, limit.name), now);
+    const double at =
+        crossing(bound, then == before.limit_measure.end() ? 0.0 : then->second, found(middle, limit.name), now);
     share = std::min(share.value_or(1.0), at);
   }
   return share;
@@ -64,7 +67,8 @@ bool watch_limits(const Problem& problem, State& state, const solver::System& sy
     if (!is_reached(limit, now) || state.life_cycles.contains(limit.name)) continue;
     const double cycles = state.cycle - cycle_before, at = crossing(bound, before, found(middle, limit.name), now);
     state.life_cycles[limit.name] = cycle_before + cycles * at;
-    if (state.jump_error) state.life_error[limit.name] = *state.jump_error / (1.0 - settled) * bound * cycles / (now - before);
+    if (state.jump_error)
+      state.life_error[limit.name] = *state.jump_error / (1.0 - settled) * bound * cycles / (now - before);
     stop = stop || limit.stop;
   }
   return stop;

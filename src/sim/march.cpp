@@ -49,9 +49,11 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   const double left = remaining(step, state);
   span.jump = std::min(state.block_cycles > 0.0 ? state.block_cycles : step.jump, left);
   if (controlled(step))
-    span.jump = fitted(scene.output.frames, state.cycle, std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
+    span.jump = fitted(scene.output.frames, state.cycle,
+                       std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   span.last = left - span.jump <= 1e-9 * step.cycles;
-  span.level = frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
+  span.level =
+      frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
   return span;
 }
 
@@ -149,19 +151,23 @@ class Runner {
     row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_); !reason.empty())
+    if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_);
+        !reason.empty())
       return fail(reason);
     const bool remeshed = state_.counts.remeshes > remeshes_before;
     const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
-    if (step.cycles > 0.0 && !remeshed) watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved, state_, observer_);
+    if (step.cycles > 0.0 && !remeshed)
+      watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved, state_, observer_);
     if (step.wear && step.cycles > 0.0 && !remeshed)
       warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
     warn_of_block(p_, state_, observer_);
-    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_)) warn(state_, observer_, std::move(warning));
+    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_))
+      warn(state_, observer_, std::move(warning));
     const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
     const bool last = stop || step_over(step, state_);
     if (last && controlled(step)) watch_tolerance(step, state_, observer_);
-    if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed})) show(step.name);
+    if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed}))
+      show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
   }

@@ -173,8 +173,8 @@ Carried carried(const contact::ContactState& state) {
   return sum;
 }
 
-/// The direction in which a contact presses: that of its pressures' resultant. A ring has no radial resultant: where the
-/// axial one is less than half of the radial integral the contact presses radially, else along the axis.
+/// The direction in which a contact presses: that of its pressures' resultant. A ring has no radial resultant: where
+/// the axial one is less than half of the radial integral the contact presses radially, else along the axis.
 Vec2 pressing_direction(const Vec2& pressure, base::Analysis analysis) {
   if (analysis != base::Analysis::axisymmetric) return pressure.normalized();
   const bool radial = std::abs(pressure.y()) < 0.5 * std::abs(pressure.x());
@@ -201,7 +201,8 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   const double peak = *std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end());
   if (peak > 0.0) c.peak_pressure_MPa = peak;
   c.contact_half_width_mm = contact_half_width(s, setup.analysis);
-  if (state.friction > 0.0 && !setup.options.imposed) c.stick_half_width_mm = stick_half_width(s, state.friction, setup.analysis);
+  if (state.friction > 0.0 && !setup.options.imposed)
+    c.stick_half_width_mm = stick_half_width(s, state.friction, setup.analysis);
   std::tie(c.normal_force, c.tangential_force) = forces_of(state, setup.analysis);
   c.dissipated_energy = setup.options.wear.wears() ? state.worn_work : state.frictional_work;
   const auto book = ledger(state);

@@ -13,9 +13,9 @@ struct Observer {
   std::function<void(const IncrementRecord&)> increment;
   std::function<void(const Frame&)> frame;
   std::function<void(const RemeshRecord&)> remesh;
-  std::function<void(const State&)> block;        ///< at each block end: where checkpoints are taken
+  std::function<void(const State&)> block;  ///< at each block end: where checkpoints are taken
   std::function<void(const std::string&)> log;
-  std::function<bool()> interrupted;              ///< asked after each increment
+  std::function<bool()> interrupted;  ///< asked after each increment
 };
 
 }  // namespace reye::sim

@@ -1,8 +1,8 @@
 #include "sim/overlap.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
-#include <Eigen/Geometry>
 #include <limits>
 
 namespace reye::sim {
@@ -11,7 +11,8 @@ namespace {
 
 constexpr double least = 0.05;  ///< of the facet that a node lies behind
 
-/// The outline of a body where it is, and per node the sides of contacts it is on: 2 * contact + (0 secondary, 1 primary).
+/// The outline of a body where it is, and per node the sides of contacts it is on: 2 * contact + (0 secondary, 1
+/// primary).
 struct Outline {
   base::Points x;
   std::vector<std::array<int, 2>> pieces;
@@ -51,7 +52,8 @@ bool in_contact(const std::vector<int>& sides, const Outline& other, const std::
   const auto on = [&](int node, int side) {
     return std::find(other.sides[node].begin(), other.sides[node].end(), side) != other.sides[node].end();
   };
-  return std::any_of(sides.begin(), sides.end(), [&](int side) { return on(piece[0], side ^ 1) && on(piece[1], side ^ 1); });
+  return std::any_of(sides.begin(), sides.end(),
+                     [&](int side) { return on(piece[0], side ^ 1) && on(piece[1], side ^ 1); });
 }
 
 /// How deep a node lies inside the other body where no contact is between them; 0: it does not.
@@ -107,9 +109,10 @@ std::vector<Warning> overlap_warnings(const Problem& problem, const std::vector<
     char text[320];
     std::snprintf(text, sizeof text,
                   "body %s lies up to %.3g mm inside body %s, at (%.4g, %.4g) mm, where no contact keeps them apart; "
-                  "define one there, or name all of the boundaries that can touch", name.c_str(), o.depth_mm, other.c_str(),
-                  o.at.x(), o.at.y());
-    warnings.push_back({"overlap", "bodies " + std::min(name, other) + " and " + std::max(name, other), text, o.depth_mm});
+                  "define one there, or name all of the boundaries that can touch",
+                  name.c_str(), o.depth_mm, other.c_str(), o.at.x(), o.at.y());
+    warnings.push_back(
+        {"overlap", "bodies " + std::min(name, other) + " and " + std::max(name, other), text, o.depth_mm});
   }
   return warnings;
 }

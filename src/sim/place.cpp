@@ -1,9 +1,9 @@
 #include "sim/place.hpp"
 
 #include <algorithm>
-#include <set>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "base/errors.hpp"
 #include "body/resultant.hpp"
@@ -35,7 +35,8 @@ std::string quoted(const std::string& name) { return '"' + name + '"'; }
 /// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
 class Resolver {
  public:
-  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes, const std::vector<cad::BodyFacts>& facts)
+  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes,
+           const std::vector<cad::BodyFacts>& facts)
       : scene_(scene), shapes_(shapes), facts_(facts) {}
 
   std::vector<Issue> issues;
@@ -51,8 +52,10 @@ class Resolver {
         known += (known.empty() ? "" : ", ") + full;
       }
     if (found.size() == 1) return found.front();
-    issues.push_back({key, quoted(name), found.empty() ? "no boundary has this name; there are " + (known.empty() ? "none" : known) + cut_off(name)
-                                               : "more than one body has a boundary of this name; write body.name"});
+    issues.push_back({key, quoted(name),
+                      found.empty()
+                          ? "no boundary has this name; there are " + (known.empty() ? "none" : known) + cut_off(name)
+                          : "more than one body has a boundary of this name; write body.name"});
     return {-1, name};
   }
 
@@ -77,7 +80,8 @@ class Resolver {
     for (const auto& facts : facts_)
       for (const auto& own : facts.cut_off)
         if (own == name || facts.name + "." + own == name)
-          return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= 0 of body " +
+          return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= "
+                 "0 of body " +
                  quoted(facts.name) + " is taken";
     return {};
   }
@@ -123,7 +127,8 @@ double modulus(const Problem& p, int body) {
 }
 
 /// Stiffness scale of a pair: harmonic mean of the deformable sides, the softer one rules.
-double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary, const std::vector<contact::BoundaryRef>& primary) {
+double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary,
+                    const std::vector<contact::BoundaryRef>& primary) {
   double softest = modulus(p, secondary.body);
   for (const auto& ref : primary)
     if (!p.rigid[ref.body]) softest = std::min(softest, modulus(p, ref.body));
@@ -135,12 +140,15 @@ void check_sides(const Problem& p, const PlacedContact& contact, const std::stri
   const auto name = [&](int b) { return quoted(p.scene.geometry.bodies[b].name); };
   if (p.rigid[contact.secondary.body])
     issues.push_back({key + ".secondary", quoted(contact.options.secondary),
-                      "lies on the rigid body " + name(contact.secondary.body) + "; the secondary side must belong to a deformable body"});
+                      "lies on the rigid body " + name(contact.secondary.body) +
+                          "; the secondary side must belong to a deformable body"});
   for (const auto& ref : contact.primary) {
     if (ref.body == contact.secondary.body)
-      issues.push_back({key + ".primary", quoted(ref.boundary), "lies on the same body as the secondary side (" + name(ref.body) + ")"});
+      issues.push_back({key + ".primary", quoted(ref.boundary),
+                        "lies on the same body as the secondary side (" + name(ref.body) + ")"});
     if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
-      issues.push_back({key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
+      issues.push_back(
+          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
   }
 }
 
@@ -161,8 +169,8 @@ void place_contacts(Problem& p, Resolver& resolve) {
     placed.options = options;
     placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
     for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
-    const bool found = placed.secondary.body >= 0 &&
-                       std::all_of(placed.primary.begin(), placed.primary.end(), [](const auto& r) { return r.body >= 0; });
+    const bool found = placed.secondary.body >= 0 && std::all_of(placed.primary.begin(), placed.primary.end(),
+                                                                 [](const auto& r) { return r.body >= 0; });
     if (!found) continue;
     check_sides(p, placed, key, resolve.issues);
     placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
@@ -178,8 +186,8 @@ void place_bonds(Problem& p, Resolver& resolve) {
     placed.options = options;
     placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
     for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
-    const bool found = placed.secondary.body >= 0 &&
-                       std::all_of(placed.primary.begin(), placed.primary.end(), [](const auto& r) { return r.body >= 0; });
+    const bool found = placed.secondary.body >= 0 && std::all_of(placed.primary.begin(), placed.primary.end(),
+                                                                 [](const auto& r) { return r.body >= 0; });
     if (!found) continue;
     check_sides(p, placed, key, resolve.issues);
     placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
@@ -198,10 +206,12 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
       // An end node that the two share is cut down; a whole facet on the rigid edge could not take part.
       bool facet = false;
       for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
-        for (std::size_t i = 1; i < chain.size(); ++i) facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
+        for (std::size_t i = 1; i < chain.size(); ++i)
+          facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
       if (facet)
-        issues.push_back({"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
-                          "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
+        issues.push_back(
+            {"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
+             "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
     }
   }
 }
@@ -221,7 +231,8 @@ void check_facing(const Problem& p, const solver::System& system, std::vector<Is
     place.primary = &setup.primary;
     place.xs = place.xs_before = setup.secondary.X;
     place.xm = setup.primary.X;
-    if (const auto& drawn = p.contacts[c].drawn; drawn.let_in) place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
+    if (const auto& drawn = p.contacts[c].drawn; drawn.let_in)
+      place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
     place.xm_before = place.xm;
     place.cut = setup.cut;
     place.analysis = setup.analysis;
@@ -229,7 +240,7 @@ void check_facing(const Problem& p, const solver::System& system, std::vector<Is
     if (integrator.values(place).empty())
       issues.push_back({"contact." + setup.options.name, "",
                         "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search) +
-                        why_out_of_reach(p, p.contacts[c], setup.search)});
+                            why_out_of_reach(p, p.contacts[c], setup.search)});
   }
 }
 
@@ -259,8 +270,9 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   warn_of_steps(scene, p.warnings);
   cad::Geometry geometry = cad::build(scene.geometry);
   if (!geometry.guarded)
-    warn(p.warnings, {"geometry", "", "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
-                                      "it is held by what scripts may say and by limits of time and memory alone"});
+    warn(p.warnings, {"geometry", "",
+                      "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
+                      "it is held by what scripts may say and by limits of time and memory alone"});
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
     p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
@@ -299,7 +311,9 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   refuse(issues);
   for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));
   for (const auto& facts : geometry.facts)
-    if (facts.halved) p.plan.lines.push_back("body " + facts.name + ": its file has the whole section through the axis; the half x >= 0 is taken");
+    if (facts.halved)
+      p.plan.lines.push_back("body " + facts.name +
+                             ": its file has the whole section through the axis; the half x >= 0 is taken");
   cache.cpu_s += cpu_seconds() - before;
   return p;
 }

@@ -28,16 +28,21 @@ std::string text(const char* format, Args... args) {
 
 const char* cell_name(mesh::CellKind kind) {
   switch (kind) {
-    case mesh::CellKind::tri3: return "triangles";
-    case mesh::CellKind::quad4: return "quads";
-    case mesh::CellKind::tri6: return "triangles of second order";
-    case mesh::CellKind::quad8: break;
+    case mesh::CellKind::tri3:
+      return "triangles";
+    case mesh::CellKind::quad4:
+      return "quads";
+    case mesh::CellKind::tri6:
+      return "triangles of second order";
+    case mesh::CellKind::quad8:
+      break;
   }
   return "quads of second order";
 }
 
 const char* law_name(const material::Material& material) {
-  constexpr const char* names[] = {"linear elastic", "St Venant-Kirchhoff", "neo-Hookean", "Hencky", "Hencky with J2 plasticity"};
+  constexpr const char* names[] = {"linear elastic", "St Venant-Kirchhoff", "neo-Hookean", "Hencky",
+                                   "Hencky with J2 plasticity"};
   return names[material.index()];
 }
 
@@ -51,18 +56,19 @@ void tell_kinematics(const Problem& p, int b, Plan& plan) {
     plan.lines.push_back(start + "the trial at small strain failed: " + failure);
   else
     plan.lines.push_back(start + text("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation "
-                                      "%.2g %%), bound %g %%", 100.0 * largest.error(), finite ? " or more" : "",
-                                      100.0 * largest.strain, 100.0 * largest.rotation, 100.0 * small_strain_bound));
+                                      "%.2g %%), bound %g %%",
+                                      100.0 * largest.error(), finite ? " or more" : "", 100.0 * largest.strain,
+                                      100.0 * largest.rotation, 100.0 * small_strain_bound));
 }
 
 /// Whether wear moves the boundary of a body.
 bool wears(const Problem& p, int b) {
   return p.scene.shape && std::any_of(p.contacts.begin(), p.contacts.end(), [&](const PlacedContact& contact) {
-    const auto here = [b](const contact::BoundaryRef& ref) { return ref.body == b; };
-    const auto& wear = contact.options.wear;
-    return (wear.secondary > 0.0 && here(contact.secondary)) ||
-           (wear.primary > 0.0 && std::any_of(contact.primary.begin(), contact.primary.end(), here));
-  });
+           const auto here = [b](const contact::BoundaryRef& ref) { return ref.body == b; };
+           const auto& wear = contact.options.wear;
+           return (wear.secondary > 0.0 && here(contact.secondary)) ||
+                  (wear.primary > 0.0 && std::any_of(contact.primary.begin(), contact.primary.end(), here));
+         });
 }
 
 /// What the displacements inside a linear body are wanted for.
@@ -104,16 +110,18 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
                               law_name(p.inputs[b].material), finite ? "finite" : "small", mesh.cell_count(),
                               cell_name(mesh.kind), body->full_dofs(), body->dofs()));
     if (finite && !can_renew(p, b))
-      plan.skipped.push_back("body " + name + " keeps its reference however poor deformation makes its elements: it wears, or loads or "
+      plan.skipped.push_back("body " + name +
+                             " keeps its reference however poor deformation makes its elements: it wears, or loads or "
                              "supports are counted on the shape it started from");
-    if (body->symmetric()) plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
-    if (!material::has_history(p.inputs[b].material)) plan.skipped.push_back("body " + name + " is elastic: no history");
+    if (body->symmetric())
+      plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
+    if (!material::has_history(p.inputs[b].material))
+      plan.skipped.push_back("body " + name + " is elastic: no history");
     return;
   }
   const auto& linear = std::get<body::LinearBody>(system.bodies[b]);
   plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
-                            mesh.cell_count(), cell_name(mesh.kind),
-                            linear.full_dofs(), linear.dofs()));
+                            mesh.cell_count(), cell_name(mesh.kind), linear.full_dofs(), linear.dofs()));
   tell_turning(p, linear, b, plan);
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
@@ -157,20 +165,25 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   if (o.friction == 0.0)
     plan.skipped.push_back("contact " + o.name + " is frictionless: no node sticks, its shear is zero");
   else if (o.out_of_plane)
-    plan.skipped.push_back("contact " + o.name + " slides out of the plane: no node sticks, its shear in the plane is zero");
+    plan.skipped.push_back("contact " + o.name +
+                           " slides out of the plane: no node sticks, its shear in the plane is zero");
   else if (o.imposed)
     plan.skipped.push_back("contact " + o.name + " has its sliding imposed: no node sticks");
   if (condenses(p, setup))
-    plan.skipped.push_back("contact " + o.name + ": nodes far from where it touches are condensed out until it comes near");
-  if (!o.wear.wears()) plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
-  else if (!p.scene.shape) plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");
-  if (o.wear.wears() && o.wear.primary == 0.0) plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
+    plan.skipped.push_back("contact " + o.name +
+                           ": nodes far from where it touches are condensed out until it comes near");
+  if (!o.wear.wears())
+    plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
+  else if (!p.scene.shape)
+    plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");
+  if (o.wear.wears() && o.wear.primary == 0.0)
+    plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
 }
 
 void tell_bond(const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
-  plan.lines.push_back(text("bond %s: %d secondary nodes on %s, %d primary nodes, neither opens nor slips", o.name.c_str(),
-                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count()));
+  plan.lines.push_back(text("bond %s: %d secondary nodes on %s, %d primary nodes, neither opens nor slips",
+                            o.name.c_str(), setup.secondary_count(), o.secondary.c_str(), setup.primary_count()));
 }
 
 void tell_remeshing(const Problem& p, Plan& plan) {
@@ -193,8 +206,10 @@ void tell_output(const Problem& p, Plan& plan) {
     return step.cycles > 0.0 && (step.jump_tolerance > 0.0 || std::fmod(cycles, step.jump) != 0.0);
   };
   if (cycles > 0.0 && std::any_of(p.scene.steps.begin(), p.scene.steps.end(), passes))
-    plan.skipped.push_back(text("frames every %g cycles come at the ends of blocks: a block under a tolerance ends at such a "
-                                "cycle where one is near and passes over others, a fixed one ends where it ends", cycles));
+    plan.skipped.push_back(
+        text("frames every %g cycles come at the ends of blocks: a block under a tolerance ends at such a "
+             "cycle where one is near and passes over others, a fixed one ends where it ends",
+             cycles));
   if (const int n = p.scene.output.history_every_blocks; n > 1)
     plan.skipped.push_back(text("history: rows of every %dth block of a step, of its first and last", n));
 }
@@ -218,18 +233,20 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
     if (step.cycles > 0.0)
-      plan.lines.push_back(text("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s", step.name.c_str(), step.cycles,
-                                blocks_of(step).c_str(), increments, step.wear ? "" : ", no wear"));
+      plan.lines.push_back(text("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s", step.name.c_str(),
+                                step.cycles, blocks_of(step).c_str(), increments, step.wear ? "" : ", no wear"));
     else
-      plan.lines.push_back(text("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
+      plan.lines.push_back(
+          text("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
   }
   tell_remeshing(p, plan);
   tell_output(p, plan);
   for (const auto& limit : p.scene.limits)
     if (limit.wear_factor)
-      plan.lines.push_back(text("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
-                                "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
-                                limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
+      plan.lines.push_back(
+          text("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
+               "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
+               limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
   return plan;
 }
 

@@ -38,7 +38,8 @@ std::vector<Point> acting_points(const Problem& problem) {
   std::vector<Point> points;
   for (const auto& placed : problem.supports)
     if (placed.support.point_mm && placed.body >= 0)
-      points.push_back({"support", placed.support.name, "support." + placed.support.name + ".point_mm", placed.body, *placed.support.point_mm});
+      points.push_back({"support", placed.support.name, "support." + placed.support.name + ".point_mm", placed.body,
+                        *placed.support.point_mm});
   for (int b = 0; b < problem.body_count(); ++b)
     for (const auto& load : problem.inputs[b].point_loads)
       points.push_back({"load", load.name, "load." + load.name + ".point_mm", b, load.point_mm});
@@ -64,16 +65,19 @@ std::string text(const char* format, Args... args) {
 }  // namespace
 
 std::vector<base::Issue> points_outside(const Problem& problem) {
-  constexpr double tolerance = 0.25;  // of an element: as near, points count as those of the outline that they are drawn to
+  constexpr double tolerance =
+      0.25;  // of an element: as near, points count as those of the outline that they are drawn to
   std::vector<base::Issue> issues;
   auto points = acting_points(problem);
   for (auto& probe : probed_points(problem)) points.push_back(std::move(probe));
   for (const auto& point : points) {
     const auto place = mesh::place_of(problem.shapes[point.body]->mesh, point.at);
     if (place.inside || place.distance <= tolerance * place.facet) continue;
-    issues.push_back({point.key, text("[%.6g, %.6g]", point.at.x(), point.at.y()),
-                      text("lies outside of body %s, whose nearest place is (%.6g, %.6g), %.4g mm away; put the point on the body",
-                           problem.inputs[point.body].name.c_str(), place.nearest.x() + 0.0, place.nearest.y() + 0.0, place.distance)});
+    issues.push_back(
+        {point.key, text("[%.6g, %.6g]", point.at.x(), point.at.y()),
+         text("lies outside of body %s, whose nearest place is (%.6g, %.6g), %.4g mm away; put the point on the body",
+              problem.inputs[point.body].name.c_str(), place.nearest.x() + 0.0, place.nearest.y() + 0.0,
+              place.distance)});
   }
   return issues;
 }
@@ -84,10 +88,15 @@ void warn_of_points(Problem& problem) {
     const int node = fem::nearest_node(mesh, point.at);
     const double away = (mesh.X[node] - point.at).norm(), size = size_at(mesh, node);
     if (away <= 0.5 * size) continue;
-    warn(problem.warnings, {"point", point.kind + " " + point.name,
-                            text("Its point (%.6g, %.6g) mm is no node of the mesh of body %s: it acts on the nearest one, %.3g mm away at "
-                                 "(%.6g, %.6g) mm. Make the mesh finer there, or give it a node at the point.", point.at.x(), point.at.y(),
-                                 problem.inputs[point.body].name.c_str(), away, mesh.X[node].x(), mesh.X[node].y()), away / size});
+    warn(
+        problem.warnings,
+        {"point", point.kind + " " + point.name,
+         text(
+             "Its point (%.6g, %.6g) mm is no node of the mesh of body %s: it acts on the nearest one, %.3g mm away at "
+             "(%.6g, %.6g) mm. Make the mesh finer there, or give it a node at the point.",
+             point.at.x(), point.at.y(), problem.inputs[point.body].name.c_str(), away, mesh.X[node].x(),
+             mesh.X[node].y()),
+         away / size});
   }
 }
 

@@ -20,7 +20,8 @@ std::vector<Issue> as_written(const scene::Scene& scene, std::vector<Issue> issu
   const auto folder = std::filesystem::absolute(scene.path).parent_path();
   for (auto& issue : issues)
     for (const auto& file : scene.geometry.files)
-      if (issue.value == quoted(file)) issue.value = quoted(std::filesystem::path(file).lexically_proximate(folder).string());
+      if (issue.value == quoted(file))
+        issue.value = quoted(std::filesystem::path(file).lexically_proximate(folder).string());
   return issues;
 }
 
@@ -42,7 +43,8 @@ Problem prepare(const scene::Scene& scene, Cache* cache) {
   } catch (const base::MeshError& error) {
     throw scene::located(scene, {{"geometry", "", error.what()}});
   } catch (const base::SolveError& error) {
-    throw scene::located(scene, {{"", "", std::string("the scene has no equilibrium that can be computed: ") + error.what()}});
+    throw scene::located(scene,
+                         {{"", "", std::string("the scene has no equilibrium that can be computed: ") + error.what()}});
   }
 }
 

@@ -51,16 +51,16 @@ struct Plan {
 /// Everything that does not change in a run.
 struct Problem {
   scene::Scene scene;
-  std::vector<body::BodyInput> inputs;           ///< per body
-  std::vector<char> rigid;                       ///< per body
-  std::vector<std::vector<int>> support_of;      ///< per body: scene support of each of its own supports
-  std::vector<PlacedSupport> supports;           ///< in the order of the scene
+  std::vector<body::BodyInput> inputs;       ///< per body
+  std::vector<char> rigid;                   ///< per body
+  std::vector<std::vector<int>> support_of;  ///< per body: scene support of each of its own supports
+  std::vector<PlacedSupport> supports;       ///< in the order of the scene
   std::vector<PlacedContact> contacts;
-  std::vector<PlacedContact> bonds;              ///< in `solver::System` and `State` they come after the contacts
-  std::vector<body::ShapePtr> shapes;            ///< at the start
+  std::vector<PlacedContact> bonds;    ///< in `solver::System` and `State` they come after the contacts
+  std::vector<body::ShapePtr> shapes;  ///< at the start
   std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene says it
   Plan plan;
-  std::vector<Warning> warnings;                 ///< known before the run
+  std::vector<Warning> warnings;  ///< known before the run
 
   int body_count() const { return static_cast<int>(inputs.size()); }
 };

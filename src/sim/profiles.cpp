@@ -23,7 +23,8 @@ double height(const cad::Profile& profile, double s) {
   return profile.height_mm[i - 1] + t * (profile.height_mm[i] - profile.height_mm[i - 1]);
 }
 
-/// The largest distance of its points from the facets between nodes at these arc lengths, and the longest facet among them.
+/// The largest distance of its points from the facets between nodes at these arc lengths, and the longest facet among
+/// them.
 std::array<double, 2> off_the_facets(const cad::Profile& profile, const std::vector<double>& nodes) {
   double off = 0.0, longest = 0.0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -54,8 +55,11 @@ void warn_of_profiles(Problem& problem) {
         const auto [off, longest] = off_the_facets(profile, chain.arc);
         if (off <= missed * heights) continue;
         char text[300];
-        std::snprintf(text, sizeof text, "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is finer than the "
-                      "mesh. Make elements there shorter, or smooth the profile.", profile.file.c_str(), heights, longest, off);
+        std::snprintf(text, sizeof text,
+                      "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is "
+                      "finer than the "
+                      "mesh. Make elements there shorter, or smooth the profile.",
+                      profile.file.c_str(), heights, longest, off);
         warn(problem.warnings, {"profile", "boundary " + boundary.name, text, off / heights});
       }
     }

@@ -8,7 +8,8 @@ const solver::Guess* recalled(const Recall& recall, int step, double from, doubl
   return &found->second;
 }
 
-void note(Recall& recall, int step, double from, double to, const solver::SolverState& before, const solver::SolverState& after) {
+void note(Recall& recall, int step, double from, double to, const solver::SolverState& before,
+          const solver::SolverState& after) {
   if (step != recall.step) recall = {step, {}};
   solver::Guess& guess = recall.played[{from, to}];
   guess = {after.q - before.q, {}, {}, {}};

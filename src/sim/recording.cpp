@@ -20,9 +20,12 @@ Observer Recording::observer(const Observer& outside) {
         to.increment(row);
       });
     };
-  if (outside.frame) o.frame = [this](const Frame& f) { events_.push_back([f](const Observer& to, const auto&) { to.frame(f); }); };
+  if (outside.frame)
+    o.frame = [this](const Frame& f) { events_.push_back([f](const Observer& to, const auto&) { to.frame(f); }); };
   if (outside.remesh)
-    o.remesh = [this](const RemeshRecord& r) { events_.push_back([r](const Observer& to, const auto&) { to.remesh(r); }); };
+    o.remesh = [this](const RemeshRecord& r) {
+      events_.push_back([r](const Observer& to, const auto&) { to.remesh(r); });
+    };
   return o;
 }
 

@@ -25,7 +25,7 @@ struct ContactRow {
 
 /// Where a traction is largest.
 struct TractionPeak {
-  double MPa = 0.0;     ///< 0: there is none, nor a place
+  double MPa = 0.0;  ///< 0: there is none, nor a place
   Vec2 at_mm{0.0, 0.0};
   double cycle = 0.0;
   bool at_end = false;  ///< within two facets of a free end of the bond, where it grows without bound as they shorten
@@ -47,11 +47,13 @@ struct IncrementRecord {
   double pressure_max_MPa = 0.0;
   double depth_max_secondary_mm = 0.0;
   double depth_max_primary_mm = 0.0;
-  double energy_mJ = 0.0;             ///< per mm in plane problems
-  std::vector<ContactRow> contacts;   ///< one per contact of the scene; above are the largest of them, and the sum of energies
-  std::vector<BondTraction> bonds;    ///< one per bond of the scene
-  std::vector<Vec2> support_forces;   ///< on the body, in x and y, one per support of the scene
-  std::vector<std::optional<double>> support_moments;  ///< about the middle of the edge, of rigid edges in plane problems
+  double energy_mJ = 0.0;  ///< per mm in plane problems
+  std::vector<ContactRow>
+      contacts;  ///< one per contact of the scene; above are the largest of them, and the sum of energies
+  std::vector<BondTraction> bonds;   ///< one per bond of the scene
+  std::vector<Vec2> support_forces;  ///< on the body, in x and y, one per support of the scene
+  std::vector<std::optional<double>>
+      support_moments;  ///< about the middle of the edge, of rigid edges in plane problems
 };
 
 enum class Side { secondary, primary };
@@ -69,12 +71,12 @@ struct SurfaceRecord {
 
 struct BodyFrame {
   std::string name;
-  std::shared_ptr<const mesh::Mesh> mesh;  ///< on X; a rigid body has outline only
-  std::vector<Vec2> u;                     ///< nodal displacement [mm]
-  double angle_rad = 0.0;                  ///< by which a linear body has turned: it is strained in that frame
+  std::shared_ptr<const mesh::Mesh> mesh;         ///< on X; a rigid body has outline only
+  std::vector<Vec2> u;                            ///< nodal displacement [mm]
+  double angle_rad = 0.0;                         ///< by which a linear body has turned: it is strained in that frame
   std::vector<std::array<double, 4>> stress_MPa;  ///< nodal (11, 22, 12, 33); empty for a rigid body
-  std::vector<double> plastic_strain;      ///< nodal, accumulated; empty where nothing yields
-  std::vector<double> wear_depth_mm;       ///< nodal, zero inside
+  std::vector<double> plastic_strain;             ///< nodal, accumulated; empty where nothing yields
+  std::vector<double> wear_depth_mm;              ///< nodal, zero inside
 };
 
 /// A state as pictures need it.
@@ -83,7 +85,8 @@ struct Frame {
   std::string step;
   std::vector<BodyFrame> bodies;
   std::vector<SurfaceRecord> surfaces;
-  std::vector<SurfaceRecord> bonds;  ///< of bonds the secondary side alone: what it carries, pressure below zero where it pulls
+  std::vector<SurfaceRecord>
+      bonds;  ///< of bonds the secondary side alone: what it carries, pressure below zero where it pulls
 };
 
 struct SideSummary {
@@ -96,9 +99,9 @@ struct SideSummary {
 struct ContactSummary {
   std::string name;
   std::optional<double> peak_pressure_MPa, contact_half_width_mm, stick_half_width_mm;
-  double normal_force = 0.0;      ///< N per mm, or N
+  double normal_force = 0.0;  ///< N per mm, or N
   double tangential_force = 0.0;
-  double dissipated_energy = 0.0; ///< mJ per mm, or mJ
+  double dissipated_energy = 0.0;  ///< mJ per mm, or mJ
   SideSummary secondary, primary;
   std::optional<double> ledger_relative_error;  ///< empty where nothing wears
 };
@@ -117,14 +120,15 @@ struct RemeshRecord {
   std::string reason;
   int nodes_before = 0, nodes_after = 0;
   double scaled_jacobian_before = 0.0, scaled_jacobian_after = 0.0;  ///< of the poorest element
-  double projection_mm = 0.0;     ///< farthest a new contact node lay outside the old mesh
-  double area_residue = 0.0;      ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
-  double gap_moved_mm = 0.0;      ///< farthest a worn node was moved so that pressures hold on the new mesh
-  double gap_left_mm = 0.0;       ///< largest gap under a pressure that no worn node could close
-  double pressure_jump = 0.0;     ///< difference in pressure over the pressure, both as root mean squares; the worst of this body's contacts
-  double peak_jump = 0.0;         ///< largest difference at a node within 0.9 of the contact, over the largest pressure
-  double force_jump = 0.0;        ///< difference of the contact force over the force
-  double energy_jump = 0.0;       ///< difference of the strain energy over the energy
+  double projection_mm = 0.0;  ///< farthest a new contact node lay outside the old mesh
+  double area_residue = 0.0;   ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
+  double gap_moved_mm = 0.0;   ///< farthest a worn node was moved so that pressures hold on the new mesh
+  double gap_left_mm = 0.0;    ///< largest gap under a pressure that no worn node could close
+  double pressure_jump =
+      0.0;  ///< difference in pressure over the pressure, both as root mean squares; the worst of this body's contacts
+  double peak_jump = 0.0;    ///< largest difference at a node within 0.9 of the contact, over the largest pressure
+  double force_jump = 0.0;   ///< difference of the contact force over the force
+  double energy_jump = 0.0;  ///< difference of the strain energy over the energy
   double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh and all in all, re-equilibration included
 };
 
@@ -135,8 +139,8 @@ struct LifeBand {
 
 struct Counts {
   long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
-  long cycles_solved = 0;    ///< plays of a cycle, those for the error and of refused blocks included
-  long refused_blocks = 0;   ///< blocks under a tolerance that were tried with too many cycles
+  long cycles_solved = 0;   ///< plays of a cycle, those for the error and of refused blocks included
+  long refused_blocks = 0;  ///< blocks under a tolerance that were tried with too many cycles
 };
 
 /// What a reader of the results must know before trusting them.
@@ -161,8 +165,9 @@ struct Summary {
   std::map<std::string, double> life_error;                  ///< of the limits reached, where known [cycles]
   std::map<std::string, double> limit_share;                 ///< of every limit: its measure at the end over its bound
   std::map<std::string, LifeBand> life_band;                 ///< of the limits with a scatter
-  std::optional<double> error_cycle_jump, error_discretisation, error_peak_pressure, error_small_strain, error_energy_norm;
-  std::vector<Warning> warnings;               ///< those known before the run, then those found in it
+  std::optional<double> error_cycle_jump, error_discretisation, error_peak_pressure, error_small_strain,
+      error_energy_norm;
+  std::vector<Warning> warnings;  ///< those known before the run, then those found in it
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;
   std::map<std::string, double> room_seconds;  ///< where the time went

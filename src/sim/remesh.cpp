@@ -23,7 +23,8 @@ namespace {
 bool in_contact(const Problem& problem, int body) { return !problem.inputs[body].contact_boundaries.empty(); }
 
 const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
-  return std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, op);
+  return std::visit(
+      [](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
 /// A body as it was before its mesh was made anew.
@@ -41,13 +42,14 @@ struct Displaced {
 double longest_facet(const mesh::Mesh& mesh) {
   double longest = 0.0;
   for (const auto& loop : mesh.outline)
-    for (std::size_t k = 1; k < loop.size(); ++k) longest = std::max(longest, (mesh.X[loop[k]] - mesh.X[loop[k - 1]]).norm());
+    for (std::size_t k = 1; k < loop.size(); ++k)
+      longest = std::max(longest, (mesh.X[loop[k]] - mesh.X[loop[k - 1]]).norm());
   return longest;
 }
 
 /// Displacements of nodes at X, interpolated in the old mesh. Returns why it can not be done.
-std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, const base::Points& X, base::Points& carried,
-                               double& projection) {
+std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, const base::Points& X,
+                               base::Points& carried, double& projection) {
   adapt::Field field{"displacement", 2, {}};
   for (const Vec2& v : u) field.values.insert(field.values.end(), {v.x(), v.y()});
   mesh::Mesh nodes;
@@ -67,7 +69,8 @@ fem::Prestrain carry_prestrain(const mesh::Mesh& old, const fem::Prestrain& F0, 
     for (int k = 0; k < 5; ++k) rows(i, k) = F0[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
   rows = adapt::transfer_deformation(old, rows, fresh, gauss);
   fem::Prestrain carried;
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) carried.push_back({rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3), rows(i, 4)});
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    carried.push_back({rows(i, 0), rows(i, 1), rows(i, 2), rows(i, 3), rows(i, 4)});
   return carried;
 }
 
@@ -76,7 +79,8 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
                          const body::ShapePtr& current) {
   const auto& interior = state.solution.interiors[b];
   const Vector q = system.part(state.solution.q, b);
-  Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), support_columns(system.bodies[b]), {}, interior.F0};
+  Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), support_columns(system.bodies[b]), {},
+                 interior.F0};
   const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
   if (nonlinear) body.elastic = nonlinear->elastic_states(interior, q);
   body.u = recovered_in_frame(problem, state, system, b);
@@ -88,8 +92,8 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
   return body;
 }
 
-/// Start values of q on a fresh mesh: supports as they were, nodes displaced as the old mesh is at their place. A linear
-/// body has no other state, a nonlinear one its interior.
+/// Start values of q on a fresh mesh: supports as they were, nodes displaced as the old mesh is at their place. A
+/// linear body has no other state, a nonlinear one its interior.
 std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
                          const adapt::GaussOptions& gauss, Vector& q, body::Interior& interior, double& projection) {
   const mesh::Mesh& old = before.on->mesh;
@@ -148,8 +152,8 @@ void renew_displaced(const Problem& problem, const solver::System& system, State
   }
 }
 
-RemeshRecord record_of(const Problem& problem, const State& next, int body, const std::string& reason, const mesh::Mesh& old,
-                       const adapt::RemeshResult& made) {
+RemeshRecord record_of(const Problem& problem, const State& next, int body, const std::string& reason,
+                       const mesh::Mesh& old, const adapt::RemeshResult& made) {
   RemeshRecord r;
   r.cycle = next.cycle;
   r.body = problem.inputs[body].name;
@@ -185,9 +189,11 @@ std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& st
       base::Points x = recovered(problem, state, system, b);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape->mesh.X[i];
       reason.divide = adapt::measure(*shape, x).size_ratio.value > options.triggers.size_ratio;
-      if (reason.text.empty()) reason.text = adapt::why_remesh(*shape, can_renew(problem, b) ? nullptr : &x, options.triggers);
+      if (reason.text.empty())
+        reason.text = adapt::why_remesh(*shape, can_renew(problem, b) ? nullptr : &x, options.triggers);
     }
-    if (due && reason.text.empty()) reason = {"every " + std::to_string(options.every_blocks) + " blocks, as asked for", false};
+    if (due && reason.text.empty())
+      reason = {"every " + std::to_string(options.every_blocks) + " blocks, as asked for", false};
   }
   return reasons;
 }
@@ -205,12 +211,13 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
     Timer timer(cache, "adapt");
     auto options = problem.scene.remesh.options;
     options.keep_nodes = !reasons[b].divide;
-    const auto made =
-        adapt::remesh(next.shapes[b], problem.scene.analysis, followed_zones(problem, state, b, *next.shapes[b]), options);
-    if (!made.failure.empty()) return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
+    const auto made = adapt::remesh(next.shapes[b], problem.scene.analysis,
+                                    followed_zones(problem, state, b, *next.shapes[b]), options);
+    if (!made.failure.empty())
+      return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
     displaced[b] = displaced_body(problem, state, old, b, reasons[b].renew, next.shapes[b]);
-    const std::string lost = carry_displaced(state, b, displaced[b], recovered(problem, state, old, b), reasons[b].renew,
-                                             made.shape->mesh, next);
+    const std::string lost = carry_displaced(state, b, displaced[b], recovered(problem, state, old, b),
+                                             reasons[b].renew, made.shape->mesh, next);
     if (!lost.empty()) return "remeshing body " + problem.inputs[b].name + ": " + lost;
     records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
     shapes[b] = made.shape;
@@ -219,7 +226,8 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   {
     Timer timer(cache, "adapt");
     for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-      carry_contact(problem.contacts[c], problem.scene.analysis, next.shapes, shapes, next.solution.contacts[c], held[c]);
+      carry_contact(problem.contacts[c], problem.scene.analysis, next.shapes, shapes, next.solution.contacts[c],
+                    held[c]);
   }
   next.shapes = std::move(shapes);
   const auto& system = timed_system(problem, next, cache);

@@ -34,7 +34,7 @@ struct Change {
 
 /// What the triggers say of every body.
 std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
-                                        const std::vector<Moved>& moved);
+                                         const std::vector<Moved>& moved);
 
 /// Fresh meshes for the bodies with a reason, and the state carried onto them. `state`: before the shapes moved;
 /// `change.next`: its shapes moved, its wear booked. `change.held` becomes that of the new nodes. Returns a failure in

@@ -72,7 +72,8 @@ void count_on_current(const Problem& problem, const solver::System& system, Chan
 
 }  // namespace
 
-bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                      const Observer& observer) {
   if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
   const auto& system = timed_system(problem, state, cache);
   std::vector<RemeshReason> reasons(state.shapes.size());

@@ -10,7 +10,8 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double corner_rad = 0.35;  ///< a surface that turns by more than these 20 degrees in one node has a corner there
+constexpr double corner_rad =
+    0.35;  ///< a surface that turns by more than these 20 degrees in one node has a corner there
 
 }  // namespace
 
@@ -42,7 +43,9 @@ std::optional<double> curvature(const mortar::Surface& s, int node) {
 double spacing(const mortar::Surface& s, int node) {
   double longest = 0.0;
   for (int f : {s.before[node], s.after[node]})
-    if (f >= 0) longest = std::max(longest, (s.X[s.facets[f][1]] - s.X[s.facets[f][0]]).norm() / (s.facets[f][2] >= 0 ? 2.0 : 1.0));
+    if (f >= 0)
+      longest =
+          std::max(longest, (s.X[s.facets[f][1]] - s.X[s.facets[f][0]]).norm() / (s.facets[f][2] >= 0 ? 2.0 : 1.0));
   return longest;
 }
 

@@ -10,7 +10,8 @@ namespace reye::sim {
 double effective_modulus(const Problem& problem, const PlacedContact& contact);
 
 /// Turning of the surface at a node between its two facets over their mean length, positive where the body is convex
-/// [1/mm]; at an end that of the node beside it, of a single facet none, empty at corners. Of facets of second order: between chords.
+/// [1/mm]; at an end that of the node beside it, of a single facet none, empty at corners. Of facets of second order:
+/// between chords.
 std::optional<double> curvature(const mortar::Surface& surface, int node);
 
 /// Longer one of the facets beside a node, over the order of the facet [mm].

@@ -51,7 +51,8 @@ Summary run(const Problem& problem, State& state, const Observer& observer, Cach
   const auto start = clock::now();
   const double cpu = cpu_seconds();
   Summary summary = march(problem, state, observer, cache);
-  if (problem.scene.output.estimate_error && summary.status == RunStatus::done) estimate(problem, state, observer, cache, summary);
+  if (problem.scene.output.estimate_error && summary.status == RunStatus::done)
+    estimate(problem, state, observer, cache, summary);
   summary.wall_s = std::chrono::duration<double>(clock::now() - start).count();
   summary.cpu_s = cpu_seconds() - cpu + cache.cpu_s;
   summary.peak_rss_MB = peak_rss_MB();

@@ -8,11 +8,13 @@ namespace reye::sim {
 
 namespace {
 
-/// Steps have no names in keys: the number of a step in the file is that of the names before it, for a spectrum repeats steps.
+/// Steps have no names in keys: the number of a step in the file is that of the names before it, for a spectrum repeats
+/// steps.
 std::string key_of_step(const scene::Scene& scene, const std::string& name) {
   std::vector<std::string> names;
   for (const auto& step : scene.steps)
-    if (step.name != overlap_left && std::find(names.begin(), names.end(), step.name) == names.end()) names.push_back(step.name);
+    if (step.name != overlap_left && std::find(names.begin(), names.end(), step.name) == names.end())
+      names.push_back(step.name);
   const auto found = std::find(names.begin(), names.end(), name);
   return "step[" + std::to_string(found - names.begin()) + "]";
 }
@@ -23,7 +25,9 @@ std::string scene_line(const scene::Scene& scene, const std::string& about) {
   const auto space = about.find(' ');
   if (space == std::string::npos) return {};
   const std::string kind = about.substr(0, space), name = about.substr(space + 1);
-  const auto line = scene.lines.find(kind == "step" ? key_of_step(scene, name) : kind == "probe" ? "output.probes." + name : kind + "." + name);
+  const auto line = scene.lines.find(kind == "step"    ? key_of_step(scene, name)
+                                     : kind == "probe" ? "output.probes." + name
+                                                       : kind + "." + name);
   return line == scene.lines.end() ? std::string() : scene.path + ":" + std::to_string(line->second) + ": ";
 }
 

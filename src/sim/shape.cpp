@@ -62,7 +62,8 @@ void book_strips(const Problem& problem, State& state, const std::vector<double>
     }
     std::size_t l = 0;
     for (const auto& ref : placed.primary)
-      for (std::size_t k = mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size(); k > 0; --k, ++l) {
+      for (std::size_t k = mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size(); k > 0;
+           --k, ++l) {
         contact.strip_primary += contact.pending_primary[l] * ratio[ref.body];
         contact.pending_primary[l] = 0.0;
       }
@@ -84,7 +85,8 @@ std::string move_outlines(const Problem& problem, const State& state, Cache& cac
     if (!step.failure.empty()) return "body " + problem.inputs[b].name + ": " + step.failure;
     ratio[b] = step.removed / total;
     moved[b] = {std::move(step.shape), std::move(step.poor)};
-    if (!moved[b].poor.empty() && !problem.scene.remesh.automatic) return "body " + problem.inputs[b].name + ": " + moved[b].poor;
+    if (!moved[b].poor.empty() && !problem.scene.remesh.automatic)
+      return "body " + problem.inputs[b].name + ": " + moved[b].poor;
   }
   return {};
 }
@@ -108,11 +110,12 @@ void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
     if (observer.remesh) observer.remesh(r);
     if (!observer.log) continue;
     char text[400];
-    std::snprintf(text, sizeof text,
-                  "body %s meshed anew at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
-                  "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
-                  r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,
-                  r.pressure_jump, r.force_jump, r.energy_jump, r.projection_mm, r.seconds, r.mesh_seconds);
+    std::snprintf(
+        text, sizeof text,
+        "body %s meshed anew at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
+        "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
+        r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,
+        r.pressure_jump, r.force_jump, r.energy_jump, r.projection_mm, r.seconds, r.mesh_seconds);
     observer.log(text + r.reason);
   }
 }
@@ -130,7 +133,8 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
       bool here = placed.secondary.body == body;
       for (const auto& ref : placed.primary) here = here || ref.body == body;
       if (!here) continue;
-      r.pressure_jump = std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
+      r.pressure_jump =
+          std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
       r.peak_jump = std::max(r.peak_jump, peak_jump(system.contacts[c], next.solution.contacts[c], held[c]));
       if (before.force[c].norm() > 0.0)
         r.force_jump = std::max(r.force_jump, (now.force[c] - before.force[c]).norm() / before.force[c].norm());
@@ -149,17 +153,21 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
     if (observer.log) observer.log("no shape: " + failure);
     const auto& present = timed_system(problem, state, cache);
     const auto last = without_block(state, span);
-    return {state, scene_line(problem.scene, "step " + span.step->name) + why_failed(problem, last, {span.step, span.jump, failure}, present), false};
+    return {state,
+            scene_line(problem.scene, "step " + span.step->name) +
+                why_failed(problem, last, {span.step, span.jump, failure}, present),
+            false};
   };
-  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty()) return refused(failure);
+  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
+    return refused(failure);
   if (const std::string failure = too_thin(problem, state, moved); !failure.empty()) return refused(failure);
   std::vector<RemeshReason> reasons(moved.size());
   if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
-  const bool due = !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
+  const bool due =
+      !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
   if (!span.remesh) reasons.assign(moved.size(), {});
   Change change{state, std::move(reasons), held_tractions(system, state)};
-  for (std::size_t b = 0; b < moved.size(); ++b)
-    change.next.shapes[b] = moved[b].shape;
+  for (std::size_t b = 0; b < moved.size(); ++b) change.next.shapes[b] = moved[b].shape;
   note_others(problem, change.next);
   book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
@@ -168,7 +176,8 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
     Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
     outcome.remesh_due = due;
     if (!outcome.failure.empty())
-      if (const auto words = worn_through(problem, without_block(state, span)); !words.empty()) return refused(outcome.failure);
+      if (const auto words = worn_through(problem, without_block(state, span)); !words.empty())
+        return refused(outcome.failure);
     return outcome;
   } catch (const base::MeshError& error) {
     return refused(error.what());

@@ -60,7 +60,8 @@ std::vector<Named> named_sides(const Problem& problem) {
     const auto& law = placed.options.wear;
     const std::string key = "contact." + placed.options.name;
     sides.push_back({&placed, placed.secondary, law.wears() && law.secondary > 0.0, key + ".secondary"});
-    for (const auto& ref : placed.primary) sides.push_back({&placed, ref, law.wears() && law.primary > 0.0, key + ".primary"});
+    for (const auto& ref : placed.primary)
+      sides.push_back({&placed, ref, law.wears() && law.primary > 0.0, key + ".primary"});
   }
   return sides;
 }
@@ -88,7 +89,9 @@ std::vector<base::Issue> shared_wear_issues(const Problem& problem) {
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto &a = sides[i], &b = sides[j];
-      if (a.contact == b.contact || a.ref.body != b.ref.body || a.ref.boundary == b.ref.boundary || !(a.wears || b.wears)) continue;
+      if (a.contact == b.contact || a.ref.body != b.ref.body || a.ref.boundary == b.ref.boundary ||
+          !(a.wears || b.wears))
+        continue;
       const auto own = facets_of(problem, a.ref), other = facets_of(problem, b.ref);
       if (std::none_of(own.begin(), own.end(), [&](const auto& facet) { return other.contains(facet); })) continue;
       issues.push_back({a.key, '"' + a.ref.boundary + '"',
@@ -119,7 +122,8 @@ std::vector<LeftByOthers> left_by_others(const Problem& problem, const State& st
 std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state) {
   Contacts shown = state.solution.contacts;
   const auto left = left_by_others(problem, state);
-  const auto add = [](std::vector<double>& removed, const std::vector<double>& others, const std::vector<double>& waiting) {
+  const auto add = [](std::vector<double>& removed, const std::vector<double>& others,
+                      const std::vector<double>& waiting) {
     for (std::size_t k = 0; k < removed.size(); ++k)
       if (removed[k] > 0.0) removed[k] += contact::elsewhere(others, k) + contact::elsewhere(waiting, k);
   };

@@ -12,8 +12,8 @@ struct LeftByOthers {
   std::vector<double> energy;                              ///< frictional work at the nodes of the secondary
 };
 
-/// Sides of two contacts under two names that have edges in common, where one of them wears: what it takes off could not be
-/// told to the other.
+/// Sides of two contacts under two names that have edges in common, where one of them wears: what it takes off could
+/// not be told to the other.
 std::vector<base::Issue> shared_wear_issues(const Problem& problem);
 
 /// Per contact of the scene.

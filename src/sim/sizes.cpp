@@ -52,8 +52,10 @@ void warn_of_motions(Problem& problem) {
       const double way = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::moved || way <= reach) continue;
       warn(problem.warnings, {"units", "support " + placed.support.name,
-                              text("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in um must be divided by 1000.",
-                                   way, reach), way / reach});
+                              text("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in "
+                                   "um must be divided by 1000.",
+                                   way, reach),
+                              way / reach});
     }
 }
 
@@ -63,8 +65,11 @@ void warn_of_bodies(Problem& problem) {
     const double far = problem.scene.geometry.bodies[b].mesh.far_size_mm;
     if (far <= size.norm()) continue;
     warn(problem.warnings, {"units", "body " + problem.inputs[b].name,
-                            text("It measures %.4g x %.4g mm, less than one element of far_size_mm = %.4g. A drawing in metres must be scaled by "
-                                 "1000: it would measure %.4g x %.4g mm.", size.x(), size.y(), far, 1e3 * size.x(), 1e3 * size.y()), far / size.norm()});
+                            text("It measures %.4g x %.4g mm, less than one element of far_size_mm = %.4g. A drawing "
+                                 "in metres must be scaled by "
+                                 "1000: it would measure %.4g x %.4g mm.",
+                                 size.x(), size.y(), far, 1e3 * size.x(), 1e3 * size.y()),
+                            far / size.norm()});
   }
 }
 
@@ -80,15 +85,23 @@ std::string why_crushed(const Problem& problem, int body) {
   for (const auto& support : problem.inputs[body].supports)
     for (const auto* motion : {&support.x, &support.y}) {
       const double size = size_of(problem, body, support), force = scene::largest_value(problem.scene, motion->parts);
-      if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size) continue;
-      return text("the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g %%; ", support.name.c_str(), force,
-                  unit, size, problem.scene.analysis == base::Analysis::axisymmetric ? "mm^2" : "mm", name.c_str(), E, 100.0 * force / (E * size)) + mend;
+      if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size)
+        continue;
+      return text(
+                 "the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g "
+                 "%%; ",
+                 support.name.c_str(), force, unit, size,
+                 problem.scene.analysis == base::Analysis::axisymmetric ? "mm^2" : "mm", name.c_str(), E,
+                 100.0 * force / (E * size)) +
+             mend;
     }
   for (const auto& load : problem.inputs[body].boundary_loads) {
-    const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) * scene::largest_factor(problem.scene, load.history);
+    const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) *
+                            scene::largest_factor(problem.scene, load.history);
     if (pressure > least)
-      return text("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ", load.name.c_str(), pressure, name.c_str(), E,
-                  100.0 * pressure / E) + mend;
+      return text("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ", load.name.c_str(),
+                  pressure, name.c_str(), E, 100.0 * pressure / E) +
+             mend;
   }
   return {};
 }

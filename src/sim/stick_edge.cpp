@@ -13,7 +13,8 @@ namespace reye::sim {
 namespace {
 
 constexpr double most_lost = 2.5;  ///< elements of a stick zone: one at either end is decided by which node is the last
-constexpr int fewest = 3;  ///< stick nodes of a zone: one on an axis never slips, nor does one that has just been touched
+constexpr int fewest =
+    3;  ///< stick nodes of a zone: one on an axis never slips, nor does one that has just been touched
 
 struct Loaded {
   int stick = 0, slip = 0;  ///< nodes that carry pressure: through the block in stick, or not
@@ -26,7 +27,8 @@ Loaded count(const contact::ContactState& state, const std::vector<double>& slip
   return nodes;
 }
 
-/// Lengths of the facets of a contact that carry pressure: of those that stick through a block, of all, and the longest.
+/// Lengths of the facets of a contact that carry pressure: of those that stick through a block, of all, and the
+/// longest.
 struct Widths {
   double stick = 0.0, all = 0.0, element = 0.0;
 };
@@ -58,11 +60,14 @@ std::optional<Warning> receding(const std::string& contact, const Widths& now, C
   const double left = share * now.stick / watch.stick_mm;
   char estimate[120] = "it wears without bound";
   if (left > 0.0)
-    std::snprintf(estimate, sizeof estimate, "by the estimate for a round contact the largest depth is %.0f %% too large in the end",
+    std::snprintf(estimate, sizeof estimate,
+                  "by the estimate for a round contact the largest depth is %.0f %% too large in the end",
                   100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
   char words[400];
-  std::snprintf(words, sizeof words, "its stick zone has receded from %.3g to %.3g mm by cycle %g, and would keep its width under "
-                "forces of one amplitude: %s; shorter elements hold its edge longer", watch.stick_mm, now.stick, cycle, estimate);
+  std::snprintf(words, sizeof words,
+                "its stick zone has receded from %.3g to %.3g mm by cycle %g, and would keep its width under "
+                "forces of one amplitude: %s; shorter elements hold its edge longer",
+                watch.stick_mm, now.stick, cycle, estimate);
   return Warning{"stick_zone", "contact " + contact, words, lost / watch.stick_mm};
 }
 
@@ -70,18 +75,22 @@ std::string text_of(const Loaded& nodes) {
   const double share = nodes.stick / static_cast<double>(nodes.stick + nodes.slip), left = receded(share);
   char estimate[160] = "; by the estimate for a round contact it vanishes";
   if (left > 0.0)
-    std::snprintf(estimate, sizeof estimate, "; by the estimate for a round contact by %.0f %% of its width, and the largest "
-                  "depth is %.0f %% too large in the end", 100.0 * (1.0 - left / share),
-                  100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
+    std::snprintf(estimate, sizeof estimate,
+                  "; by the estimate for a round contact by %.0f %% of its width, and the largest "
+                  "depth is %.0f %% too large in the end",
+                  100.0 * (1.0 - left / share), 100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
   return std::to_string(nodes.stick) + " of " + std::to_string(nodes.stick + nodes.slip) +
-         " nodes in contact stick while the others slip and wear, and on elements of first order the edge of a stick zone "
-         "recedes as wear empties what lies around it" + estimate +
-         "; order = 2 for the bodies and dual = \"linear\" for the contact hold it to one node";
+         " nodes in contact stick while the others slip and wear, and on elements of first order the edge of a stick "
+         "zone "
+         "recedes as wear empties what lies around it" +
+         estimate + "; order = 2 for the bodies and dual = \"linear\" for the contact hold it to one node";
 }
 
 }  // namespace
 
-double receded(double stick_share) { return std::sqrt(std::max(0.0, 1.0 - edge_ratio * (1.0 - stick_share * stick_share))); }
+double receded(double stick_share) {
+  return std::sqrt(std::max(0.0, 1.0 - edge_ratio * (1.0 - stick_share * stick_share)));
+}
 
 double limit_depth(double stick_share) {
   const double c2 = stick_share * stick_share, x = std::sqrt(0.5 * (1.0 + c2));
@@ -102,11 +111,13 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
     if (o.friction == 0.0 || o.imposed || !o.wear.wears()) continue;
     const auto& contact = state.solution.contacts[c];
     if (forced && c < state.watch.size())
-      if (auto warning = receding(o.name, widths(system.contacts[c], contact, slip_before[c]), state.watch[c], state.cycle))
+      if (auto warning =
+              receding(o.name, widths(system.contacts[c], contact, slip_before[c]), state.watch[c], state.cycle))
         warn(state, observer, std::move(*warning));
     if (system.contacts[c].secondary.order != 1) continue;
     const Loaded nodes = count(state.solution.contacts[c], slip_before[c]);
-    if (nodes.stick >= fewest && nodes.slip > 0) warn(state, observer, {"stick_edge", "contact " + o.name, text_of(nodes)});
+    if (nodes.stick >= fewest && nodes.slip > 0)
+      warn(state, observer, {"stick_edge", "contact " + o.name, text_of(nodes)});
   }
 }
 

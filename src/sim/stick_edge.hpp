@@ -5,11 +5,13 @@
 #include "sim/problem.hpp"
 #include "sim/state.hpp"
 
-/// Partial slip on elements of first order. As wear empties the annulus around a stick zone, pressure and shear become singular
-/// at its edge, and elements of first order make the edge force of a sheared punch `edge_ratio` times that of a pressed one
-/// (results/partial_slip_life). What sticks in the end then ends at C' instead of C = stick over contact half width,
+/// Partial slip on elements of first order. As wear empties the annulus around a stick zone, pressure and shear become
+/// singular at its edge, and elements of first order make the edge force of a sheared punch `edge_ratio` times that of
+/// a pressed one (results/partial_slip_life). What sticks in the end then ends at C' instead of C = stick over contact
+/// half width,
 ///     edge_ratio Q / mu P = 1 - C'^2,   Q / mu P = 1 - C^2,
-/// and the largest depth of the end, a^2 / 2R [arccosh(X / C) - X sqrt(X^2 - C^2)] at X^2 = (1 + C^2) / 2, is that of C'.
+/// and the largest depth of the end, a^2 / 2R [arccosh(X / C) - X sqrt(X^2 - C^2)] at X^2 = (1 + C^2) / 2, is that of
+/// C'.
 namespace reye::sim {
 
 inline constexpr double edge_ratio = 1.13;  ///< of quads at nu = 0.3; 1.08 at nu = 0, 1.22 at 0.45
@@ -23,8 +25,9 @@ double limit_depth(double stick_share);
 /// Path of slip per secondary node of every contact.
 std::vector<std::vector<double>> slip_paths(const State& state);
 
-/// After a block on unchanged meshes: warns of each contact of first order that wears while some of its nodes never slipped in it,
-/// and of each, of either order, whose stick zone has receded by more than two elements though forces alone drive it.
+/// After a block on unchanged meshes: warns of each contact of first order that wears while some of its nodes never
+/// slipped in it, and of each, of either order, whose stick zone has receded by more than two elements though forces
+/// alone drive it.
 void warn_of_stick_edge(const Problem& problem, const solver::System& system,
                         const std::vector<std::vector<double>>& slip_before, State& state, const Observer& observer);
 

@@ -68,7 +68,8 @@ Vec2 shown(const contact::Setup& setup, const contact::ContactState& state, int 
   return (D < 0.5 * A ? D / A : 1.0) * state.lambda[j];
 }
 
-NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
+NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state,
+                             const std::vector<double>& along) {
   NodalValues v;
   const auto& n = state.normal;  // those that the friction law saw
   for (int j = 0; j < setup.secondary_count(); ++j) {
@@ -84,8 +85,8 @@ NodalValues secondary_values(const contact::Setup& setup, const contact::Contact
   return v;
 }
 
-/// Near an end of contact the forces M^T lambda change sign from node to node, as M does, though nothing pulls there: nodes
-/// that would show tension show nothing, the others less by what that adds.
+/// Near an end of contact the forces M^T lambda change sign from node to node, as M does, though nothing pulls there:
+/// nodes that would show tension show nothing, the others less by what that adds.
 void without_tension(NodalValues& v, const std::vector<double>& area) {
   double force = 0.0, pressing = 0.0;
   for (std::size_t l = 0; l < area.size(); ++l) {
@@ -100,8 +101,10 @@ void without_tension(NodalValues& v, const std::vector<double>& area) {
   }
 }
 
-/// Tractions are those that the secondary side carries, in its own normals and tangents: what presses there presses here.
-NodalValues primary_values(const contact::Setup& setup, const contact::ContactState& state, const std::vector<double>& along) {
+/// Tractions are those that the secondary side carries, in its own normals and tangents: what presses there presses
+/// here.
+NodalValues primary_values(const contact::Setup& setup, const contact::ContactState& state,
+                           const std::vector<double>& along) {
   const auto count = static_cast<std::size_t>(setup.primary_count());
   NodalValues v;
   v.pressure.assign(count, 0.0);

@@ -47,8 +47,8 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
     contacts.push_back(contact::make_setup(c.options, problem.scene.analysis, c.secondary, c.primary, state.shapes,
                                            bodies, c.modulus_MPa, problem.inputs[c.secondary.body].kinematics));
   for (const auto& b : problem.bonds)
-    contacts.push_back(contact::make_setup(b.options, problem.scene.analysis, b.secondary, b.primary, state.shapes, bodies,
-                                           b.modulus_MPa));
+    contacts.push_back(contact::make_setup(b.options, problem.scene.analysis, b.secondary, b.primary, state.shapes,
+                                           bodies, b.modulus_MPa));
   cache.system = solver::make_system(std::move(bodies), std::move(contacts));
   cache.shapes = state.shapes;
   return cache.system;

@@ -16,8 +16,8 @@ struct Cache {
   solver::System system;
   solver::Newton newton;
   adapt::RelocationCache relocation;
-  std::map<std::string, double> seconds;         ///< wall time by room
-  double cpu_s = 0.0;                            ///< processor time that went into it before the run
+  std::map<std::string, double> seconds;  ///< wall time by room
+  double cpu_s = 0.0;                     ///< processor time that went into it before the run
 };
 
 /// The system of equations on the state's shapes; unchanged bodies keep their operators. What it returned before is

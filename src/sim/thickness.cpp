@@ -42,7 +42,8 @@ std::vector<double> of_boundary(const Problem& problem, const State& state, cons
   std::vector<int> order;
   const auto area_of = [&](const base::Points& points) {
     return mortar::make_surface(points, mesh.boundaries.at(ref.boundary), problem.scene.analysis, order,
-                                mesh::order(mesh.kind)).area;
+                                mesh::order(mesh.kind))
+        .area;
   };
   const auto now = area_of(x), before = area_of(mesh.X);
   std::vector<double> thickness;

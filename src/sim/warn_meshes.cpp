@@ -40,7 +40,9 @@ Nearest nearest(const mortar::Surface& surface, const Vec2& X) {
   return best;
 }
 
-double away(const contact::Setup& setup, int secondary, const Vec2& from) { return (setup.secondary.X[secondary] - from).norm(); }
+double away(const contact::Setup& setup, int secondary, const Vec2& from) {
+  return (setup.secondary.X[secondary] - from).norm();
+}
 
 /// Where the two sides are nearest on the drawing, or one lies deepest in the other.
 struct Touch {
@@ -62,7 +64,8 @@ Touch touch_of(const contact::Setup& setup, const DrawnGap& drawn) {
   return touch;
 }
 
-/// Force of a support that presses the two bodies together along d; empty where other contacts share it, or none is known.
+/// Force of a support that presses the two bodies together along d; empty where other contacts share it, or none is
+/// known.
 std::optional<double> pressing_force(const Problem& problem, const PlacedContact& contact, const Vec2& d) {
   double force = 0.0;
   const auto look = [&](int body) {
@@ -106,24 +109,27 @@ void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& to
   if (farthest_way(problem, contact) >= away) return;
   const Vec2& X = setup.secondary.X[touch.secondary];
   const double h = spacing(setup.secondary, touch.secondary);
-  warn(problem.warnings, {"fine_zone", "contact " + setup.options.name,
-                          text("The sides come nearest at (%.4g, %.4g), where elements are %.3g mm long; the fine zone of %.3g mm lies "
-                               "beside it, round (%.4g, %.4g). Set fine_zone.centre_mm to where they touch.",
-                               X.x() + 0.0, X.y() + 0.0, h, zone->size_mm, zone->centre_mm.x() + 0.0, zone->centre_mm.y() + 0.0),
-                          h / zone->size_mm});
+  warn(problem.warnings,
+       {"fine_zone", "contact " + setup.options.name,
+        text("The sides come nearest at (%.4g, %.4g), where elements are %.3g mm long; the fine zone of %.3g mm lies "
+             "beside it, round (%.4g, %.4g). Set fine_zone.centre_mm to where they touch.",
+             X.x() + 0.0, X.y() + 0.0, h, zone->size_mm, zone->centre_mm.x() + 0.0, zone->centre_mm.y() + 0.0),
+        h / zone->size_mm});
 }
 
 /// Length of the contact by Hertz: of a line under a force per length, of a ball on the axis.
 double hertz_length(double force, double radius, double modulus, bool ball) {
-  return 2.0 * (ball ? std::cbrt(0.75 * force * radius / modulus) : std::sqrt(4.0 * force * radius / (std::numbers::pi * modulus)));
+  return 2.0 * (ball ? std::cbrt(0.75 * force * radius / modulus)
+                     : std::sqrt(4.0 * force * radius / (std::numbers::pi * modulus)));
 }
 
-/// Whether the sides come apart from where they touch as those of a Hertzian contact of that length do: no node farther away
-/// is as near to the other side.
+/// Whether the sides come apart from where they touch as those of a Hertzian contact of that length do: no node farther
+/// away is as near to the other side.
 bool touch_alone(const mortar::Surface& s, const Touch& touch, double length, double kappa) {
   const Vec2& X = s.X[touch.secondary];
   for (int j = 0; j < s.node_count(); ++j)
-    if (touch.gap[j].distance <= touch.least() + length * length * kappa / 8.0 && (s.X[j] - X).norm() > length + spacing(s, touch.secondary))
+    if (touch.gap[j].distance <= touch.least() + length * length * kappa / 8.0 &&
+        (s.X[j] - X).norm() > length + spacing(s, touch.secondary))
       return false;
   return true;
 }
@@ -145,14 +151,15 @@ void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& to
   const double length = hertz_length(*force, 1.0 / (*own + *other), modulus, ball);
   if (length * std::max(std::abs(*own), std::abs(*other)) > 0.5) {  // no half spaces: the sides conform
     if (!ball)
-      warn_of_facets(problem.warnings, setup.options.name, sagitta(s, j) + sagitta(setup.primary, touch.primary), 2.0 * *force / modulus, h);
+      warn_of_facets(problem.warnings, setup.options.name, sagitta(s, j) + sagitta(setup.primary, touch.primary),
+                     2.0 * *force / modulus, h);
     return;
   }
   if (!touch_alone(s, touch, length, *own + *other)) return;
   const bool primary_rigid = problem.rigid[contact.primary.front().body];
   const double longer = std::max(h, primary_rigid ? 0.0 : spacing(setup.primary, touch.primary));
-  warn_of_resolution(problem.warnings, setup.options.name, length / longer, wanted_across(problem, setup.options), length,
-                     text("by Hertz, %.3g mm of contact under the full load", length));
+  warn_of_resolution(problem.warnings, setup.options.name, length / longer, wanted_across(problem, setup.options),
+                     length, text("by Hertz, %.3g mm of contact under the full load", length));
 }
 
 }  // namespace

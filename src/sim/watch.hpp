@@ -5,15 +5,16 @@ namespace reye::sim {
 
 /// What was seen of a contact at the increment's end that pressed hardest in the present block, for warnings.
 struct Pressed {
-  double force = 0.0;       ///< normal force [N per mm, N]; 0: nothing touched
-  double peak_mm = 0.0;     ///< where the pressure is largest: x
-  double across = 0.0;      ///< elements across the run of loaded nodes with the peak, of the coarser deformable side
-  double length_mm = 0.0;   ///< of that run
-  double size_mm = 0.0;     ///< of the secondary facets at the peak
-  bool bounded = false;     ///< both its ends are ends of the bodies' sides: no edge of contact lies between nodes
-  std::string cut;          ///< a named boundary that ends in the contact while the outline goes on; empty: none
-  double beside_zone = 0.0; ///< element length over that of the fine zone where more than half of the force lies beside it
-  double facets_mm = 0.0;   ///< sagitta of the facets of both sides, where nothing has worn yet
+  double force = 0.0;      ///< normal force [N per mm, N]; 0: nothing touched
+  double peak_mm = 0.0;    ///< where the pressure is largest: x
+  double across = 0.0;     ///< elements across the run of loaded nodes with the peak, of the coarser deformable side
+  double length_mm = 0.0;  ///< of that run
+  double size_mm = 0.0;    ///< of the secondary facets at the peak
+  bool bounded = false;    ///< both its ends are ends of the bodies' sides: no edge of contact lies between nodes
+  std::string cut;         ///< a named boundary that ends in the contact while the outline goes on; empty: none
+  double beside_zone =
+      0.0;  ///< element length over that of the fine zone where more than half of the force lies beside it
+  double facets_mm = 0.0;  ///< sagitta of the facets of both sides, where nothing has worn yet
 };
 
 /// What a run has seen of one contact at ends of increments.

@@ -13,12 +13,14 @@ double largest_plastic_strain(const State& state);
 /// A tolerance that was missed is named with its figure.
 void watch_tolerance(const scene::Step& step, State& state, const Observer& observer);
 
-/// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any: warns where more than a hundredth
-/// of it is missing. `before`: the largest at the start of the block; `cycles`: that a played one stands for.
-void watch_plastic_strain(const scene::Step& step, double before, double cycles, State& state, const Observer& observer);
+/// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any: warns where more than a
+/// hundredth of it is missing. `before`: the largest at the start of the block; `cycles`: that a played one stands for.
+void watch_plastic_strain(const scene::Step& step, double before, double cycles, State& state,
+                          const Observer& observer);
 
-/// Whether small strain is good enough, seen at the first blocks, at every eighth later and at the last of a step. Returns why
-/// the run ends, or nothing.
-std::string watch_strain(const Problem& problem, State& state, const solver::System& system, bool last, const Observer& observer);
+/// Whether small strain is good enough, seen at the first blocks, at every eighth later and at the last of a step.
+/// Returns why the run ends, or nothing.
+std::string watch_strain(const Problem& problem, State& state, const solver::System& system, bool last,
+                         const Observer& observer);
 
 }  // namespace reye::sim

@@ -28,7 +28,8 @@ Beyond beyond(const Problem& problem, const State& state, const contact::Surface
     for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
       if (loop[k] != end.mesh_node) continue;
       const int before = loop[k == 0 ? loop.size() - 2 : k - 1], after = loop[k + 1];
-      const Vec2 a = (mesh.X[loop[k]] - mesh.X[before]).normalized(), b = (mesh.X[after] - mesh.X[loop[k]]).normalized();
+      const Vec2 a = (mesh.X[loop[k]] - mesh.X[before]).normalized(),
+                 b = (mesh.X[after] - mesh.X[loop[k]]).normalized();
       if (a.dot(b) < smooth_cosine) return Beyond::corner;
       return in_contact.contains(before) && in_contact.contains(after) ? Beyond::another_contact : Beyond::smooth;
     }
@@ -41,8 +42,12 @@ bool ends(const mortar::Surface& s, int node) { return s.before[node] < 0 || s.a
 class Look {
  public:
   Look(const Problem& problem, const State& state, const solver::System& system, std::size_t c)
-      : problem_(problem), state_(state), placed_(problem.contacts[c]), setup_(system.contacts[c]),
-        contact_(state.solution.contacts[c]), met_(setup_.primary.X.size(), 0) {}
+      : problem_(problem),
+        state_(state),
+        placed_(problem.contacts[c]),
+        setup_(system.contacts[c]),
+        contact_(state.solution.contacts[c]),
+        met_(setup_.primary.X.size(), 0) {}
 
   double force() const {
     double sum = 0.0;
@@ -143,12 +148,14 @@ class Look {
   std::string boundary_of(const contact::SurfaceNode& node) const {
     for (const auto& ref : placed_.primary) {
       const auto nodes = mesh::nodes_of(state_.shapes[ref.body]->mesh.boundaries.at(ref.boundary));
-      if (ref.body == node.body && std::find(nodes.begin(), nodes.end(), node.mesh_node) != nodes.end()) return ref.boundary;
+      if (ref.body == node.body && std::find(nodes.begin(), nodes.end(), node.mesh_node) != nodes.end())
+        return ref.boundary;
     }
     return {};
   }
 
-  /// Intervals of the primary side under the run; no bound where that is rigid. The run's outer nodes reach one beyond it.
+  /// Intervals of the primary side under the run; no bound where that is rigid. The run's outer nodes reach one beyond
+  /// it.
   double primary_intervals() const {
     int count = 0;
     for (std::size_t l = 0; l < met_.size(); ++l) {

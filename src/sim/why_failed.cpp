@@ -17,8 +17,8 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double crushed = 0.3;     ///< mean strain
-constexpr int too_few = 2;          ///< nodes in contact
+constexpr double crushed = 0.3;  ///< mean strain
+constexpr int too_few = 2;       ///< nodes in contact
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -61,7 +61,8 @@ double way_of_play(const Seen& c, const scene::Step& step) {
   const auto look = [&](int body) {
     for (const auto& support : c.problem.inputs[body].supports)
       for (const auto* motion : {&support.x, &support.y}) {
-        if (motion->drive == body::Drive::moved) way = std::max(way, scene::path_of(c.problem.scene, step, motion->parts));
+        if (motion->drive == body::Drive::moved)
+          way = std::max(way, scene::path_of(c.problem.scene, step, motion->parts));
       }
   };
   look(c.placed.secondary.body);
@@ -75,15 +76,22 @@ std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
   const double traction = c.pressure() * (law.kind == wear::LawKind::energy ? c.state.friction : 1.0);
   const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_of_play(c, *attempt.step);
   if (depth <= c.facet()) return {};
-  return text("contact %s would wear by some %.2g mm in a block of %g cycle%s, more than its elements of %.3g mm are long; check its wear "
-              "coefficients, or write a smaller jump", c.name(), depth, attempt.jump, attempt.jump == 1.0 ? "" : "s", c.facet());
+  return text(
+      "contact %s would wear by some %.2g mm in a block of %g cycle%s, more than its elements of %.3g mm are long; "
+      "check its wear "
+      "coefficients, or write a smaller jump",
+      c.name(), depth, attempt.jump, attempt.jump == 1.0 ? "" : "s", c.facet());
 }
 
 std::string waits_in_the_gap(const Seen& c) {
-  const double own = deepest(c.setup.secondary, c.state.removed_secondary), other = deepest(c.setup.primary, c.state.removed_primary);
+  const double own = deepest(c.setup.secondary, c.state.removed_secondary),
+               other = deepest(c.setup.primary, c.state.removed_primary);
   if (c.problem.scene.shape || own + other <= 0.5 * c.setup.search) return {};
-  return text("wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than search_mm = %.3g; "
-              "write shape = \"on\", or a longer search_mm", own + other, c.name(), c.setup.search);
+  return text(
+      "wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than "
+      "search_mm = %.3g; "
+      "write shape = \"on\", or a longer search_mm",
+      own + other, c.name(), c.setup.search);
 }
 
 /// The shortest way between the sides, from nodes of the secondary to nodes of the primary side.
@@ -96,15 +104,20 @@ std::string out_of_reach(const Seen& c, const solver::System& system, const Stat
       gap = std::min(gap, (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm());
     }
   if (gap <= c.setup.search) return {};
-  return text("the sides of contact %s are %.4g mm apart, and facets are paired no farther than search_mm = %.4g; write search_mm = %.2g", c.name(), gap,
-              c.setup.search, 1.5 * gap);
+  return text(
+      "the sides of contact %s are %.4g mm apart, and facets are paired no farther than search_mm = %.4g; write "
+      "search_mm = %.2g",
+      c.name(), gap, c.setup.search, 1.5 * gap);
 }
 
 std::string few_nodes(const Seen& c) {
-  const auto touching = std::count_if(c.state.status.begin(), c.state.status.end(), [](auto s) { return s != contact::ContactStatus::inactive; });
+  const auto touching = std::count_if(c.state.status.begin(), c.state.status.end(),
+                                      [](auto s) { return s != contact::ContactStatus::inactive; });
   if (touching == 0 || touching > too_few) return {};
-  return text("only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry it; make them shorter there, with a fine_zone",
-              static_cast<int>(touching), touching == 1 ? "" : "s", c.name(), touching == 1 ? "es" : "", c.facet());
+  return text(
+      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry it; make them shorter there, "
+      "with a fine_zone",
+      static_cast<int>(touching), touching == 1 ? "" : "s", c.name(), touching == 1 ? "es" : "", c.facet());
 }
 
 std::string strained(const Problem& problem, const State& last, const solver::System& system) {
@@ -113,8 +126,9 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
     if (auto why = why_crushed(problem, b); !why.empty()) return why;
     const double strain = distortion_of(problem, last, system, b).strain;
     if (strain > crushed)
-      return text("body %s is strained by %.2g %% on average already: more than it bears; check loads, motions and E_MPa", problem.inputs[b].name.c_str(),
-                  100.0 * strain);
+      return text(
+          "body %s is strained by %.2g %% on average already: more than it bears; check loads, motions and E_MPa",
+          problem.inputs[b].name.c_str(), 100.0 * strain);
   }
   return {};
 }
@@ -123,16 +137,19 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
 std::string came_away(const Problem& problem) {
   for (int b = 0; b < problem.body_count(); ++b) {
     const auto joins = [b](const auto& joint) {
-      return joint.secondary.body == b || std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
+      return joint.secondary.body == b ||
+             std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
     };
     if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins)) continue;  // it goes with what it is joined to
-    const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}}, problem.scene.analysis == base::Analysis::axisymmetric);
+    const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}},
+                                            problem.scene.analysis == base::Analysis::axisymmetric);
     if (free.empty()) continue;
     std::string contacts;
     for (const auto& contact : problem.contacts)
       if (joins(contact)) contacts += (contacts.empty() ? "" : " or ") + contact.options.name;
     if (contacts.empty()) continue;
-    return "body " + problem.inputs[b].name + " has come away from contact " + contacts + ", and no support holds its " + free.front() +
+    return "body " + problem.inputs[b].name + " has come away from contact " + contacts +
+           ", and no support holds its " + free.front() +
            "; check the direction of its loads, and that they press it on throughout the step";
   }
   return {};
@@ -140,7 +157,8 @@ std::string came_away(const Problem& problem) {
 
 }  // namespace
 
-std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt, const solver::System& system) {
+std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt,
+                       const solver::System& system) {
   const bool lost = attempt.reason.find("lost the contact") != std::string::npos;
   std::string why;
   const auto ask = [&why](std::string words) {

@@ -11,9 +11,9 @@ struct Attempt {
   std::string reason;  ///< of the solver
 };
 
-/// The cause of a failure in the words of the scene, with what to change: a load, a wear or a gap out of all proportion, a worn
-/// body, a contact of one element, a body that has come away. Seen from the last good state; where it is none of these, the
-/// solver's reason.
+/// The cause of a failure in the words of the scene, with what to change: a load, a wear or a gap out of all
+/// proportion, a worn body, a contact of one element, a body that has come away. Seen from the last good state; where
+/// it is none of these, the solver's reason.
 std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt, const solver::System& system);
 
 }  // namespace reye::sim

@@ -36,7 +36,8 @@ double longest_way(const Problem& p, int body, const Vec2& x) {
   return way;
 }
 
-cad::FineZone widened(const Problem& p, int b, const body::Pivot& pivot, const cad::Part& part, const cad::FineZone& zone) {
+cad::FineZone widened(const Problem& p, int b, const body::Pivot& pivot, const cad::Part& part,
+                      const cad::FineZone& zone) {
   cad::Turn turn{pivot.centre};
   if (pivot.names_angle) {
     const auto range = range_of(p.scene, p.inputs[b].supports[pivot.support].rotation);
@@ -78,11 +79,14 @@ std::vector<std::string> widened_zones(const Problem& p, int body) {
     const auto* asked = asked_for(p, zone);
     if (!zone.turns || !asked) continue;
     char text[200];
-    std::snprintf(text, sizeof text, "  fine zone of contact %s round (%.4g, %.4g): as far as the body turns under it, elements of %.3g mm",
-                  zone.contact.c_str(), asked->centre_mm.x() + 0.0, asked->centre_mm.y() + 0.0, zone.size_mm);
+    std::snprintf(
+        text, sizeof text,
+        "  fine zone of contact %s round (%.4g, %.4g): as far as the body turns under it, elements of %.3g mm",
+        zone.contact.c_str(), asked->centre_mm.x() + 0.0, asked->centre_mm.y() + 0.0, zone.size_mm);
     lines.emplace_back(text);
     if (zone.size_mm <= asked->size_mm) continue;
-    std::snprintf(text, sizeof text, " instead of %.3g mm, so that no more than %g nodes are retained", asked->size_mm, most_nodes);
+    std::snprintf(text, sizeof text, " instead of %.3g mm, so that no more than %g nodes are retained", asked->size_mm,
+                  most_nodes);
     lines.back() += text;
   }
   return lines;

@@ -11,7 +11,8 @@ namespace reye::sim {
 
 namespace {
 
-/// The way from a node along d to the nearest facet of the outline that does not end at it; infinite where there is none.
+/// The way from a node along d to the nearest facet of the outline that does not end at it; infinite where there is
+/// none.
 double way_through(const mesh::Mesh& mesh, int node, const Vec2& d) {
   double way = std::numeric_limits<double>::infinity();
   const Vec2& from = mesh.X[node];
@@ -33,13 +34,15 @@ std::map<int, Vec2> inward(const mesh::Mesh& mesh, const mesh::Boundary& boundar
   for (const auto& chain : boundary)
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       const Vec2 e = mesh.X[chain[i + 1]] - mesh.X[chain[i]];
-      for (int node : {chain[i], chain[i + 1]}) sums.try_emplace(node, Vec2::Zero()).first->second += Vec2(-e.y(), e.x());
+      for (int node : {chain[i], chain[i + 1]})
+        sums.try_emplace(node, Vec2::Zero()).first->second += Vec2(-e.y(), e.x());
     }
   return sums;
 }
 
 /// The thinnest place of one worn side, if it is thinner than `most`.
-void look(const Problem& problem, const contact::BoundaryRef& ref, const mesh::Mesh& mesh, std::optional<Thinnest>& most) {
+void look(const Problem& problem, const contact::BoundaryRef& ref, const mesh::Mesh& mesh,
+          std::optional<Thinnest>& most) {
   const auto& first = problem.shapes[ref.body]->mesh;
   const adapt::UnwornLine unworn(first, first.boundaries.at(ref.boundary));
   for (const auto& [node, d] : inward(mesh, mesh.boundaries.at(ref.boundary))) {
@@ -66,9 +69,11 @@ std::optional<Thinnest> thinnest(const Problem& problem, const std::vector<body:
 std::string in_words(const Problem& problem, const Thinnest& thinnest, double cycle) {
   char text[400];
   std::snprintf(text, sizeof text,
-                "body %s is worn by %.3g mm of the %.3g mm that it measured at cycle 0, %.2g mm are left (cycle %g); end the run before with a limit "
+                "body %s is worn by %.3g mm of the %.3g mm that it measured at cycle 0, %.2g mm are left (cycle %g); "
+                "end the run before with a limit "
                 "with stop = true, or check the wear coefficients",
-                problem.inputs[thinnest.body].name.c_str(), thinnest.worn_mm, thinnest.worn_mm + thinnest.left_mm, thinnest.left_mm, cycle);
+                problem.inputs[thinnest.body].name.c_str(), thinnest.worn_mm, thinnest.worn_mm + thinnest.left_mm,
+                thinnest.left_mm, cycle);
   return text;
 }
 

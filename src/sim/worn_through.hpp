@@ -6,7 +6,8 @@
 
 namespace reye::sim {
 
-/// Where a worn body is thinnest against what it was there: along the inward normal of its worn side, to its outline beyond.
+/// Where a worn body is thinnest against what it was there: along the inward normal of its worn side, to its outline
+/// beyond.
 struct Thinnest {
   int body = 0;
   double left_mm = 0.0, worn_mm = 0.0;  ///< together what it was at cycle 0
@@ -23,7 +24,8 @@ std::optional<Thinnest> thinnest(const Problem& problem, const std::vector<body:
 /// What ends a run there, with what to change.
 std::string in_words(const Problem& problem, const Thinnest& thinnest, double cycle);
 
-/// The same of a state in which a failure is to be expected for it: a body has lost a fifth of its thickness. Else empty.
+/// The same of a state in which a failure is to be expected for it: a body has lost a fifth of its thickness. Else
+/// empty.
 std::string worn_through(const Problem& problem, const State& last);
 
 }  // namespace reye::sim

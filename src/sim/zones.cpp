@@ -94,8 +94,10 @@ std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, 
   return all;
 }
 
-/// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does not.
-double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone, const body::Shape& shape) {
+/// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does
+/// not.
+double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone,
+              const body::Shape& shape) {
   if (zone.turns) return 0.0;
   const auto range = range_in_use(problem, state, body, zone, shape);
   if (!range) return 0.0;
@@ -150,14 +152,18 @@ std::string leaves_zone(const Problem& problem, const State& state, int body, co
   for (const auto& zone : shape.drawing->zones)
     if (excess(problem, state, body, zone, shape) > 0.0) {
       char text[200];
-      std::snprintf(text, sizeof text, "contact %s comes within %g elements of an end of its fine zone round (%.4g, %.4g), %.4g mm from the centre",
-                    zone.contact.c_str(), margin_elements, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0, zone.half_width_mm);
+      std::snprintf(
+          text, sizeof text,
+          "contact %s comes within %g elements of an end of its fine zone round (%.4g, %.4g), %.4g mm from the centre",
+          zone.contact.c_str(), margin_elements, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0,
+          zone.half_width_mm);
       return text;
     }
   return {};
 }
 
-std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body, const body::Shape& shape) {
+std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body,
+                                          const body::Shape& shape) {
   std::vector<cad::FineZone> zones;
   if (!shape.drawing) return zones;
   for (const auto& former : shape.drawing->zones) {
@@ -166,7 +172,8 @@ std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& s
     const auto* asked = asked_for(problem, former);
     if (range && asked && excess(problem, state, body, former, shape) > 0.0) {
       zone.centre_mm += 0.5 * ((*range)[0] + (*range)[1]) * direction(zone);
-      zone.half_width_mm = std::max(asked->half_width_mm, room * 0.5 * ((*range)[1] - (*range)[0]) + margin_elements * zone.size_mm);
+      zone.half_width_mm =
+          std::max(asked->half_width_mm, room * 0.5 * ((*range)[1] - (*range)[0]) + margin_elements * zone.size_mm);
       const double factor = zone.half_width_mm / asked->half_width_mm;
       zone.size_mm = factor * asked->size_mm;
       zone.depth_mm = factor * asked->depth_mm;

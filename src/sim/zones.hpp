@@ -18,9 +18,10 @@ const cad::FineZone* asked_for(const Problem& problem, const cad::FineZone& zone
 /// block, lies within three elements of an end of its zone or beyond; empty else. `shape`: the body after the move.
 std::string leaves_zone(const Problem& problem, const State& state, int body, const body::Shape& shape);
 
-/// The zones a fresh mesh of the body is made with. Each holds, or does not, the part of its contact that lies nearest to it. One
-/// that does keeps its width; one that does not gets 1.5 times the half width in use, and its size and depth grow by as much
-/// against the scene's, so that the number of elements across stays. Its centre goes to the outline.
-std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body, const body::Shape& shape);
+/// The zones a fresh mesh of the body is made with. Each holds, or does not, the part of its contact that lies nearest
+/// to it. One that does keeps its width; one that does not gets 1.5 times the half width in use, and its size and depth
+/// grow by as much against the scene's, so that the number of elements across stays. Its centre goes to the outline.
+std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body,
+                                          const body::Shape& shape);
 
 }  // namespace reye::sim

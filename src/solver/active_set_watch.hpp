@@ -6,8 +6,8 @@
 
 namespace reye::solver {
 
-/// Which nodes may change status in an iteration. opening_first: none closes while another asks to open. What lifts off a
-/// thin sheet moves as a whole, and nodes that close meanwhile hold it where they will not stay.
+/// Which nodes may change status in an iteration. opening_first: none closes while another asks to open. What lifts off
+/// a thin sheet moves as a whole, and nodes that close meanwhile hold it where they will not stay.
 enum class Allowed { all, opening_first, none, one };
 
 /// Tells an active set that goes round in circles, while contact settles on one linearisation of the bodies.

@@ -10,8 +10,10 @@ namespace reye::solver {
 namespace {
 
 constexpr double tiny = std::numeric_limits<double>::min();
-constexpr double nothing = 1e-30;  ///< of a stiffness times a length: what is not asked to be in balance where nothing acts
-constexpr double digits = 64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of what is summed up from many terms
+constexpr double nothing =
+    1e-30;  ///< of a stiffness times a length: what is not asked to be in balance where nothing acts
+constexpr double digits =
+    64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of what is summed up from many terms
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
@@ -70,7 +72,8 @@ Vector Increment::residual(const System& system, const Controls& controls, const
 }
 
 /// Of a linear body S v is rounded, not S q: rigid motion leaves nothing. Of a nonlinear one so is the stress.
-Increment::Rounding Increment::rounding(const System& system, const base::TwoPart& q, const std::vector<Vector>& v) const {
+Increment::Rounding Increment::rounding(const System& system, const base::TwoPart& q,
+                                        const std::vector<Vector>& v) const {
   Rounding result;
   const double way = this->way(q.high);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -123,7 +126,8 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
   for (const auto& [column, value] : controls.prescribed) balance_[reduction().index(column)] = 0.0;
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* turning = reduction().turning(static_cast<int>(b)); turning && !turning->chord.empty())
-      balance_[reduction().first(static_cast<int>(b)) + turning->angle] = 0.0;  // its balance is that of the other columns
+      balance_[reduction().first(static_cast<int>(b)) + turning->angle] =
+          0.0;  // its balance is that of the other columns
   const Rounding rounding = this->rounding(system, q, v);
   largest = std::max({largest, nonlinear_.force_scale(), rounding.scale});
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;

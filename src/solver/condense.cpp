@@ -46,7 +46,8 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
       At_(column + 2, column + 2) += rigid->geometric(q.segment(at, rigid->dofs()), turned_[b]);
     else if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]))
-      At_.diagonal().segment(column, nonlinear->dofs()) += nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
+      At_.diagonal().segment(column, nonlinear->dofs()) +=
+          nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
   }
 }
 
@@ -69,9 +70,9 @@ const std::vector<contact::Linearised>& Condenser::linearise(std::vector<contact
   return linearised_;
 }
 
-void Condenser::add_contact(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                            const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window,
-                            const Vector& q) {
+void Condenser::add_contact(const System& system, int contact, const contact::Interface& face,
+                            const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda,
+                            const Reduction& reduction, const Window& window, const Vector& q) {
   for (const auto& e : linearised_[contact].force) {
     const auto &row = nodes[e.row / 2], &col = nodes[e.col / 2];
     for (int r = 0; r < row.position.count; ++r) {

@@ -20,12 +20,12 @@ struct PlacedNode {
 int inside(int column);
 
 /// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node gives
-/// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. Once solved, the
-/// matrix serves other residuals, too: `again`.
+/// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. Once solved,
+/// the matrix serves other residuals, too: `again`.
 class Condenser {
  public:
-  /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included. A multiplier along a direction that
-  /// a support holds has no balance of its own: it is an unknown, in a column after the others.
+  /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included. A multiplier along a direction
+  /// that a support holds has no balance of its own: it is an unknown, in a column after the others.
   void start(const System& system, const Vector& rhs, const std::vector<contact::Interface>& faces,
              const std::vector<std::vector<PlacedNode>>& nodes);
 
@@ -33,7 +33,9 @@ class Condenser {
   void again(const Vector& rhs);
 
   /// Tangent of a body whose columns start at `at`.
-  void add_body(int at, const Matrix& tangent) { At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose(); }
+  void add_body(int at, const Matrix& tangent) {
+    At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose();
+  }
 
   /// A spring from a column to the ground.
   void stiffen(int column, double stiffness) { At_(column, column) += stiffness; }
@@ -46,11 +48,12 @@ class Condenser {
                                                     const std::vector<std::vector<Vec2>>& lambda);
 
   /// Derivative of the contact forces at fixed multipliers.
-  void add_contact(const System& system, int contact, const contact::Interface& face, const std::vector<PlacedNode>& nodes,
-                   const std::vector<Vec2>& lambda, const Reduction& reduction, const Window& window, const Vector& q);
+  void add_contact(const System& system, int contact, const contact::Interface& face,
+                   const std::vector<PlacedNode>& nodes, const std::vector<Vec2>& lambda, const Reduction& reduction,
+                   const Window& window, const Vector& q);
 
-  /// Eliminates the multipliers of all contacts, which come in the order of System::elimination; a node whose balance holds a
-  /// force of another node comes after that one.
+  /// Eliminates the multipliers of all contacts, which come in the order of System::elimination; a node whose balance
+  /// holds a force of another node comes after that one.
   void eliminate(const System& system, const std::vector<contact::Interface>& faces,
                  const std::vector<std::vector<PlacedNode>>& nodes);
 
@@ -77,11 +80,11 @@ class Condenser {
     double scale = 0.0;
   };
   struct Elimination {
-    Matrix slope;                       ///< d(lambda)/dq, one component per column
+    Matrix slope;  ///< d(lambda)/dq, one component per column
     Vector constant;
-    std::vector<int> place;             ///< first column of a node, -1 when inactive
-    std::vector<int> held;              ///< column of the matrix for a node's held multiplier, -1: it has none
-    std::vector<Share> met;             ///< dlambda into the conditions
+    std::vector<int> place;  ///< first column of a node, -1 when inactive
+    std::vector<int> held;   ///< column of the matrix for a node's held multiplier, -1: it has none
+    std::vector<Share> met;  ///< dlambda into the conditions
     std::vector<Condition> conditions;
   };
   /// One active node: its dlambda from balances, into the rows it loads.
@@ -90,7 +93,8 @@ class Condenser {
     std::vector<Share> from, to;
   };
   void place(const std::vector<contact::Interface>& faces);
-  void arrange(const System& system, const std::vector<contact::Interface>& faces, const std::vector<std::vector<PlacedNode>>& nodes);
+  void arrange(const System& system, const std::vector<contact::Interface>& faces,
+               const std::vector<std::vector<PlacedNode>>& nodes);
   void express(const contact::Interface& face, const PlacedNode& node, Turn& turn);
   void load(const PlacedNode& node, Turn& turn, double factor);
   void conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
@@ -105,10 +109,10 @@ class Condenser {
   algebra::DenseFactor factor_;
   bool factored_ = false;
   int held_ = 0, next_held_ = 0;  ///< held multipliers; the column for the next one
-  Matrix weight_;  ///< of the conditions in the components of dlambda: one condition per column
+  Matrix weight_;                 ///< of the conditions in the components of dlambda: one condition per column
   std::vector<contact::Linearised> linearised_;
   std::vector<Elimination> elimination_;
-  std::vector<Turn> turns_;  ///< in the order of elimination
+  std::vector<Turn> turns_;                ///< in the order of elimination
   std::vector<std::vector<Vec2>> turned_;  ///< per body: forces on its contact nodes
 };
 

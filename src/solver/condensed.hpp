@@ -15,15 +15,15 @@ using base::Vector;
 class Condensed {
  public:
   Condensed() = default;
-  /// `near` and `far`: columns n and f of S. `inverse`: what stands for S where choices follow one another, or null. Where
-  /// nothing is left out both are shared. Throws base::SolveError when S_ff is not definite.
+  /// `near` and `far`: columns n and f of S. `inverse`: what stands for S where choices follow one another, or null.
+  /// Where nothing is left out both are shared. Throws base::SolveError when S_ff is not definite.
   Condensed(std::shared_ptr<const Matrix> S, std::shared_ptr<const algebra::Compliance> inverse, std::vector<int> near,
             std::vector<int> far);
   /// A choice of the columns kept.
   Condensed part(std::vector<int> near, std::vector<int> far) const;
 
   const Matrix& stiffness() const { return *S_; }
-  Eigen::Index size() const { return S_->rows(); }                                         ///< columns kept
+  Eigen::Index size() const { return S_->rows(); }                                             ///< columns kept
   Eigen::Index full() const { return static_cast<Eigen::Index>(near_.size() + far_.size()); }  ///< all columns
 
   const std::vector<int>& near() const { return near_; }

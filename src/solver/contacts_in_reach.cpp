@@ -35,7 +35,8 @@ bool ContactsInReach::choose(const System& system, const SolverState& before, bo
   return true;
 }
 
-void ContactsInReach::begin(const System& system, const SolverState& before, const Controls& controls, const Guess* guess) {
+void ContactsInReach::begin(const System& system, const SolverState& before, const Controls& controls,
+                            const Guess* guess) {
   const auto n = system.contacts.size();
   faces_.resize(n);
   nodes_.resize(n);
@@ -82,11 +83,12 @@ std::string ContactsInReach::passed_through() const {
     const auto found = passage(faces_[c], start_[c], sides_[c]);
     if (!found) continue;
     char text[240];
-    std::snprintf(text, sizeof text,
-                  "node %d at (%.4g, %.4g) mm went through the other side of contact %s, to %.3g mm behind it: it moved "
-                  "farther in this increment than search_mm = %.3g sees",
-                  found->node.mesh_node, found->x.x(), found->x.y(), faces_[c].setup().options.name.c_str(),
-                  found->depth, faces_[c].setup().search);
+    std::snprintf(
+        text, sizeof text,
+        "node %d at (%.4g, %.4g) mm went through the other side of contact %s, to %.3g mm behind it: it moved "
+        "farther in this increment than search_mm = %.3g sees",
+        found->node.mesh_node, found->x.x(), found->x.y(), faces_[c].setup().options.name.c_str(), found->depth,
+        faces_[c].setup().search);
     return text;
   }
   return {};
@@ -108,17 +110,20 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
     nodes.assign(setup.secondary_nodes.size() + setup.primary_nodes.size(), {});
     const auto put = [&](const contact::SurfaceNode& node, char near, PlacedNode& placed, Vec2& x) {
       if (!near && !everything) return;
-      std::visit([&](const auto& b) {
-        placed.position = b.position(node.contact_node, parts[node.body]);
-        placed.free = b.freedom(node.contact_node).free;
-      }, system.bodies[node.body]);
+      std::visit(
+          [&](const auto& b) {
+            placed.position = b.position(node.contact_node, parts[node.body]);
+            placed.free = b.freedom(node.contact_node).free;
+          },
+          system.bodies[node.body]);
       for (int t = 0; t < placed.position.count; ++t)
         placed.column[t] = reduction_.index(system.offset[node.body] + placed.position.terms[t].column);
       if (placed.position.angle >= 0) placed.angle = reduction_.index(system.offset[node.body] + placed.position.angle);
       x = placed.position.x;
     };
     const auto ns = setup.secondary_nodes.size();
-    for (std::size_t j = 0; j < ns; ++j) put(setup.secondary_nodes[j], reach_.secondary[c][j], nodes[j], sides_[c].secondary[j]);
+    for (std::size_t j = 0; j < ns; ++j)
+      put(setup.secondary_nodes[j], reach_.secondary[c][j], nodes[j], sides_[c].secondary[j]);
     for (std::size_t l = 0; l < setup.primary_nodes.size(); ++l)
       put(setup.primary_nodes[l], reach_.primary[c][l], nodes[ns + l], sides_[c].primary[l]);
     if (everything) {

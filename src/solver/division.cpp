@@ -67,8 +67,9 @@ void divide(const SharedSecondary& shared, std::vector<contact::Interface>& face
   if (shared.nodes.empty()) return;
   std::vector<Left> left(faces.size());
   for (const auto& places : shared.nodes)
-    leave_to_largest(places, [&](const auto& p) { return claim(faces[p.first], p.second); },
-                     [&](const auto& p) { left[p.first].nodes.insert(p.second); });
+    leave_to_largest(
+        places, [&](const auto& p) { return claim(faces[p.first], p.second); },
+        [&](const auto& p) { left[p.first].nodes.insert(p.second); });
   const auto covered = [&](const std::pair<int, int>& place) {
     const auto& face = faces[place.first];
     const auto& facet = face.setup().secondary.facets[place.second];

@@ -16,9 +16,9 @@ struct SharedSecondary {
 /// Of contacts; bonds give way as a whole (`make_system`).
 SharedSecondary shared_secondary(const std::vector<contact::Setup>& contacts);
 
-/// Leaves every node that several contacts meet to the one that covers most of it and is near, and every facet between nodes
-/// of two contacts to the one that covers most of it. A node that is active stays where it is until another contact has twice as
-/// much: no two answers call one another for ever.   (README, 5)
+/// Leaves every node that several contacts meet to the one that covers most of it and is near, and every facet between
+/// nodes of two contacts to the one that covers most of it. A node that is active stays where it is until another
+/// contact has twice as much: no two answers call one another for ever.   (README, 5)
 void divide(const SharedSecondary& shared, std::vector<contact::Interface>& faces);
 
 }  // namespace reye::solver

@@ -31,7 +31,8 @@ void Condenser::arrange(const System& system, const std::vector<contact::Interfa
     for (int j = 0; j < faces[c].setup().secondary_count(); ++j) {
       if (elimination_[c].place[j] < 0) continue;
       const auto& node = nodes[c][j];
-      for (int t = node.position.count - node.free; t < node.position.count; ++t) of_column[node.column[t]] = static_cast<int>(all.size());
+      for (int t = node.position.count - node.free; t < node.position.count; ++t)
+        of_column[node.column[t]] = static_cast<int>(all.size());
       all.push_back({c, j, {}, {}});
     }
   std::vector<std::vector<int>> loaded_by(all.size());
@@ -39,7 +40,8 @@ void Condenser::arrange(const System& system, const std::vector<contact::Interfa
     const auto& of_contact = nodes[all[k].contact];
     for (const auto& [beside, share] : faces[all[k].contact].rows()[all[k].node].off)
       for (int t = 0; t < of_contact[beside].position.count; ++t)
-        if (const int other = of_column[of_contact[beside].column[t]]; other >= 0) loaded_by[other].push_back(static_cast<int>(k));
+        if (const int other = of_column[of_contact[beside].column[t]]; other >= 0)
+          loaded_by[other].push_back(static_cast<int>(k));
   }
   turns_.clear();
   std::vector<char> met(all.size(), 0);
@@ -102,7 +104,8 @@ void Condenser::eliminate(const System& system, const std::vector<contact::Inter
   right_hand_side(system, faces);
 }
 
-/// Conditions replace the rows of a node's free columns, and give held multipliers theirs, scaled to the stiffness of their surroundings.
+/// Conditions replace the rows of a node's free columns, and give held multipliers theirs, scaled to the stiffness of
+/// their surroundings.
 void Condenser::conditions(const contact::Interface& face, const std::vector<PlacedNode>& nodes, Elimination& elim,
                            const contact::Linearised& linearised) {
   const auto ns = elim.place.size();
@@ -159,7 +162,8 @@ void Condenser::right_hand_side(const System& system, const std::vector<contact:
     const auto& face = faces[contact];
     const auto& elim = elimination_[contact];
     for (const auto& c : elim.conditions)
-      b_[c.column] = -c.scale * (c.row % 2 == 0 ? face.residual_normal(c.row / 2) : face.residual_tangential(c.row / 2));
+      b_[c.column] =
+          -c.scale * (c.row % 2 == 0 ? face.residual_normal(c.row / 2) : face.residual_tangential(c.row / 2));
     for (const auto& s : elim.met) b_[s.column] -= s.factor * elim.constant[s.component];
   }
 }

@@ -9,8 +9,8 @@ using contact::ContactStatus;
 
 namespace {
 
-/// Multipliers whose shear points the way that an increment slides where sliding is imposed: that it reverses is known, and
-/// wear by what friction works, |shear x slip|, has no slope to be found across zero.
+/// Multipliers whose shear points the way that an increment slides where sliding is imposed: that it reverses is known,
+/// and wear by what friction works, |shear x slip|, has no slope to be found across zero.
 std::vector<Vec2> along_sliding(const contact::ContactState& before, double slip) {
   auto lambda = before.lambda;
   for (std::size_t j = 0; j < lambda.size(); ++j) {
@@ -38,14 +38,15 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (contacts_.choose(system, before, everything, limited)) window_.forget();
 }
 
-base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
-                               body::Tangent tangent) {
+base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls,
+                               contact::Start from, body::Tangent tangent) {
   const bool predicted = from == contact::Start::predicted;
   const Guess* guess = predicted ? controls.guess : nullptr;
   const double continues = predicted && !guess ? controls.continues : 0.0;
   contacts_.begin(system, before, controls, guess);
   lambda_.resize(system.contacts.size());
-  for (std::size_t c = 0; c < lambda_.size(); ++c) lambda_[c] = guess ? guess->lambda[c] : along_sliding(before.contacts[c], controls.contacts[c].imposed_slip);
+  for (std::size_t c = 0; c < lambda_.size(); ++c)
+    lambda_[c] = guess ? guess->lambda[c] : along_sliding(before.contacts[c], controls.contacts[c].imposed_slip);
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), guess, continues);
@@ -185,15 +186,16 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   auto& faces = contacts_.faces();
   if (!chord) {
     const auto& derivatives = condenser_.linearise(faces, lambda_);
-    window_.choose(system, reduction(), contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
+    window_.choose(system, reduction(),
+                   contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
   }
   if (!chord) turn_window(system, q);
   const Vector rhs = window_.load(-balance_);
   auto nodes = contacts_.nodes();
   for (auto& of_contact : nodes)
-    for (auto& node : of_contact)
-    {
-      for (int t = 0; t < node.position.count; ++t) node.column[t] = node.column[t] < 0 ? -1 : window_.index(node.column[t]);
+    for (auto& node : of_contact) {
+      for (int t = 0; t < node.position.count; ++t)
+        node.column[t] = node.column[t] < 0 ? -1 : window_.index(node.column[t]);
       if (node.angle >= 0) node.angle = window_.index(node.angle);
     }
   if (chord) {
@@ -203,13 +205,16 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int body = static_cast<int>(b), at = reduction().first(body);
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-        condenser_.add_body(window_.first(body), rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
+        condenser_.add_body(window_.first(body),
+                            rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
       else
-        condenser_.add_body(window_.first(body), nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
+        condenser_.add_body(window_.first(body),
+                            nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
       if (reduction().turning(body))
         window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
     }
-    for (const auto& spring : controls.springs) condenser_.stiffen(window_.index(reduction().index(spring.column)), spring.stiffness);
+    for (const auto& spring : controls.springs)
+      condenser_.stiffen(window_.index(reduction().index(spring.column)), spring.stiffness);
     for (std::size_t c = 0; c < faces.size(); ++c)
       condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
   }
@@ -224,7 +229,9 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   return window_.expand(dq.head(rhs.size()));
 }
 
-double Increment::way(const Vector& dq) const { return dq.size() ? dq.cwiseProduct(arm_).lpNorm<Eigen::Infinity>() : 0.0; }
+double Increment::way(const Vector& dq) const {
+  return dq.size() ? dq.cwiseProduct(arm_).lpNorm<Eigen::Infinity>() : 0.0;
+}
 
 std::string Increment::renew(base::TwoPart& q) { return nonlinear_.renew(q, lambda_); }
 
@@ -237,8 +244,8 @@ std::string Increment::linearise(const base::TwoPart& q, body::Tangent tangent) 
   }
 }
 
-std::string Increment::not_found(const System& system, const std::vector<Iteration>& table, const NewtonOptions& options,
-                                 bool circles) const {
+std::string Increment::not_found(const System& system, const std::vector<Iteration>& table,
+                                 const NewtonOptions& options, bool circles) const {
   Suspects suspects = suspects_;
   suspects.circles = circles;
   if (suspects.unbalanced < 0) suspects.inside = nonlinear_.least_balanced();

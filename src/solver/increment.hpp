@@ -9,9 +9,9 @@
 
 namespace reye::solver {
 
-/// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: what an iteration places,
-/// decides, measures and solves. Work space is kept between increments; so are the reach and the last increment, until
-/// `forget`.
+/// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: what an iteration
+/// places, decides, measures and solves. Work space is kept between increments; so are the reach and the last
+/// increment, until `forget`.
 class Increment {
  public:
   void forget();
@@ -23,8 +23,8 @@ class Increment {
   /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
-  /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q; throws
-  /// base::SolveError when a nonlinear body can not be linearised there.
+  /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q;
+  /// throws base::SolveError when a nonlinear body can not be linearised there.
   base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
                       body::Tangent tangent);
 
@@ -37,8 +37,8 @@ class Increment {
   bool narrow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Back to all nodes.
   void widen(const System& system, const Controls& controls, base::TwoPart& q);
-  /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton goes
-  /// on from there. False: with nonlinear bodies it can not.
+  /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton
+  /// goes on from there. False: with nonlinear bodies it can not.
   bool follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
@@ -72,7 +72,8 @@ class Increment {
   void take_columns(const System& system, const Controls& controls);
   void change_columns(const System& system, const Controls& controls);
   std::vector<Vector> deformations(const System& system, const base::TwoPart& q) const;
-  Vector residual(const System& system, const Controls& controls, const base::TwoPart& q, const std::vector<Vector>& v) const;
+  Vector residual(const System& system, const Controls& controls, const base::TwoPart& q,
+                  const std::vector<Vector>& v) const;
   void turn_window(const System& system, const base::TwoPart& q);
   void tie_angles(const System& system, const base::TwoPart& q);
   Rounding rounding(const System& system, const base::TwoPart& q, const std::vector<Vector>& v) const;

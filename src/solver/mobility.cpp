@@ -46,9 +46,11 @@ double imposed_turn(const System& system, const std::vector<contact::SurfaceNode
 
 }  // namespace
 
-contact::Mobility mobility(const System& system, const contact::Setup& setup, const Vector& q, const Controls& controls) {
+contact::Mobility mobility(const System& system, const contact::Setup& setup, const Vector& q,
+                           const Controls& controls) {
   contact::Mobility result;
-  const double turn = imposed_turn(system, setup.secondary_nodes, q, controls) - imposed_turn(system, setup.primary_nodes, q, controls);
+  const double turn =
+      imposed_turn(system, setup.secondary_nodes, q, controls) - imposed_turn(system, setup.primary_nodes, q, controls);
   result.turn = std::remainder(turn, 2.0 * std::numbers::pi);  // a cycle of whole turns ends where it began
   const auto held = [](const body::NodeFreedom& f) { return f.free == 1; };
   if (std::none_of(setup.freedom.begin(), setup.freedom.end(), held)) return result;
@@ -56,9 +58,11 @@ contact::Mobility mobility(const System& system, const contact::Setup& setup, co
   for (const auto& [column, value] : controls.prescribed) prescribed[column] = 1;
   const auto parts = system.parts(q);
   const auto freedom = [&](const contact::SurfaceNode& node) {
-    return std::visit([&](const auto& b) {
-      return freedom_of(b.position(node.contact_node, parts[node.body]), system.offset[node.body], prescribed);
-    }, system.bodies[node.body]);
+    return std::visit(
+        [&](const auto& b) {
+          return freedom_of(b.position(node.contact_node, parts[node.body]), system.offset[node.body], prescribed);
+        },
+        system.bodies[node.body]);
   };
   for (std::size_t j = 0; j < setup.freedom.size(); ++j)
     result.secondary.push_back(held(setup.freedom[j]) && freedom(setup.secondary_nodes[j]).free == 1);

@@ -78,8 +78,8 @@ bool nonlinear(const System& system) {
 
 }  // namespace
 
-SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
-                            bool chords, bool narrowing) {
+SolveResult Newton::iterate(const System& system, const SolverState& before, const Controls& controls,
+                            contact::Start from, bool chords, bool narrowing) {
   SolveResult result;
   auto& report = result.report;
   base::TwoPart q;
@@ -121,8 +121,9 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
-      report.reason = "the residual is not finite after " + std::to_string(iteration) +
-                      " iterations: displacements grow without bound, as where a body has lost the contact that holds it";
+      report.reason =
+          "the residual is not finite after " + std::to_string(iteration) +
+          " iterations: displacements grow without bound, as where a body has lost the contact that holds it";
       return result;
     }
     const double off = error_of(row);
@@ -139,8 +140,10 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (renewed && keeps_tangent && changes == 0) chord = true;  // contact's matrix goes with the tangent
     // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
     bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
-    // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked again.
-    if (met && !late && increment_.decide(options_.max_iterations, from, one_by_one ? Allowed::one : Allowed::all) != 0) {
+    // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked
+    // again.
+    if (met && !late &&
+        increment_.decide(options_.max_iterations, from, one_by_one ? Allowed::one : Allowed::all) != 0) {
       met = chord = false;
       late = true;
       increment_.measure(system, controls, q, fresh);
@@ -198,7 +201,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       // Far out the rounding of S q hides that nothing is in balance any more.
       const double way = increment_.way(dq), bound = 1e3 * system.extent;
       if (!system.contacts.empty() && !(way < bound)) {
-        report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
+        report.reason =
+            "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
         return result;
       }
       if (narrowed && iteration == 0) {  // what the first step closes is judged among all nodes
@@ -207,7 +211,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
-      if (!increment_.touching()) report.reason = "nothing is in contact, and a body has lost the contact that holds it";
+      if (!increment_.touching())
+        report.reason = "nothing is in contact, and a body has lost the contact that holds it";
       return result;
     }
   }

@@ -8,8 +8,8 @@ namespace reye::solver {
 
 namespace {
 
-constexpr int most_halvings = 5;   ///< of a step that turns an element inside out
-constexpr int most_shortened = 3;  ///< of one that makes the imbalance grow
+constexpr int most_halvings = 5;    ///< of a step that turns an element inside out
+constexpr int most_shortened = 3;   ///< of one that makes the imbalance grow
 constexpr double unbalanced = 0.1;  ///< of the forces: less than that is no sign of a step too long
 
 }  // namespace
@@ -40,7 +40,8 @@ bool NonlinearBodies::own(int column) const {
 void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
   for (std::size_t b = 0; b < interior_.size(); ++b)
     if (const auto* own = body(b))
-      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b], tangent);
+      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b],
+                     tangent);
   anchor_ = q;
   anchor_lambda_ = lambda;
 }
@@ -66,8 +67,10 @@ std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
   for (int halvings = 0;; ++halvings) {
     try {
       measure(q, lambda);
-      // This guard is for steps that leave the reach of their tangent. A first step, from balance, leaves some imbalance behind.
-      if (halvings == most_shortened || inside_imbalance() < std::max(2.0 * imbalance, unbalanced * force_scale())) return {};
+      // This guard is for steps that leave the reach of their tangent. A first step, from balance, leaves some
+      // imbalance behind.
+      if (halvings == most_shortened || inside_imbalance() < std::max(2.0 * imbalance, unbalanced * force_scale()))
+        return {};
     } catch (const base::SolveError& error) {
       if (halvings == most_halvings) return error.what();
     }

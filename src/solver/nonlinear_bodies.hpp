@@ -14,7 +14,8 @@ using Multipliers = std::vector<std::vector<Vec2>>;
 /// increment that `begin` started; what it was given must live as long.
 class NonlinearBodies {
  public:
-  /// From the accepted state; a guess says where that will lead, `share` > 0 goes on by that share of the last increment.
+  /// From the accepted state; a guess says where that will lead, `share` > 0 goes on by that share of the last
+  /// increment.
   void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction,
              const Guess* guess, double share);
 
@@ -25,8 +26,9 @@ class NonlinearBodies {
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress can not be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
-  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can not be
-  /// done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not be done at all.
+  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can
+  /// not be done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not
+  /// be done at all.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
 
   /// S of a body; null when it is not nonlinear.
@@ -62,8 +64,8 @@ class NonlinearBodies {
   const Reduction* reduction_ = nullptr;
   bool any_ = false;
   std::vector<base::TwoPart> interior_;  ///< y per body, empty but for nonlinear ones
-  std::vector<Vector> last_step_;       ///< of the interiors in the last accepted increment
-  std::vector<Linearised> linearised_;  ///< about the anchor
+  std::vector<Vector> last_step_;        ///< of the interiors in the last accepted increment
+  std::vector<Linearised> linearised_;   ///< about the anchor
   base::TwoPart anchor_;
   Multipliers anchor_lambda_;
 };

@@ -1,8 +1,8 @@
 #include "solver/passage.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Geometry>
 
 namespace reye::solver {
 

@@ -13,8 +13,8 @@ struct Passage {
   double depth = 0.0;  ///< how far behind the other side it lies [mm]
 };
 
-/// The first such node of a contact that is integrated on all of its nodes; `before`, `now`: its two sides. Where no node
-/// moved farther against the other side than the integrals search, nothing can have passed: no node is looked at.
+/// The first such node of a contact that is integrated on all of its nodes; `before`, `now`: its two sides. Where no
+/// node moved farther against the other side than the integrals search, nothing can have passed: no node is looked at.
 std::optional<Passage> passage(const contact::Interface& face, const Sides& before, const Sides& now);
 
 }  // namespace reye::solver

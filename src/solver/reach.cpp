@@ -127,7 +127,8 @@ std::vector<char> Reach::columns_out(const System& system) const {
       if (!linear) continue;
       const auto p = linear->position(nodes[k].contact_node, at_rest);
       const int free = linear->freedom(nodes[k].contact_node).free;
-      for (int t = p.count - free; t < p.count; ++t) (in_reach[k] ? near : far)[system.offset[body] + p.terms[t].column] = 1;
+      for (int t = p.count - free; t < p.count; ++t)
+        (in_reach[k] ? near : far)[system.offset[body] + p.terms[t].column] = 1;
     }
   };
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {

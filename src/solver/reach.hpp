@@ -20,13 +20,13 @@ struct Reach {
   static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin);
   static Reach round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin);
 
-  /// The nodes that conditions and forces of active ones depend on or act on, by their derivatives. Of a contact without
-  /// active ones: everything.
+  /// The nodes that conditions and forces of active ones depend on or act on, by their derivatives. Of a contact
+  /// without active ones: everything.
   static Reach of_derivatives(const std::vector<contact::Interface>& contacts,
                               const std::vector<contact::Linearised>& derivatives);
 
   Reach widened(const System& system, int nodes) const;
-  int nodes() const;                      ///< number of those that may touch
+  int nodes() const;                       ///< number of those that may touch
   bool holds(const Reach& smaller) const;  ///< whether all nodes of another reach are of this one
   /// Per global column: whether it moves nothing but nodes of linear bodies out of reach.
   std::vector<char> columns_out(const System& system) const;

@@ -17,7 +17,11 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
       if (linear->turning()) turning = linear->turning()->part(near);
       const Vector none = Vector::Zero(static_cast<Eigen::Index>(far.size()));
       parts_[b] = {Condensed(linear->shared_stiffness(), linear->compliance(), std::move(near), std::move(far)),
-                   std::move(near_translation), std::move(far_translation), std::move(turning), {}, {none, none, none}};
+                   std::move(near_translation),
+                   std::move(far_translation),
+                   std::move(turning),
+                   {},
+                   {none, none, none}};
     }
   }
 }

@@ -8,8 +8,8 @@
 
 namespace reye::solver {
 
-/// The system on the columns of the reach and of the supports; columns of contact nodes out of reach are condensed out of
-/// linear bodies. Rigid and nonlinear bodies keep all their columns.
+/// The system on the columns of the reach and of the supports; columns of contact nodes out of reach are condensed out
+/// of linear bodies. Rigid and nonlinear bodies keep all their columns.
 class Reduction {
  public:
   Reduction() = default;
@@ -17,12 +17,12 @@ class Reduction {
 
   int size() const { return columns_.size(); }
   int index(int column) const { return columns_.index[column]; }  ///< reduced index of a global column, -1 out of reach
-  int column(int index) const { return columns_.column[index]; }    ///< global column of a reduced one
+  int column(int index) const { return columns_.column[index]; }  ///< global column of a reduced one
   int first(int body) const { return columns_.first[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
-  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`. Those of bodies that
-  /// turn go along with them: `turning_load`.
+  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`. Those of bodies
+  /// that turn go along with them: `turning_load`.
   Vector loads(const System& system, const std::vector<Vector>& load_factors);
   const body::TurningLoad& turning_load(int body) const { return parts_[body].load; }
   const body::Turning* turning(int body) const { return parts_[body].turning ? &*parts_[body].turning : nullptr; }

@@ -50,17 +50,19 @@ std::string no_convergence(const System& system, const Placed& nodes, const Susp
   const auto at = [](const std::string& place) { return place.empty() ? "" : " at " + place; };
   std::vector<std::string> unmet;
   if (last.force > options.force_tolerance)
-    unmet.push_back("forces are out of balance by " + short_number(last.force) + " of the largest" + at(least_balanced(system, nodes, suspects)));
+    unmet.push_back("forces are out of balance by " + short_number(last.force) + " of the largest" +
+                    at(least_balanced(system, nodes, suspects)));
   if (last.condition > options.condition_tolerance)
-    unmet.push_back("a gap or shear misses its condition by " + short_number(last.condition) + " of the largest traction" +
-                    at(named(system, nodes, suspects.unmet)));
+    unmet.push_back("a gap or shear misses its condition by " + short_number(last.condition) +
+                    " of the largest traction" + at(named(system, nodes, suspects.unmet)));
   if (suspects.circles)
     unmet.push_back("no status fits it" + at(named(system, nodes, suspects.asking)));
   else if (last.changes > 0)
-    unmet.push_back(std::to_string(last.changes) + (last.changes == 1 ? " node still changes" : " nodes still change") + " status, the first" +
-                    at(named(system, nodes, suspects.asking)));
+    unmet.push_back(std::to_string(last.changes) + (last.changes == 1 ? " node still changes" : " nodes still change") +
+                    " status, the first" + at(named(system, nodes, suspects.asking)));
   std::string text = "no convergence in " + std::to_string(table.size() - 1) + " iterations";
-  for (std::size_t i = 0; i < unmet.size(); ++i) text += (i == 0 ? ": " : i + 1 == unmet.size() ? ", and " : ", ") + unmet[i];
+  for (std::size_t i = 0; i < unmet.size(); ++i)
+    text += (i == 0 ? ": " : i + 1 == unmet.size() ? ", and " : ", ") + unmet[i];
   return text;
 }
 

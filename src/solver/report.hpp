@@ -9,10 +9,11 @@ namespace reye::solver {
 
 struct NewtonOptions {
   int max_iterations = 30;
-  double force_tolerance = 1e-10;      ///< of the largest force in the system
-  double condition_tolerance = 1e-9;   ///< of the largest multiplier
-  bool limit_reach = true;             ///< condense out contact nodes that are far from contact
-  bool chords = true;                  ///< keep a factorised matrix, and a body's tangent, while the error falls fast; false: Newton's every time
+  double force_tolerance = 1e-10;     ///< of the largest force in the system
+  double condition_tolerance = 1e-9;  ///< of the largest multiplier
+  bool limit_reach = true;            ///< condense out contact nodes that are far from contact
+  bool chords =
+      true;  ///< keep a factorised matrix, and a body's tangent, while the error falls fast; false: Newton's every time
 };
 
 /// One row of a Newton table.
@@ -41,11 +42,11 @@ struct Suspects {
   struct Node {
     int contact = -1, node = -1;  ///< a secondary node; -1: none
   };
-  int unbalanced = -1;     ///< reduced column with the largest unbalanced force, -1: inside a body
-  std::string inside;      ///< the place there, in words
-  Node unmet;              ///< the condition that was met worst
-  Node asking;             ///< the first node that asked for another status in the last decision
-  bool circles = false;    ///< the active set went round in circles, whatever the rule
+  int unbalanced = -1;   ///< reduced column with the largest unbalanced force, -1: inside a body
+  std::string inside;    ///< the place there, in words
+  Node unmet;            ///< the condition that was met worst
+  Node asking;           ///< the first node that asked for another status in the last decision
+  bool circles = false;  ///< the active set went round in circles, whatever the rule
 };
 
 /// Why there is no state, in words: how far off, and where. `nodes`: per contact, secondary ones first.

@@ -32,7 +32,8 @@ std::vector<int> ordered(const std::vector<contact::Setup>& contacts) {
       if (done[c]) continue;
       bool ready = true;
       for (int other = 0; other < n; ++other)
-        if (other != c && !done[other] && overlap(keys(contacts[c].secondary_nodes), keys(contacts[other].primary_nodes)))
+        if (other != c && !done[other] &&
+            overlap(keys(contacts[c].secondary_nodes), keys(contacts[other].primary_nodes)))
           ready = false;
       if (!ready) continue;
       done[c] = 1;
@@ -108,7 +109,8 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
     Points x;
     x.reserve(nodes.size());
     for (const auto& node : nodes)
-      x.push_back(std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]).x; }, system.bodies[node.body]));
+      x.push_back(std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]).x; },
+                             system.bodies[node.body]));
     return x;
   };
   return {at(setup.secondary_nodes), at(setup.primary_nodes)};
@@ -121,8 +123,10 @@ Vector contact_forces(const System& system, const std::vector<contact::ContactSt
     const auto& setup = system.contacts[c];
     const auto& state = contacts[c];
     const auto add = [&](const contact::SurfaceNode& node, const Vec2& force) {
-      const auto p = std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]); }, system.bodies[node.body]);
-      for (int t = 0; t < p.count; ++t) total[system.offset[node.body] + p.terms[t].column] += force.dot(p.terms[t].direction);
+      const auto p = std::visit([&](const auto& b) { return b.position(node.contact_node, own[node.body]); },
+                                system.bodies[node.body]);
+      for (int t = 0; t < p.count; ++t)
+        total[system.offset[node.body] + p.terms[t].column] += force.dot(p.terms[t].direction);
     };
     for (int j = 0; j < setup.secondary_count(); ++j) {
       const auto& row = state.reference[j];

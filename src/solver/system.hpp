@@ -18,7 +18,7 @@ using base::Vector;
 /// Derived from the shapes; renewed when one of them changes.
 struct System {
   std::vector<body::Operator> bodies;
-  std::vector<int> offset;               ///< first global column of each body
+  std::vector<int> offset;  ///< first global column of each body
   int dofs = 0;
   std::vector<contact::Setup> contacts;  ///< those of the scene, then its bonds
   std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
@@ -40,7 +40,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
 /// What evolves in the solver.
 struct SolverState {
   Vector q;
-  Vector q_low;  ///< what rounding took from q: forces of stiff bodies need q + q_low
+  Vector q_low;                           ///< what rounding took from q: forces of stiff bodies need q + q_low
   std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;
 };
@@ -48,8 +48,8 @@ struct SolverState {
 /// What an increment is expected to lead to: where Newton starts. It steers, it does not decide the result.
 struct Guess {
   Vector dq;
-  std::vector<Vector> inside;                               ///< change of Interior::y, per body; empty but for nonlinear ones
-  std::vector<std::vector<Vec2>> lambda;                    ///< per contact
+  std::vector<Vector> inside;             ///< change of Interior::y, per body; empty but for nonlinear ones
+  std::vector<std::vector<Vec2>> lambda;  ///< per contact
   std::vector<std::vector<contact::ContactStatus>> status;  ///< per contact
 };
 
@@ -64,7 +64,7 @@ struct Controls {
   std::vector<std::pair<int, double>> prescribed;  ///< global column, value
   std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
   std::vector<Spring> springs;
-  std::vector<Vector> load_factors;                ///< per body, per load of that body
+  std::vector<Vector> load_factors;  ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
   const Guess* guess = nullptr;
   double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
@@ -79,8 +79,8 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
 /// Contact forces of all contacts added up in the global columns.
 Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q);
 
-/// Force that each support column carries: residual of the bodies plus contact forces at that column; what other columns
-/// hold is not that sum.
+/// Force that each support column carries: residual of the bodies plus contact forces at that column; what other
+/// columns hold is not that sum.
 Vector reactions(const System& system, const SolverState& state, const Controls& controls);
 
 }  // namespace reye::solver

@@ -4,16 +4,16 @@
 namespace reye::solver {
 
 /// The reduced columns that Newton's matrix is built on: those of nodes that are active, of what they meet and of what
-/// shapes them there. Of the others in reach, which contact may come to, the equations are a linear body's alone: they are
-/// condensed out exactly, and solved back with each step. The window goes along with the contact.
+/// shapes them there. Of the others in reach, which contact may come to, the equations are a linear body's alone: they
+/// are condensed out exactly, and solved back with each step. The window goes along with the contact.
 class Window {
  public:
   void forget() { chosen_ = false; }
   /// Kept while the nodes `needed` lie inside.
   void choose(const System& system, const Reduction& reduction, const Reach& needed);
 
-  int index(int column) const { return columns_.index[column]; }  ///< of a reduced column, -1 outside
-  int first(int body) const { return columns_.first[body]; }      ///< of a body's first column inside
+  int index(int column) const { return columns_.index[column]; }                ///< of a reduced column, -1 outside
+  int first(int body) const { return columns_.first[body]; }                    ///< of a body's first column inside
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
 
   /// Where a body that turns is linearised: its reduced columns, the forces on its pivot that are out of balance in its
@@ -32,9 +32,9 @@ class Window {
   KeptColumns columns_;             ///< of the reduced ones
   std::vector<int> first_reduced_;  ///< per body
   struct Part : Condensed {
-    Vector own;                            ///< what the right-hand side moves outside
+    Vector own;                                   ///< what the right-hand side moves outside
     std::optional<body::Turning> whole, turning;  ///< on all reduced columns, on those inside
-    Vector q, forces;                      ///< where it is linearised
+    Vector q, forces;                             ///< where it is linearised
     Condensed::Load rate;
   };
   std::vector<Part> parts_;

@@ -19,8 +19,8 @@ struct Law {
   double pressure_exponent = 0.0;
   double pressure_ref = 1.0;  ///< MPa
   double speed_exponent = 0.0;
-  double speed_ref = 1.0;     ///< mm/s
-  double threshold = 0.0;     ///< energy law: what a node must dissipate per area before it wears [mJ/mm^2]
+  double speed_ref = 1.0;  ///< mm/s
+  double threshold = 0.0;  ///< energy law: what a node must dissipate per area before it wears [mJ/mm^2]
 
   bool wears() const { return kind != LawKind::none && (secondary > 0.0 || primary > 0.0); }
 };
@@ -32,7 +32,8 @@ T work(const Law& law, const T& lambda_n, const T& lambda_t, const T& weighted_s
   using std::abs;
   if (law.kind == LawKind::none) return T(0.0);
   if (law.kind == LawKind::energy) return abs(lambda_t * weighted_slip);
-  return abs(lambda_n * abs(weighted_slip));  // a node that just closed, at zero pressure, has the slope of either direction
+  return abs(lambda_n *
+             abs(weighted_slip));  // a node that just closed, at zero pressure, has the slope of either direction
 }
 
 /// A slipping secondary node.

@@ -19,7 +19,7 @@ inline QuadraticEdge edge_at(const Mesh& m, const Chain& chain, std::size_t i) {
 
 /// Losses that give the depth field sum B_j V_j / A_j the values depth(x) at all nodes of the boundary.
 inline WornBoundary worn_by(const Mesh& m, const std::string& boundary, const Depth& depth,
-                     Analysis analysis = Analysis::plane_strain) {
+                            Analysis analysis = Analysis::plane_strain) {
   std::vector<double> length(m.X.size(), 0.0), W(m.X.size(), 0.0);
   for (const auto& chain : m.boundaries.at(boundary))
     for (std::size_t i = 0; i + 2 < chain.size(); i += 2) {

@@ -61,8 +61,8 @@ inline body::ShapePtr shape_of(const cad::Drawing& d) {
 }
 
 /// The shape after wear of depth(x) on a boundary.
-inline body::ShapePtr wear(const body::ShapePtr& shape, const std::string& boundary, const std::function<double(Vec2)>& depth,
-                           Analysis analysis = Analysis::plane_strain) {
+inline body::ShapePtr wear(const body::ShapePtr& shape, const std::string& boundary,
+                           const std::function<double(Vec2)>& depth, Analysis analysis = Analysis::plane_strain) {
   const auto result = adapt::evolve(shape, analysis, {worn_by(shape->mesh, boundary, depth, analysis)});
   if (!result.shape) throw std::runtime_error(result.failure);
   return result.shape;

@@ -59,7 +59,8 @@ TEST(CarriedState, Identity) {
       const NonlinearBody b(body::make_shape(mesh), metal(analysis, kinematics));
       const Seated at(b, mesh, bent);
       const auto now = b.accepted(at.state, at.state.y, at.q);
-      const auto carried = adapt::transfer_elastic(mesh, b.elastic_states(now, at.q), mesh, {GaussTransfer::nearest, analysis});
+      const auto carried =
+          adapt::transfer_elastic(mesh, b.elastic_states(now, at.q), mesh, {GaussTransfer::nearest, analysis});
       EXPECT_LT(largest_difference(b.compatible(now, at.q, carried), now.history), 1e-13);
     }
 }

@@ -15,8 +15,8 @@ namespace {
 using namespace support;  // NOLINT: test vocabulary
 using adapt::GaussOptions;
 using adapt::GaussTransfer;
-using adapt::transfer_gauss;
 using adapt::transfer_elastic;
+using adapt::transfer_gauss;
 using base::Analysis;
 using base::Matrix;
 using material::ElasticState;

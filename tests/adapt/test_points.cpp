@@ -25,7 +25,8 @@ void expect_points(const mesh::Mesh& mesh, const char* when) {
 
 }  // namespace
 
-// The vertices of points must stay where they are while wear moves the mesh about them, and be vertices of fresh meshes.
+// The vertices of points must stay where they are while wear moves the mesh about them, and be vertices of fresh
+// meshes.
 TEST(Points, StayThroughWearAndRemeshes) {
   auto shape = support::shape_of(block());
   expect_points(shape->mesh, "born");
@@ -40,16 +41,19 @@ TEST(Points, StayThroughWearAndRemeshes) {
   }
 }
 
-// Boundaries must go on counting arc length from the end that was chosen at first, though wear turns which end lies left.
+// Boundaries must go on counting arc length from the end that was chosen at first, though wear turns which end lies
+// left.
 TEST(Points, ArcLengthCountsFromTheSameEnd) {
   auto shape = std::make_shared<body::Shape>(*support::shape_of(support::block_drawing()));
-  for (const auto& [name, chains] : shape->mesh.boundaries) shape->mesh.arc_origin[name] = mesh::arc_origins(shape->mesh, name);
+  for (const auto& [name, chains] : shape->mesh.boundaries)
+    shape->mesh.arc_origin[name] = mesh::arc_origins(shape->mesh, name);
   const auto starts_below = [](const body::ShapePtr& s) {
     const auto chain = mesh::arc_chains(s->mesh, "left").at(0);
     return s->mesh.X[chain.nodes.front()].y() < 0.5;
   };
   ASSERT_TRUE(starts_below(shape));
-  const auto worn = support::wear(shape, "left", [](Vec2 x) { return 0.02 * (1.0 - x.y()); });  // its lower end goes right
+  const auto worn =
+      support::wear(shape, "left", [](Vec2 x) { return 0.02 * (1.0 - x.y()); });  // its lower end goes right
   EXPECT_TRUE(starts_below(worn));
   const auto fresh = adapt::remesh(worn, base::Analysis::plane_strain);
   ASSERT_EQ(fresh.failure, "");

@@ -46,8 +46,8 @@ TEST(Redraw, ScarOnAStraightFace) {
     const auto drawn = redraw(*shape);
     ASSERT_EQ(drawn.failure, "");
     const auto& loop = drawn.drawing.part.loops[0];
-    EXPECT_THAT(types(loop), ElementsAre(EdgeType::line, EdgeType::line, EdgeType::line, EdgeType::spline, EdgeType::line,
-                                         EdgeType::line));
+    EXPECT_THAT(types(loop), ElementsAre(EdgeType::line, EdgeType::line, EdgeType::line, EdgeType::spline,
+                                         EdgeType::line, EdgeType::line));
     EXPECT_TRUE(loop[3].worn);
     EXPECT_EQ(count(drawn.drawing, "top"), 3);
     EXPECT_EQ(count(drawn.drawing, "left"), 1);
@@ -192,7 +192,8 @@ TEST(Redraw, UntouchedScarStays) {
   const auto old = *std::find_if(before.begin(), before.end(), [](const cad::Edge& e) { return e.worn; });
   const auto loop = redraw(*wear(shape, "top", scar(0.01, 1.5, 0.3))).drawing.part.loops[0];
   EXPECT_EQ(worn_edges(loop), 2);
-  EXPECT_TRUE(std::any_of(loop.begin(), loop.end(), [&](const cad::Edge& e) { return e.worn && e.knots == old.knots; }));
+  EXPECT_TRUE(
+      std::any_of(loop.begin(), loop.end(), [&](const cad::Edge& e) { return e.worn && e.knots == old.knots; }));
 }
 
 // A scar round a whole disc becomes one closed smooth edge.

@@ -79,7 +79,8 @@ TEST(Remesh, RefitConverges) {
   for (double h : {0.1, 0.05, 0.025}) {
     auto shape = std::make_shared<body::Shape>(*shape_of(block_drawing({.far_size = h})));
     for (int node : mesh::nodes_of(shape->mesh.boundaries.at("top")))
-      if (const double x = shape->mesh.X[node].x(); std::abs(x - 1.0) < 0.6 - 1e-9) shape->mesh.X[node].y() -= profile(x);
+      if (const double x = shape->mesh.X[node].x(); std::abs(x - 1.0) < 0.6 - 1e-9)
+        shape->mesh.X[node].y() -= profile(x);
     const auto drawn = adapt::remesh(shape, plane, {{{}, {1.0, 0.95}, 0.5, 0.01, 0.37 * h}});
     ASSERT_TRUE(drawn.shape) << drawn.failure;
     double worst = 0.0;
@@ -112,8 +113,8 @@ TEST(Remesh, LedgerOverTwoHundredRemeshes) {
   EXPECT_LT(shape->mesh.node_count(), 2 * born->mesh.node_count());
 }
 
-// A scar that widens under a fine zone which follows it stays finely and evenly divided, on sound elements, and keeps the
-// ledger on the flat; on the disc, too, the worn run stays one edge.
+// A scar that widens under a fine zone which follows it stays finely and evenly divided, on sound elements, and keeps
+// the ledger on the flat; on the disc, too, the worn run stays one edge.
 TEST(Remesh, FineZoneFollowsAScar) {
   for (const bool disc : {false, true})
     for (auto kind : {CellKind::quad4, CellKind::tri3}) {
@@ -128,7 +129,9 @@ TEST(Remesh, FineZoneFollowsAScar) {
       double removed = 0.0, poorest = 1.0, finest = 1.0, coarsest = 0.0;
       for (int i = 0; i < 10; ++i) {
         const double half = 0.05 + 0.012 * i;
-        const auto profile = [&](Vec2 x) { return 1e-3 * std::sqrt(std::max(0.0, 1.0 - x.x() * x.x() / (half * half))); };
+        const auto profile = [&](Vec2 x) {
+          return 1e-3 * std::sqrt(std::max(0.0, 1.0 - x.x() * x.x() / (half * half)));
+        };
         const auto step = adapt::evolve(shape, plane, {worn_by(shape->mesh, face, profile)});
         ASSERT_TRUE(step.shape) << step.failure;
         removed += step.removed;
@@ -160,7 +163,8 @@ TEST(Remesh, SlidingCorners) {
   auto shape = born;
   double removed = 0.0;
   for (int i = 0; i < 20; ++i) {
-    const auto step = adapt::evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2 x) { return 0.01 + 0.002 * x.x(); })});
+    const auto step =
+        adapt::evolve(shape, plane, {worn_by(shape->mesh, "top", [](Vec2 x) { return 0.01 + 0.002 * x.x(); })});
     ASSERT_TRUE(step.shape) << step.failure;
     removed += step.removed;
     const auto fresh = remesh(step.shape, plane);

@@ -131,8 +131,8 @@ TEST(SecondOrderStrip, TinyStepsAddUp) {
     double asked = 0.0, removed = 0.0;
     adapt::RelocationCache cache;
     for (int step = 0; step < 1000; ++step) {
-      const auto worn =
-          worn_by(shape->mesh, "right", [&](Vec2 x) { return 1e-6 * (1.5 + std::sin(3.0 * x.x() + step)); }, analysis);
+      const auto worn = worn_by(
+          shape->mesh, "right", [&](Vec2 x) { return 1e-6 * (1.5 + std::sin(3.0 * x.x() + step)); }, analysis);
       const auto result = evolve(shape, analysis, {worn}, {}, &cache);
       ASSERT_TRUE(result.shape) << result.failure;
       asked += sum(worn);

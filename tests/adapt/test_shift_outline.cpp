@@ -58,7 +58,8 @@ TEST(ShiftOutline, NothingFree) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 8});
   const auto none = [](Vec2) { return 0.0; };
   const auto result = shift_outline(make_shape(mesh), Analysis::plane_strain,
-                                    {shift_by(mesh, "top", [](Vec2) { return 1e-4; }, none)});
+                                    {shift_by(
+                                        mesh, "top", [](Vec2) { return 1e-4; }, none)});
   EXPECT_FALSE(result.shape);
   EXPECT_FALSE(result.failure.empty());
 }

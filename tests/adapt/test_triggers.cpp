@@ -27,7 +27,8 @@ body::Shape sheared(double angle) {
 }
 
 /// Bounds that nothing but the one under test exceeds.
-constexpr adapt::Triggers lax{.min_scaled_jacobian = 0.0, .min_angle_deg = 0.0, .size_ratio = 1e9, .wear_fraction = 1e9};
+constexpr adapt::Triggers lax{
+    .min_scaled_jacobian = 0.0, .min_angle_deg = 0.0, .size_ratio = 1e9, .wear_fraction = 1e9};
 
 // A mesh as it was born is fit, whatever its bounds say of its quality.
 TEST(Triggers, BirthIsNoReason) {
@@ -40,7 +41,8 @@ TEST(Triggers, ScaledJacobian) {
   auto bounds = lax;
   bounds.min_scaled_jacobian = 0.3;
   EXPECT_EQ(why_remesh(sheared(std::acos(0.301)), nullptr, bounds), "");
-  EXPECT_THAT(why_remesh(sheared(std::acos(0.299)), nullptr, bounds), HasSubstr("has scaled Jacobian 0.299, below 0.3"));
+  EXPECT_THAT(why_remesh(sheared(std::acos(0.299)), nullptr, bounds),
+              HasSubstr("has scaled Jacobian 0.299, below 0.3"));
   EXPECT_NEAR(measure(sheared(1.2), sheared(1.2).mesh.X).scaled_jacobian.value, std::cos(1.2), 1e-12);
 }
 
@@ -81,7 +83,8 @@ TEST(Triggers, WearFraction) {
   auto bounds = lax;
   bounds.wear_fraction = 0.5;
   const auto worn = [](double depth) {
-    return moved_block([=](Vec2 x) { return x.y() > 0.99 && std::abs(x.x() - 1.2) < 0.01 ? Vec2(x.x(), 1.0 - depth) : x; });
+    return moved_block(
+        [=](Vec2 x) { return x.y() > 0.99 && std::abs(x.x() - 1.2) < 0.01 ? Vec2(x.x(), 1.0 - depth) : x; });
   };
   EXPECT_EQ(why_remesh(worn(0.049), nullptr, bounds), "");
   EXPECT_EQ(why_remesh(worn(0.051), nullptr, bounds),
@@ -101,9 +104,11 @@ TEST(Triggers, CurrentShape) {
 
 // Of several reasons the one that exceeds its bound by the largest factor is told.
 TEST(Triggers, WorstReason) {
-  const auto shape = moved_block([](Vec2 x) { return Vec2(x.x() + 4.0 * x.y(), x.y()); });  // 0.243; 14.04 degrees; 4.12
+  const auto shape =
+      moved_block([](Vec2 x) { return Vec2(x.x() + 4.0 * x.y(), x.y()); });  // 0.243; 14.04 degrees; 4.12
   EXPECT_THAT(why_remesh(shape, nullptr, {.wear_fraction = 1e9}), HasSubstr("above 2.5"));
-  EXPECT_THAT(why_remesh(shape, nullptr, {.min_scaled_jacobian = 0.9, .wear_fraction = 1e9}), HasSubstr("scaled Jacobian"));
+  EXPECT_THAT(why_remesh(shape, nullptr, {.min_scaled_jacobian = 0.9, .wear_fraction = 1e9}),
+              HasSubstr("scaled Jacobian"));
   EXPECT_THAT(why_remesh(shape, nullptr, {}), HasSubstr("wear at"));
 }
 

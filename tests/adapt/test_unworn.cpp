@@ -10,7 +10,8 @@ using namespace support;  // NOLINT: test vocabulary
 
 double deepest_node(const Mesh& mesh, const adapt::UnwornLine& line, const std::string& boundary) {
   double most = 0.0;
-  for (int node : mesh::nodes_of(mesh.boundaries.at(boundary))) most = std::max(most, std::abs(line.depth(mesh.X[node])));
+  for (int node : mesh::nodes_of(mesh.boundaries.at(boundary)))
+    most = std::max(most, std::abs(line.depth(mesh.X[node])));
   return most;
 }
 
@@ -24,8 +25,8 @@ TEST(UnwornLine, NoDepthWithoutWear) {
     EXPECT_LT(deepest_node(mesh, {mesh, mesh.boundaries.at(boundary)}, boundary), 1e-15) << boundary;
 }
 
-// Below a circle the depth is the difference of radii wherever nodes are, to fourth order in the facet; to six digits where
-// wear is as deep as a quarter of the radius.
+// Below a circle the depth is the difference of radii wherever nodes are, to fourth order in the facet; to six digits
+// where wear is as deep as a quarter of the radius.
 TEST(UnwornLine, CircleToFourthOrder) {
   const auto error = [](int around, double depth) {
     const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = around});

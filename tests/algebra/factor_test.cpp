@@ -47,7 +47,8 @@ Matrix dense_schur(const SparseMatrix& K, int c) {
   const Matrix D = K;
   const int i = static_cast<int>(D.rows()) - c;
   if (i == 0) return D;
-  return D.bottomRightCorner(c, c) - D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).llt().solve(D.topRightCorner(i, c));
+  return D.bottomRightCorner(c, c) -
+         D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).llt().solve(D.topRightCorner(i, c));
 }
 
 Vector wave(int n) { return Vector::LinSpaced(n, 0.0, 9.0).array().sin() + 0.3; }
@@ -130,8 +131,8 @@ TEST(schur, refactor_equals_fresh) {
 // A singular or indefinite interior, a value that is not finite and an impossible split must be SolveErrors.
 TEST(schur, failures_are_solve_errors) {
   SparseMatrix K = grid(6, 6, 0.0);
-  EXPECT_THROW(algebra::SchurFactor(K, 0), base::SolveError);   // both translations free inside
-  EXPECT_THROW(algebra::SchurFactor(K, 1), base::SolveError);   // one still free
+  EXPECT_THROW(algebra::SchurFactor(K, 0), base::SolveError);  // both translations free inside
+  EXPECT_THROW(algebra::SchurFactor(K, 1), base::SolveError);  // one still free
   EXPECT_THROW(algebra::SchurFactor(K, 73), base::SolveError);
   SparseMatrix negative = -1.0 * grid(6, 6, 1.0);
   EXPECT_THROW(algebra::SchurFactor(negative, 6), base::SolveError);

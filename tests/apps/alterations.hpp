@@ -14,22 +14,31 @@ namespace reye::test {
 
 /// Some bytes of it replaced: any, or eight by a number that is none, too large, or no size.
 inline std::string altered(std::string bytes, std::mt19937& random) {
-  constexpr double numbers[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308, -1.0, 0.0};
+  constexpr double numbers[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                                1e308, -1.0, 0.0};
   constexpr std::int64_t sizes[] = {-1, 0, 1, 1LL << 31, 1LL << 40, std::numeric_limits<std::int64_t>::max()};
   for (int n = 1 + static_cast<int>(random() % 3); n > 0; --n) {
     const std::size_t at = random() % (bytes.size() - 8);
     switch (random() % 4) {
-      case 0: bytes[at] = static_cast<char>(random()); break;
-      case 1: std::memcpy(&bytes[at], &numbers[random() % 5], 8); break;
-      case 2: std::memcpy(&bytes[at], &sizes[random() % 6], 8); break;
-      default: bytes.erase(at, 1 + random() % 16);
+      case 0:
+        bytes[at] = static_cast<char>(random());
+        break;
+      case 1:
+        std::memcpy(&bytes[at], &numbers[random() % 5], 8);
+        break;
+      case 2:
+        std::memcpy(&bytes[at], &sizes[random() % 6], 8);
+        break;
+      default:
+        bytes.erase(at, 1 + random() % 16);
     }
   }
   return bytes;
 }
 
-/// A run is interrupted in the middle; its checkpoint is altered so many times, each time gone on from. That must end with a
-/// code of the contract and no number that is none in its summary; in one that is refused, with a sentence that names the file.
+/// A run is interrupted in the middle; its checkpoint is altered so many times, each time gone on from. That must end
+/// with a code of the contract and no number that is none in its summary; in one that is refused, with a sentence that
+/// names the file.
 inline void expect_sentences(int alterations) {
   const Place place;
   place.write("wearing.geo", wearing_geo);
@@ -47,8 +56,12 @@ inline void expect_sentences(int alterations) {
     auto checkpoint = whole;
     checkpoint.payload = altered(whole.payload, random);
     output::atomic_write((place / "again/checkpoint/current.bin").string(), output::packed(checkpoint));
-    const auto told = place.start({"/usr/bin/timeout", "60", REYE_COMMAND, "run", "wearing.toml", "--out", "again", "--restart", "--quiet"}).wait();
-    ASSERT_TRUE(told.code == 0 || told.code == 1 || told.code == 2) << "alteration " << k << ": " << told.code << ' ' << told.err;
+    const auto told = place
+                          .start({"/usr/bin/timeout", "60", REYE_COMMAND, "run", "wearing.toml", "--out", "again",
+                                  "--restart", "--quiet"})
+                          .wait();
+    ASSERT_TRUE(told.code == 0 || told.code == 1 || told.code == 2)
+        << "alteration " << k << ": " << told.code << ' ' << told.err;
     refused += told.code == 2;
     const std::string sentence = "--restart = again: no checkpoint to go on from: again/checkpoint/current.bin: ";
     ASSERT_TRUE(told.code != 2 || holds(told.err, sentence)) << told.err;

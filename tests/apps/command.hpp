@@ -83,8 +83,9 @@ class Place {
     std::ofstream(work() / file, std::ios::binary) << text;
   }
 
-  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows. `beside`: another name where
-  /// what is printed is kept while another command runs. `before` is called in the new process, for limits of another kind.
+  /// `file_bytes`: no file may grow beyond that, as on a full disk; 0: as the system allows. `beside`: another name
+  /// where what is printed is kept while another command runs. `before` is called in the new process, for limits of
+  /// another kind.
   Running start(const std::vector<std::string>& words, rlim_t file_bytes = 0, const std::string& beside = "",
                 void (*before)() = nullptr) const {
     const fs::path out = root_ / ("out" + beside), err = root_ / ("err" + beside);

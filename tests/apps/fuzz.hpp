@@ -85,15 +85,14 @@ inline Told ended(Running running, double asked_s, double most_s) {
   return told;
 }
 
-/// `check` of a trial, and where that is content and `also_run` is wished, `run`. Damage may ask for a mesh of so many elements
-/// that gmsh takes minutes: such a check must end at once when it is asked to.
+/// `check` of a trial, and where that is content and `also_run` is wished, `run`. Damage may ask for a mesh of so many
+/// elements that gmsh takes minutes: such a check must end at once when it is asked to.
 inline void expect_an_end(const Trial& trial, unsigned seed, bool also_run) {
   constexpr double most_s = 60.0, asked_s = 20.0, meshing_s = 40.0;
   constexpr int asked_to_end = 128 + SIGINT;
   const Place place;
   for (const auto& [name, text] : trial.files) place.write(name, text);
-  const auto told =
-      ended(place.start({REYE_COMMAND, "check", "scene.toml"}, 0, "", within_memory), meshing_s, most_s);
+  const auto told = ended(place.start({REYE_COMMAND, "check", "scene.toml"}, 0, "", within_memory), meshing_s, most_s);
   EXPECT_TRUE(told.code == 0 || told.code == 2 || told.code == asked_to_end)
       << trial.what << ", seed " << seed << ": check ended with " << told.code << ": " << told.err;
   if (told.code == asked_to_end) return;

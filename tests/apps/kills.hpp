@@ -15,12 +15,17 @@ namespace reye::test {
 /// The wearing contact on steel that yields under the load: friction, wear, plastic flow and, twice, fresh meshes.
 inline std::string yielding() {
   const std::string steel = "[material.steel]\nE_MPa = 200e3\nnu    = 0.3\n";
-  return changed(wearing, {{"[body.disc]\n", "[body.disc]\nkinematics = \"small\"\n"},
-                           {"[body.flat]\n", "[body.flat]\nkinematics = \"small\"\n"},
-                           {steel, steel + "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 480.0, modulus_MPa = 2000.0 }\n"},
-                           {"half_width_mm = 0.08, depth_mm = 0.02, size_mm = 0.008", "half_width_mm = 0.08, depth_mm = 0.04, size_mm = 0.008"},
-                           {"increments = 16\ncycles = 400\njump = 100", "increments = 8\ncycles = 240\njump = 20"},
-                           {"every_cycles = 200 }", "every_cycles = 40, at_remeshes = true }"}}) +
+  return changed(
+             wearing,
+             {{"[body.disc]\n", "[body.disc]\nkinematics = \"small\"\n"},
+              {"[body.flat]\n", "[body.flat]\nkinematics = \"small\"\n"},
+              {steel,
+               steel +
+                   "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 480.0, modulus_MPa = 2000.0 }\n"},
+              {"half_width_mm = 0.08, depth_mm = 0.02, size_mm = 0.008",
+               "half_width_mm = 0.08, depth_mm = 0.04, size_mm = 0.008"},
+              {"increments = 16\ncycles = 400\njump = 100", "increments = 8\ncycles = 240\njump = 20"},
+              {"every_cycles = 200 }", "every_cycles = 40, at_remeshes = true }"}}) +
          "[remesh]\nevery_blocks = 6\n";
 }
 
@@ -47,9 +52,9 @@ inline void cut_tables(const fs::path& folder, std::mt19937& random) {
   }
 }
 
-/// Kills a run at random moments, every other time just after a frame was begun, when much is being written; restarts it
-/// each time, until it ends; and so on until so many kills have been survived. Each must end as the unbroken run does. With
-/// `power_cuts` each kill cuts the tables, too.
+/// Kills a run at random moments, every other time just after a frame was begun, when much is being written; restarts
+/// it each time, until it ends; and so on until so many kills have been survived. Each must end as the unbroken run
+/// does. With `power_cuts` each kill cuts the tables, too.
 inline void expect_survival(int kills, bool power_cuts = false) {
   using clock = std::chrono::steady_clock;
   const Place place;

@@ -10,9 +10,10 @@ namespace reye::test {
 
 inline std::string long_life(long count) {
   auto text = changed(blocks, {{"x        = \"fixed\"", "x        = { motion_mm = 0.01, history = \"stroke\" }"},
-                                           {"3.0e-5", "3.0e-9"}, {"2.0e-5", "2.0e-9"},
-                                           {"press = [[0.0, 0.0], [1.0, 1.0]]",
-                                            "press = [[0.0, 0.0], [1.0, 1.0]]\nstroke = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"}});
+                               {"3.0e-5", "3.0e-9"},
+                               {"2.0e-5", "2.0e-9"},
+                               {"press = [[0.0, 0.0], [1.0, 1.0]]",
+                                "press = [[0.0, 0.0], [1.0, 1.0]]\nstroke = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"}});
   return text + "[[step]]\nname = \"wear\"\nplay = [\"stroke\"]\ncycles = " + std::to_string(count) +
          "\n[output]\nframes = { per_decade = 4 }\nhistory = { every_blocks = " + std::to_string(count / 100) +
          " }\ncheckpoint_s = 1\n";
@@ -60,16 +61,17 @@ inline void expect_bounded(long count) {
   EXPECT_EQ(late.summary.at("cycles"), count);
   EXPECT_EQ(late.summary.at("counts").at("blocks"), count + 1);
   EXPECT_LT(late.told.peak_MB, early.told.peak_MB + 4.0);
-  const double frames = 4.0 * std::log10(static_cast<double>(count)) + 4.0;  // 4 a decade, start, load step, first block, end
-  const double rows = 1.0 + 2.0 * 102.0;                                      // load step, every hundredth, first and last
+  const double frames =
+      4.0 * std::log10(static_cast<double>(count)) + 4.0;  // 4 a decade, start, load step, first block, end
+  const double rows = 1.0 + 2.0 * 102.0;                   // load step, every hundredth, first and last
   const auto history = "life" + std::to_string(count) + "/history.csv";
   EXPECT_LE(lines(place / history), static_cast<long>(rows) + 1);
   EXPECT_LT(late.folder_bytes(), folder_bound(late, frames, 5.0 + 9.0, rows, 12.0));
   EXPECT_LT(late.folder_bytes(), 2e6);
   EXPECT_LT(late.largest("checkpoint/"), early.largest("checkpoint/") + 1000);
-  std::printf("%ld blocks: %.1f MB of memory (1000 blocks: %.1f), %.0f kB on disk (bound %.0f), %.0f s\n", count, late.told.peak_MB,
-              early.told.peak_MB, 1e-3 * late.folder_bytes(), 1e-3 * folder_bound(late, frames, 14.0, rows, 12.0),
-              late.summary.at("wall_s").get<double>());
+  std::printf("%ld blocks: %.1f MB of memory (1000 blocks: %.1f), %.0f kB on disk (bound %.0f), %.0f s\n", count,
+              late.told.peak_MB, early.told.peak_MB, 1e-3 * late.folder_bytes(),
+              1e-3 * folder_bound(late, frames, 14.0, rows, 12.0), late.summary.at("wall_s").get<double>());
 }
 
 }  // namespace reye::test

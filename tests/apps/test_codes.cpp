@@ -129,16 +129,18 @@ TEST(Codes, FailedSolve) {
   const auto summary = test::read(place / "hard.out/summary.json");
   EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
   EXPECT_TRUE(test::holds(summary, "no convergence in 1 iterations"));
-  EXPECT_TRUE(test::holds(told.err, "reye: hard.toml:39: step \"press\", cycle 0, progress 0 to 0.5: no convergence in 1 iterations"));
+  EXPECT_TRUE(test::holds(
+      told.err, "reye: hard.toml:39: step \"press\", cycle 0, progress 0 to 0.5: no convergence in 1 iterations"));
   EXPECT_TRUE(test::fs::exists(place / "hard.out/series.pvd"));
   EXPECT_TRUE(test::fs::exists(place / "hard.out/report.html"));
 }
 
-// A fresh mesh larger than the scene allows must end the run with 1, say how many nodes it would need, and leave the last
-// good state on disk.
+// A fresh mesh larger than the scene allows must end the run with 1, say how many nodes it would need, and leave the
+// last good state on disk.
 TEST(Codes, FailedRemesh) {
   const WithScenes place;
-  place.write("pin.toml", test::changed(test::worn_pin, {{"every_blocks = 1", "every_blocks = 3\nautomatic = false\nmax_dofs = 200"}}));
+  place.write("pin.toml", test::changed(test::worn_pin,
+                                        {{"every_blocks = 1", "every_blocks = 3\nautomatic = false\nmax_dofs = 200"}}));
   const auto told = place.reye({"run", "pin.toml", "--quiet"});
   EXPECT_EQ(told.code, 1);
   EXPECT_TRUE(test::holds(told.err, "\nreye: remeshing body disc (every 3 blocks, as asked for): ")) << told.err;
@@ -150,7 +152,8 @@ TEST(Codes, FailedRemesh) {
   EXPECT_TRUE(test::fs::exists(place / "pin.out/series.pvd"));
 }
 
-// Wear that no mesh can follow must end the run with 1 and name the body and what is gone of it, in the last line; what was reached stays on disk.
+// Wear that no mesh can follow must end the run with 1 and name the body and what is gone of it, in the last line; what
+// was reached stays on disk.
 TEST(Codes, FailedShape) {
   const WithScenes place;
   const std::string eaten =
@@ -160,8 +163,11 @@ TEST(Codes, FailedShape) {
   place.write("deep.toml", eaten + "\n[[step]]\nname = \"wear\"\ncycles = 50\n");  // a tenth of the block per cycle
   const auto told = place.reye({"run", "deep.toml", "--quiet"});
   EXPECT_EQ(told.code, 1);
-  EXPECT_TRUE(told.err.ends_with("reye: deep.toml:40: body slider is worn by 0.8 mm of the 1 mm that it measured at cycle 0, 0.2 mm are left (cycle 8); end the run before with a limit with stop = true, "
-                                "or check the wear coefficients\n")) << told.err;
+  EXPECT_TRUE(
+      told.err.ends_with("reye: deep.toml:40: body slider is worn by 0.8 mm of the 1 mm that it measured at cycle 0, "
+                         "0.2 mm are left (cycle 8); end the run before with a limit with stop = true, "
+                         "or check the wear coefficients\n"))
+      << told.err;
   const auto summary = test::read(place / "deep.out/summary.json");
   EXPECT_TRUE(test::holds(summary, R"("status": "failed",)"));
   EXPECT_TRUE(test::holds(summary, R"("reason": "deep.toml:40: body slider is worn by 0.8 mm)"));

@@ -10,14 +10,15 @@ namespace {
 struct WithBlocks : test::Place {
   WithBlocks() {
     write("blocks.geo", test::blocks_geo);
-    write("blocks.toml", std::string(test::blocks) + "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n[output]\ncheckpoint_s = 0\n");
+    write("blocks.toml", std::string(test::blocks) +
+                             "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n[output]\ncheckpoint_s = 0\n");
   }
 };
 
 }  // namespace
 
-// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it goes on
-// to the bytes of an unbroken run.
+// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it goes
+// on to the bytes of an unbroken run.
 TEST(Disk, FullInTheMiddle) {
   const WithBlocks place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
@@ -26,7 +27,9 @@ TEST(Disk, FullInTheMiddle) {
   ASSERT_GT(history, checkpoint + 4096) << "the history is to be what finds the disk full";
   const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}, (checkpoint + history) / 2);
   EXPECT_EQ(told.code, 1);
-  EXPECT_EQ(told.err, "reye: cannot write o/history.csv: File too large; the last checkpoint is whole: --restart goes on from there\n");
+  EXPECT_EQ(
+      told.err,
+      "reye: cannot write o/history.csv: File too large; the last checkpoint is whole: --restart goes on from there\n");
   EXPECT_FALSE(test::fs::exists(place / "o/summary.json"));
   const auto again = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"});
   EXPECT_EQ(again.code, 0) << again.err;
@@ -50,12 +53,14 @@ TEST(Disk, FullAtACheckpoint) {
   ASSERT_TRUE(run.signal_when(SIGINT, [&] { return test::lines(place / "o/history.csv") > 20; }));
   ASSERT_EQ(run.wait().code, 130);
   const auto before = test::read(place / "o/checkpoint/current.bin");
-  ASSERT_GT(before.size(), test::fs::file_size(place / "o/history.csv") + 1000) << "the checkpoint is to be what finds the disk full";
+  ASSERT_GT(before.size(), test::fs::file_size(place / "o/history.csv") + 1000)
+      << "the checkpoint is to be what finds the disk full";
   const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"}, before.size() - 100);
   EXPECT_EQ(told.code, 1);
-  EXPECT_EQ(told.err,
-            "reye: cannot write o/checkpoint/fresh.bin: File too large; the last checkpoint is whole: --restart goes on "
-            "from there\n");
+  EXPECT_EQ(
+      told.err,
+      "reye: cannot write o/checkpoint/fresh.bin: File too large; the last checkpoint is whole: --restart goes on "
+      "from there\n");
   EXPECT_EQ(test::read(place / "o/checkpoint/current.bin"), before);
   EXPECT_FALSE(test::fs::exists(place / "o/checkpoint/fresh.bin"));
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"}).code, 0);

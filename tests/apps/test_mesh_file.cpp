@@ -18,12 +18,13 @@ struct WithWearing : test::Place {
 
 }  // namespace
 
-// A scene that runs on the mesh that was written of it must give the bytes of one that makes it, in either order of elements.
+// A scene that runs on the mesh that was written of it must give the bytes of one that makes it, in either order of
+// elements.
 TEST(MeshFile, RunsAsItWasMade) {
   for (const char* order : {"order = 1", "order = 2"}) {
     WithWearing place;
-    place.write_both(test::changed(test::wearing, {{"[body.disc]", std::string("[body.disc]\n") + order},
-                                                   {"cycles = 400", "cycles = 200"}}));
+    place.write_both(test::changed(
+        test::wearing, {{"[body.disc]", std::string("[body.disc]\n") + order}, {"cycles = 400", "cycles = 200"}}));
     for (const char* name : {"cad", "mesh"}) {
       const auto told = place.reye({"run", std::string(name) + ".toml", "--out", name, "--quiet"});
       ASSERT_EQ(told.code, 0) << told.err;
@@ -38,9 +39,10 @@ TEST(MeshFile, Refused) {
   WithWearing place;
   place.write_both(test::wearing);
   const std::string whole = test::read(place / "m/mesh.vtu");
-  const std::pair<std::string, const char*> broken[] = {{"no xml at all\n", "is not a .vtu: it must begin as XML does"},
-                                                        {whole.substr(0, whole.size() / 2), "holds no mesh"},
-                                                        {test::changed(whole, {{"UnstructuredGrid", "PolyData"}}), "VTK cannot read it"}};
+  const std::pair<std::string, const char*> broken[] = {
+      {"no xml at all\n", "is not a .vtu: it must begin as XML does"},
+      {whole.substr(0, whole.size() / 2), "holds no mesh"},
+      {test::changed(whole, {{"UnstructuredGrid", "PolyData"}}), "VTK cannot read it"}};
   for (const auto& [text, rule] : broken) {
     place.write("m/mesh.vtu", text);
     const auto told = place.reye({"run", "mesh.toml", "--out", "o"});

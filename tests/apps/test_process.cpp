@@ -24,7 +24,9 @@ bool under_way(const test::Place& place, const std::string& folder, long rows = 
 }
 
 /// Whether any process still writes into a folder.
-bool written_to(const test::Place& place, const std::string& folder) { return output::is_locked((place / folder).string()); }
+bool written_to(const test::Place& place, const std::string& folder) {
+  return output::is_locked((place / folder).string());
+}
 
 }  // namespace
 
@@ -38,7 +40,9 @@ TEST(Process, TwoRunsInOneFolder) {
   for (const char* how : {"--quiet", "--restart", "--force"}) {
     const auto second = place.start({REYE_COMMAND, "run", "wearing.toml", "--out", "o", how}, 0, "second").wait();
     EXPECT_EQ(second.code, 2) << how;
-    EXPECT_EQ(second.err, "--out = o: another run is writing to the output folder o; wait for its end, or choose another folder with --out\n");
+    EXPECT_EQ(second.err,
+              "--out = o: another run is writing to the output folder o; wait for its end, or choose another folder "
+              "with --out\n");
   }
   EXPECT_EQ(place.start({REYE_COMMAND, "report", "o"}, 0, "second").wait().code, 0);
   EXPECT_TRUE(test::holds(test::read(place / "o/report.html"), "The run has not ended"));
@@ -64,8 +68,8 @@ TEST(Process, ReportsOfARunningFolder) {
   test::expect_same(place, "whole", "o");
 }
 
-// SIGHUP and SIGTERM must end a run as Ctrl-C does: everything written, 130, and on to the bytes of an unbroken run. Any
-// number of SIGHUP asks once only, as a closed terminal sends several; one that nohup has ignored asks nothing.
+// SIGHUP and SIGTERM must end a run as Ctrl-C does: everything written, 130, and on to the bytes of an unbroken run.
+// Any number of SIGHUP asks once only, as a closed terminal sends several; one that nohup has ignored asks nothing.
 TEST(Process, HangUpAndTerminate) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
@@ -90,7 +94,9 @@ TEST(Process, HangUpAndTerminate) {
 TEST(Process, OutputIsLost) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
-  const auto told = place.start({"/bin/bash", "-c", "set -o pipefail; \"$0\" run wearing.toml --out o 2>&1 | head -1", REYE_COMMAND}).wait();
+  const auto told =
+      place.start({"/bin/bash", "-c", "set -o pipefail; \"$0\" run wearing.toml --out o 2>&1 | head -1", REYE_COMMAND})
+          .wait();
   EXPECT_EQ(told.code, 0);
   EXPECT_EQ(std::count(told.out.begin(), told.out.end(), '\n'), 1);
   test::expect_same(place, "whole", "o");
@@ -99,9 +105,11 @@ TEST(Process, OutputIsLost) {
 // When a sweep is killed its members must end, too, each with its last good state on disk; the same call again goes on.
 TEST(Process, MembersEndWithTheirSweep) {
   const WithWearing place;
-  const std::vector<std::string> words = {"sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5", "--jobs", "2", "--out", "s", "--quiet"};
+  const std::vector<std::string> words = {
+      "sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5", "--jobs", "2", "--out", "s", "--quiet"};
   auto sweep = place.start_reye(words);
-  ASSERT_TRUE(sweep.signal_when(SIGKILL, [&] { return under_way(place, "s/member_000") && under_way(place, "s/member_001"); }));
+  ASSERT_TRUE(
+      sweep.signal_when(SIGKILL, [&] { return under_way(place, "s/member_000") && under_way(place, "s/member_001"); }));
   EXPECT_EQ(sweep.wait().code, 128 + SIGKILL);
   for (int k = 0; k < 6000 && (written_to(place, "s/member_000") || written_to(place, "s/member_001")); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -116,7 +124,8 @@ TEST(Process, MembersEndWithTheirSweep) {
 // A member whose folder is damaged must not keep the table from the others.
 TEST(Process, TableOfABrokenMember) {
   const WithWearing place;
-  const std::vector<std::string> words = {"sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5,0.6", "--out", "s", "--quiet"};
+  const std::vector<std::string> words = {
+      "sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5,0.6", "--out", "s", "--quiet"};
   ASSERT_EQ(place.reye(words).code, 0);
   const auto whole = test::read(place / "s/sweep.csv");
   auto table = words;
@@ -126,7 +135,9 @@ TEST(Process, TableOfABrokenMember) {
     place.write("s/member_001/summary.json", broken);
     const auto told = place.reye(table);
     EXPECT_EQ(told.code, 1);
-    EXPECT_TRUE(test::holds(told.err, "member_001 (contact.pad.friction = 0.5): damaged: s/member_001/summary.json cannot be read")) << told.err;
+    EXPECT_TRUE(test::holds(
+        told.err, "member_001 (contact.pad.friction = 0.5): damaged: s/member_001/summary.json cannot be read"))
+        << told.err;
     EXPECT_EQ(test::lines(place / "s/sweep.csv"), 4);
     EXPECT_TRUE(test::holds(test::read(place / "s/sweep.csv"), "member_002,0.6,done,"));
   }
@@ -163,7 +174,8 @@ TEST(Process, PlantedLinks) {
   EXPECT_TRUE(forced.err.starts_with("--out = link: the output folder link is a symbolic link to /")) << forced.err;
   test::fs::create_directories(place / "s");
   test::fs::create_directory_symlink(place / "mine", place / "s/member_000");
-  const auto sweep = place.reye({"sweep", "blocks.toml", "--vary", "contact.pad.friction=0.4", "--out", "s", "--force"});
+  const auto sweep =
+      place.reye({"sweep", "blocks.toml", "--vary", "contact.pad.friction=0.4", "--out", "s", "--force"});
   EXPECT_EQ(sweep.code, 2);
   EXPECT_EQ(sweep.err, "member_000: s/member_000 is a symbolic link, which a sweep does not follow\n");
   EXPECT_EQ(place.files("mine"), mine);
@@ -173,7 +185,8 @@ TEST(Process, PlantedLinks) {
 TEST(Process, ReportOfADamagedFolder) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
-  for (const char* file : {".reye.json", "summary.json", "history.csv", "surface_pad_secondary.csv", "frames/bodies_000001.vtu"}) {
+  for (const char* file :
+       {".reye.json", "summary.json", "history.csv", "surface_pad_secondary.csv", "frames/bodies_000001.vtu"}) {
     const auto whole = test::read(place / "o" / file);
     place.write(std::string("o/") + file, whole.substr(0, whole.size() / 2));
     const auto told = place.reye({"report", "o", "--animation"});
@@ -185,14 +198,16 @@ TEST(Process, ReportOfADamagedFolder) {
   EXPECT_EQ(place.reye({"report", "o", "--animation"}).code, 0);
 }
 
-// A folder and a scene may be called by any bytes: everything works, JSON and page stay valid, messages stay in their lines.
+// A folder and a scene may be called by any bytes: everything works, JSON and page stay valid, messages stay in their
+// lines.
 TEST(Process, NamesOfAnyBytes) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   for (const std::string name : {"two\nlines", "\xff <b>&\"'", "=cmd \x1b[31m%s µ軸"}) {
     const std::string scene = name + "/" + name + ".toml", out = name + ".o";
     place.write(name + "/wearing.geo", test::wearing_geo);
-    place.write(scene, test::changed(long_wearing, {{"title    = \"Small wearing contact\"\n", ""}, {"name = \"wear\"", "name = \"=w\\u001b\\n\""}}));
+    place.write(scene, test::changed(long_wearing, {{"title    = \"Small wearing contact\"\n", ""},
+                                                    {"name = \"wear\"", "name = \"=w\\u001b\\n\""}}));
     const auto told = place.reye({"run", scene, "--out", out});
     ASSERT_EQ(told.code, 0) << told.err;
     EXPECT_EQ((told.out + told.err + test::read(place / (out + "/log.txt"))).find('\x1b'), std::string::npos);
@@ -220,5 +235,6 @@ TEST(Process, NamesOfAnyBytes) {
   }
 }
 
-// A checkpoint that was altered under a right checksum must be refused with a sentence or gone on from; it crashes nothing.
+// A checkpoint that was altered under a right checksum must be refused with a sentence or gone on from; it crashes
+// nothing.
 TEST(Process, AlteredCheckpoints) { test::expect_sentences(12); }

@@ -89,8 +89,8 @@ TEST(Restart, Killed) {
   }
 }
 
-// Interrupted or killed between blocks in which both bodies are meshed anew, with wider zones and other facets, a run must
-// go on to the bytes of the unbroken one.
+// Interrupted or killed between blocks in which both bodies are meshed anew, with wider zones and other facets, a run
+// must go on to the bytes of the unbroken one.
 TEST(Restart, AcrossARemesh) {
   const WithWearing place;
   place.write("wearing.toml", test::worn_pin);

@@ -165,7 +165,8 @@ TEST(Series, BodiesReadBackThroughRemeshes) {
   for (const auto& frame : frames) {
     counts.insert(frame->GetNumberOfPoints());
     double nodes = 0.0;
-    for (const auto& [body, count] : nodes_at(remeshes, frame->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0)))
+    for (const auto& [body, count] :
+         nodes_at(remeshes, frame->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0)))
       nodes += count;
     EXPECT_EQ(static_cast<double>(frame->GetNumberOfPoints()), nodes);
   }
@@ -182,7 +183,8 @@ TEST(Series, SurfacesReadBackThroughRemeshes) {
   EXPECT_GE(counts.size(), 2u);
 }
 
-// The moving pictures of a run must have a moment for each of its frames, also where meshes change, and stand in its page.
+// The moving pictures of a run must have a moment for each of its frames, also where meshes change, and stand in its
+// page.
 TEST(Series, AnimationHasItsFrames) {
   const WornPin run;
   const auto told = run.place.reye({"report", "o", "--animation"});
@@ -191,7 +193,9 @@ TEST(Series, AnimationHasItsFrames) {
   for (const char* id : {"moving-bodies", "moving-pressure-pad", "moving-depth-pad"}) {
     const auto picture = test::read(run.place / ("o/figures/" + std::string(id) + ".svg"));
     std::size_t moments = 0;
-    for (auto at = picture.find("class=\"moment\""); at != std::string::npos; at = picture.find("class=\"moment\"", at + 1)) ++moments;
+    for (auto at = picture.find("class=\"moment\""); at != std::string::npos;
+         at = picture.find("class=\"moment\"", at + 1))
+      ++moments;
     EXPECT_EQ(moments, entries(run.place / "o/series.pvd").size()) << id;
     EXPECT_TRUE(test::holds(page, picture)) << id;
   }
@@ -207,8 +211,10 @@ TEST(Series, DepthGrowsThroughRemeshes) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       const double depth = deepest(bodies[k], "body", side);
       EXPECT_EQ(depth, deepest(surfaces[k], "side", side)) << "frame " << k;
-      if (k < 2) EXPECT_EQ(depth, 0.0);
-      else EXPECT_GT(depth, deepest(bodies[k - 1], "body", side)) << "frame " << k << " of side " << side;
+      if (k < 2)
+        EXPECT_EQ(depth, 0.0);
+      else
+        EXPECT_GT(depth, deepest(bodies[k - 1], "body", side)) << "frame " << k << " of side " << side;
     }
   }
 }
@@ -218,7 +224,8 @@ TEST(Series, TablesAlone) {
   const test::Place place;
   place.write("blocks.geo", test::blocks_geo);
   for (const char* name : {"with", "without"})
-    place.write(std::string(name) + ".toml", std::string(test::blocks) + "[output]\nframes = { every_increment = true, paraview = " +
+    place.write(std::string(name) + ".toml", std::string(test::blocks) +
+                                                 "[output]\nframes = { every_increment = true, paraview = " +
                                                  (std::string(name) == "with" ? "true" : "false") + " }\n");
   for (const char* name : {"with", "without"})
     ASSERT_EQ(place.reye({"run", std::string(name) + ".toml", "--out", name, "--quiet"}).code, 0);

@@ -56,8 +56,9 @@ TEST(Sweep, GridWithAFailure) {
       "sweep", "sub/eaten.toml", "--vary", coefficient, "--vary", "step[1].cycles=1,2,50", "--out", "many", "--quiet"};
   const auto told = place.reye(words);
   EXPECT_EQ(told.code, 1);
-  EXPECT_TRUE(told.err.starts_with(
-      "member_005 (contact.pad.wear.secondary_per_MPa = 1e-5, step[1].cycles = 50): failed: many/member_005/scene.toml:40: body slider is worn by 0.8 mm of the 1 mm that it measured"))
+  EXPECT_TRUE(
+      told.err.starts_with("member_005 (contact.pad.wear.secondary_per_MPa = 1e-5, step[1].cycles = 50): failed: "
+                           "many/member_005/scene.toml:40: body slider is worn by 0.8 mm of the 1 mm that it measured"))
       << told.err;
   EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1);
   const auto rows = rows_of(place / "many/sweep.csv");
@@ -205,12 +206,11 @@ TEST(Sweep, Interrupted) {
 TEST(Sweep, AKilledMember) {
   const WithScenes place;
   const std::string limited = "ulimit -S -t 2; exec \"$0\" \"$@\"";  // seconds of CPU: too few for the fine mesh
-  const auto told =
-      place
-          .start({"/bin/bash", "-c", limited, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
-                  "body.base.mesh.far_size_mm=0.02,0.5", "--vary", "step[1].cycles=400", "--vary",
-                  "contact.pad.wear.secondary_per_MPa=1e-12", "--out", "o", "--quiet"})
-          .wait();
+  const auto told = place
+                        .start({"/bin/bash", "-c", limited, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
+                                "body.base.mesh.far_size_mm=0.02,0.5", "--vary", "step[1].cycles=400", "--vary",
+                                "contact.pad.wear.secondary_per_MPa=1e-12", "--out", "o", "--quiet"})
+                        .wait();
   EXPECT_EQ(told.code, 1);
   EXPECT_TRUE(test::holds(told.err, "member_000 (body.base.mesh.far_size_mm = 0.02, step[1].cycles = 400, "))
       << told.err;

@@ -10,7 +10,7 @@ TEST(Printable, AnyBytes) {
   EXPECT_EQ(printable("stage 3, 20 µm, 軸"), "stage 3, 20 µm, 軸");
   EXPECT_EQ(printable("a\nb\tc\rd\x1b[31m\x7f"), "a\\nb\\tc\\rd\\x1b[31m\\x7f");
   EXPECT_EQ(printable("\xff\xc3("), "\\xff\\xc3(");
-  EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");          // a control character of two bytes
+  EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");           // a control character of two bytes
   EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a pair
   EXPECT_EQ(printable("\xc0\xaf\xf5\x80\x80\x80"), "\\xc0\\xaf\\xf5\\x80\\x80\\x80");
   EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");

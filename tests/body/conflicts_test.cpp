@@ -39,7 +39,8 @@ std::vector<body::SupportConflict> of(const body::BodyInput& in, base::Vec2 corn
   return body::support_conflicts(rectangle({.corner = corner, .size = {20, 2}}), in);
 }
 
-void expect_refused(const std::vector<Support>& supports, int support, const std::string& motion, const std::string& named) {
+void expect_refused(const std::vector<Support>& supports, int support, const std::string& motion,
+                    const std::string& named) {
   const auto found = of(beam(supports));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].support, support);
@@ -78,7 +79,8 @@ TEST(conflicts, two_rigid_edges) {
   EXPECT_TRUE(of(beam({still, named("b", "top", fixed, fixed, fixed)})).empty());
 }
 
-// What agrees is no conflict: rollers that meet, fixed beside fixed, one history of one amplitude, a third direction that follows.
+// What agrees is no conflict: rollers that meet, fixed beside fixed, one history of one amplitude, a third direction
+// that follows.
 TEST(conflicts, what_agrees_stands) {
   EXPECT_TRUE(of(beam({named("a", "left", fixed), named("b", "bottom", {}, fixed)})).empty());
   EXPECT_TRUE(of(beam({fixed_edge("a", "left"), fixed_edge("b", "bottom")})).empty());
@@ -91,8 +93,8 @@ TEST(conflicts, what_agrees_stands) {
   EXPECT_EQ(of(beam({named("a", "left", moved(0.1), fixed), oblique})).size(), 1u);
 }
 
-// A held edge whose corner belongs to a rigid edge that is free there acts but for the corner: told, not refused; where the
-// rigid edge is pushed along it, refused.
+// A held edge whose corner belongs to a rigid edge that is free there acts but for the corner: told, not refused; where
+// the rigid edge is pushed along it, refused.
 TEST(conflicts, free_rigid_corner_is_told) {
   const Support symmetry = named("s", "left", fixed);
   const auto told = of(beam({symmetry, named("pull", "top", {}, loaded(4.0))}));

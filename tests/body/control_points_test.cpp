@@ -14,8 +14,9 @@ using mesh::CellKind;
 
 /// A block of second order with curved sides.
 mesh::Mesh bent_block(CellKind kind) {
-  return support::mapped(support::rectangle({.size = {2, 1}, .nx = 3, .ny = 2, .kind = kind}),
-                         [](const Vec2& x) { return Vec2(x.x() + 0.1 * x.y() * x.y(), x.y() * (1.0 + 0.2 * std::sin(2.0 * x.x()))); });
+  return support::mapped(support::rectangle({.size = {2, 1}, .nx = 3, .ny = 2, .kind = kind}), [](const Vec2& x) {
+    return Vec2(x.x() + 0.1 * x.y() * x.y(), x.y() * (1.0 + 0.2 * std::sin(2.0 * x.x())));
+  });
 }
 
 /// Contact on top and bottom; the bottom is a rigid edge, the left side is held along x.
@@ -45,7 +46,8 @@ Points seen(const mesh::Mesh& m, const body::BodyInput& in, const std::vector<Ve
 template <class Body>
 void expect_positions(const Body& b, const Vector& q, const Points& x) {
   for (std::size_t k = 0; k < b.contact_nodes().size(); ++k)
-    EXPECT_LT((b.position(static_cast<int>(k), q).x - x[b.contact_nodes()[k]]).norm(), 1e-12) << "node " << b.contact_nodes()[k];
+    EXPECT_LT((b.position(static_cast<int>(k), q).x - x[b.contact_nodes()[k]]).norm(), 1e-12)
+        << "node " << b.contact_nodes()[k];
 }
 
 // Contact must see the control points of the displaced edges: of a linear body, a nonlinear one whose rigid edge turns,

@@ -46,7 +46,8 @@ double ring_error(CellKind kind, double nu, bool b_bar, int n) {
 }
 
 double tube_error(CellKind kind, double nu, int n) {
-  const auto m = support::rectangle({.corner = {inner, 0}, .size = {outer - inner, 0.5}, .nx = n, .ny = 2, .kind = kind});
+  const auto m =
+      support::rectangle({.corner = {inner, 0}, .size = {outer - inner, 0.5}, .nx = n, .ny = 2, .kind = kind});
   auto in = support::elastic(E, nu, Analysis::axisymmetric);
   in.supports = {roller("bottom", true), roller("top", true)};
   in.boundary_loads = {{"p", "left", pressure, {0, 0}, {}, ""}};
@@ -79,7 +80,8 @@ TEST(elasticity, tube_converges_at_rate_two) {
 
 // Close to incompressibility B-bar must keep its accuracy in both idealisations.
 TEST(elasticity, b_bar_keeps_its_rate_when_nearly_incompressible) {
-  const double coarse = ring_error(CellKind::quad4, 0.49999, true, 8), fine = ring_error(CellKind::quad4, 0.49999, true, 16);
+  const double coarse = ring_error(CellKind::quad4, 0.49999, true, 8),
+               fine = ring_error(CellKind::quad4, 0.49999, true, 16);
   EXPECT_LT(fine, 2e-2);
   EXPECT_GT(std::log2(coarse / fine), 1.8);
   EXPECT_LT(tube_error(CellKind::quad4, 0.49999, 16), 1e-2);
@@ -118,7 +120,8 @@ TEST(elasticity, beam_bends_as_theory_says) {
   const auto s = support::solve_linear(b, in);
   const auto u = b.recover(s.q, s.factors);
   const double inertia = height * height * height / 12;
-  const double bending = force * std::pow(length, 3) / (3 * E * inertia), shear = 1.2 * force * length / (E / 2 * height);
+  const double bending = force * std::pow(length, 3) / (3 * E * inertia),
+               shear = 1.2 * force * length / (E / 2 * height);
   EXPECT_NEAR(u[support::node_at(m, {length, 0.5})].y() / (bending + shear), 1.0, 0.01);
 }
 

@@ -30,7 +30,8 @@ using support::rectangle;
 const material::Material rubber = material::NeoHookean{300.0, 0.4, material::Volumetric::log_squared};
 const material::Material metal = material::HenckyJ2{300.0, 0.3, material::LinearHardening{2.0, 30.0}};
 
-body::Support rigid_edge(const std::string& name, const std::string& edge, body::Motion x, body::Motion y, body::Motion turn) {
+body::Support rigid_edge(const std::string& name, const std::string& edge, body::Motion x, body::Motion y,
+                         body::Motion turn) {
   body::Support s;
   s.name = name;
   s.edge = edge;
@@ -133,7 +134,8 @@ class nonlinear_body : public testing::TestWithParam<std::tuple<Kinematics, bool
     for (int j = 0; j < unknowns.size(); ++j) {
       Vector a = unknowns, b = unknowns;
       a[j] += h, b[j] -= h;
-      const auto ua = body_.recover(a.tail(body_.dofs()), a.head(in)), ub = body_.recover(b.tail(body_.dofs()), b.head(in));
+      const auto ua = body_.recover(a.tail(body_.dofs()), a.head(in)),
+                 ub = body_.recover(b.tail(body_.dofs()), b.head(in));
       for (int k = 0; k < mesh_.node_count(); ++k) r[j] += f.total.segment<2>(2 * k).dot(ua[k] - ub[k]) / (2 * h);
     }
     return r;
@@ -172,7 +174,8 @@ TEST_P(nonlinear_body, condensed_step_equals_full_step) {
   Matrix K = B.transpose() * (sparse * B);
   Vector rhs = -(B.transpose() * f.total), condensed = -lin.r;
   for (const auto& c : columns.supports) {
-    for (auto [A, b, row] : {std::tuple{&K, &rhs, columns.interior + c.column}, std::tuple{&lin.S, &condensed, c.column}}) {
+    for (auto [A, b, row] :
+         {std::tuple{&K, &rhs, columns.interior + c.column}, std::tuple{&lin.S, &condensed, c.column}}) {
       A->row(row).setZero();
       (*A)(row, row) = 1000.0;
       (*b)[row] = 1000.0 * 0.01 * (1 + c.column % 3);
@@ -197,7 +200,8 @@ TEST_P(nonlinear_body, condensed_step_is_the_derivative) {
   const auto error = [&](double h) {
     Vector step(r.size());
     step << dy, dq;
-    return ((residual(unknowns() + h * step) - residual(unknowns() - h * step)) / (2 * h) - predicted).norm() / predicted.norm();
+    return ((residual(unknowns() + h * step) - residual(unknowns() - h * step)) / (2 * h) - predicted).norm() /
+           predicted.norm();
   };
   const double coarse = error(4e-3), fine = error(1e-3);
   if (!linear()) {

@@ -54,9 +54,11 @@ double cook_tip(bool cure, int n) {
 
 // On Cook's membrane at finite strain the plain quadrilateral must lock, and F-bar must converge without.
 TEST(nonlinear_physics, f_bar_does_not_lock) {
-  const double coarse = cook_tip(true, 4), medium = cook_tip(true, 8), fine = cook_tip(true, 16), finest = cook_tip(true, 32);
+  const double coarse = cook_tip(true, 4), medium = cook_tip(true, 8), fine = cook_tip(true, 16),
+               finest = cook_tip(true, 32);
   EXPECT_LT(std::abs(medium / finest - 1), 0.08) << medium << " of " << finest;
-  EXPECT_LT(std::abs(finest - fine), 0.6 * std::abs(fine - medium)) << coarse << " " << medium << " " << fine << " " << finest;
+  EXPECT_LT(std::abs(finest - fine), 0.6 * std::abs(fine - medium))
+      << coarse << " " << medium << " " << fine << " " << finest;
   EXPECT_LT(cook_tip(false, 8) / finest, 0.6);
 }
 
@@ -80,13 +82,15 @@ TEST(nonlinear_physics, confined_compression_does_not_lock) {
 }
 
 // A thick pipe of nearly incompressible rubber under a pressure that follows its wall must open as the closed solution
-// says: from 1 to 1.5 at the inside, p = mu (ln(a/b) + 1/(2 b^2) - 1/(2 a^2)) with the hoop stretches a, b of its walls.
+// says: from 1 to 1.5 at the inside, p = mu (ln(a/b) + 1/(2 b^2) - 1/(2 a^2)) with the hoop stretches a, b of its
+// walls.
 TEST(nonlinear_physics, rubber_pipe) {
   const double mu = 1.0, nu = 0.49999, a = 1.5, b = std::sqrt(4.0 + 1.25) / 2.0;
   const double pressure = mu * (std::log(a / b) + 0.5 / (b * b) - 0.5 / (a * a));
   for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric}) {
     const bool ring = analysis == Analysis::axisymmetric;
-    auto in = made_of(material::NeoHookean{2 * mu * (1 + nu), nu, material::Volumetric::log_squared}, Kinematics::finite, analysis);
+    auto in = made_of(material::NeoHookean{2 * mu * (1 + nu), nu, material::Volumetric::log_squared},
+                      Kinematics::finite, analysis);
     in.supports = {held("bottom", 'y'), held("top", ring ? 'y' : 'x')};
     in.boundary_loads = {{"inside", "left", pressure, {0.0, 0.0}, {}, ""}};
     const auto error = [&](int n) {
@@ -126,7 +130,8 @@ struct Cylinder {
     for (int node = 0; node < mesh.node_count(); ++node) {
       const double r = in.analysis == Analysis::axisymmetric ? mesh.X[node].x() : mesh.X[node].norm();
       if (std::abs(mesh.X[node].y()) > 1e-9) continue;  // along the x axis: 11 is the radial direction
-      const double exact = r < 1.5 ? k() * (2 * std::log(r / 1.5) - 1 + 1.5 * 1.5 / 4) : k() * 1.5 * 1.5 * (0.25 - 1 / (r * r));
+      const double exact =
+          r < 1.5 ? k() * (2 * std::log(r / 1.5) - 1 + 1.5 * 1.5 / 4) : k() * 1.5 * 1.5 * (0.25 - 1 / (r * r));
       sum += std::pow((state.stress[node][0] - exact) / pressure(), 2);
       ++count;
     }

@@ -98,16 +98,13 @@ TEST_P(renewed_reference, stays_in_equilibrium) {
   };
   const auto whole = increment(b, s.state, s.q, further, 1.0);
   const auto rest = increment(renewed, start, q, further, 0.2 / 1.2);
-  for (int k = 0; k < mesh.node_count(); ++k)
-    EXPECT_LT((mesh.X[k] + whole[k] - current.X[k] - rest[k]).norm(), 1e-9);
+  for (int k = 0; k < mesh.node_count(); ++k) EXPECT_LT((mesh.X[k] + whole[k] - current.X[k] - rest[k]).norm(), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(all, renewed_reference,
-                         testing::Values(Case{rubber, Analysis::plane_strain, true},
-                                         Case{rubber, Analysis::plane_stress, false},
-                                         Case{rubber, Analysis::axisymmetric, true},
-                                         Case{metal, Analysis::plane_strain, true},
-                                         Case{metal, Analysis::plane_strain, false},
-                                         Case{metal, Analysis::axisymmetric, true}));
+INSTANTIATE_TEST_SUITE_P(
+    all, renewed_reference,
+    testing::Values(Case{rubber, Analysis::plane_strain, true}, Case{rubber, Analysis::plane_stress, false},
+                    Case{rubber, Analysis::axisymmetric, true}, Case{metal, Analysis::plane_strain, true},
+                    Case{metal, Analysis::plane_strain, false}, Case{metal, Analysis::axisymmetric, true}));
 
 }  // namespace

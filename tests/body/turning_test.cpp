@@ -99,8 +99,8 @@ double position_error(const body::LinearBody& b, double h) {
   return error;
 }
 
-// Derivatives of positions must agree with central differences at rate 2, also those of control points and of nodes that
-// belong to the edge the body turns with.
+// Derivatives of positions must agree with central differences at rate 2, also those of control points and of nodes
+// that belong to the edge the body turns with.
 TEST(turning, position_derivatives_have_rate_two) {
   for (auto kind : {mesh::CellKind::quad4, mesh::CellKind::quad8})
     for (Guide guide : all_guides) {
@@ -171,7 +171,8 @@ TEST(turning, is_objective) {
   EXPECT_LT((R * force - turned).norm(), 1e-11 * force.norm());
 }
 
-// A body must turn where its supports let it, and nowhere else; where one of fixed direction stands in the way it is named.
+// A body must turn where its supports let it, and nowhere else; where one of fixed direction stands in the way it is
+// named.
 TEST(turning, is_decided_by_supports) {
   const auto m = block();
   const auto turns = [&](const body::BodyInput& in) { return body::pivot_of(m, in).has_value(); };

@@ -94,7 +94,8 @@ TEST(meshing, fine_zone_has_rows) {
   EXPECT_EQ(rows, 100 * 20);
 }
 
-// Two fine zones of one contact must each be meshed as it would be alone: the same nodes on the face, the same rows beneath it.
+// Two fine zones of one contact must each be meshed as it would be alone: the same nodes on the face, the same rows
+// beneath it.
 TEST(meshing, each_of_two_fine_zones) {
   GeometryOptions options;
   options.files = {temporary_file("wide.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, -3, 0, 12, 3};\n")};
@@ -124,8 +125,9 @@ TEST(meshing, each_of_two_fine_zones) {
 // A body must not be made fine by a zone of its contact that lies at another body, where one of its own is near.
 TEST(meshing, a_zone_refines_where_it_lies) {
   GeometryOptions options;
-  options.files = {temporary_file("feet.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, -1, 0, 12, 1};\n"
-                                              "Rectangle(2) = {-5, 0, 0, 4, 1};\nRectangle(3) = {1, 0, 0, 4, 1};\n")};
+  options.files = {temporary_file("feet.geo",
+                                  "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {-6, -1, 0, 12, 1};\n"
+                                  "Rectangle(2) = {-5, 0, 0, 4, 1};\nRectangle(3) = {1, 0, 0, 4, 1};\n")};
   options.bodies = {body_at("flat", 0, -0.5), body_at("left", -3, 0.5), body_at("right", 3, 0.5)};
   for (BodyOptions& each : options.bodies) each.mesh = {CellKind::quad4, 0.5, 1.3};
   const std::vector<std::string> all{"flat", "left", "right"};

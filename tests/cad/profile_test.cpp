@@ -34,7 +34,9 @@ std::string refusal_of_csv(const std::string& csv) {
 
 // A file of two columns must be read whatever its line ends, blank lines and byte order mark.
 TEST(profile, csv) {
-  const Profile profile = parse_profile("\xEF\xBB\xBF" "arc_length_mm,height_mm\r\n0,0\r\n 0.5 , -1e-3\r\n\r\n+2,0");
+  const Profile profile = parse_profile(
+      "\xEF\xBB\xBF"
+      "arc_length_mm,height_mm\r\n0,0\r\n 0.5 , -1e-3\r\n\r\n+2,0");
   EXPECT_EQ(profile.arc_mm, (std::vector<double>{0.0, 0.5, 2.0}));
   EXPECT_EQ(profile.height_mm, (std::vector<double>{0.0, -1e-3, 0.0}));
 }
@@ -65,7 +67,8 @@ TEST(profile, height_curve) {
       const auto [height, slope] = curve.at(x);
       EXPECT_GE(height, std::min(h[i], h[i + 1]) - 1e-15);
       EXPECT_LE(height, std::max(h[i], h[i + 1]) + 1e-15);
-      EXPECT_NEAR(slope, (curve.at(x + step)[0] - curve.at(x - step)[0]) / (2.0 * step), 1e-6 * (1.0 + std::abs(slope)));
+      EXPECT_NEAR(slope, (curve.at(x + step)[0] - curve.at(x - step)[0]) / (2.0 * step),
+                  1e-6 * (1.0 + std::abs(slope)));
     }
   const HeightCurve line({0.0, 1.0, 3.0}, {0.0, 2.0, 6.0});
   for (double x : {0.0, 0.4, 1.0, 2.0, 3.0}) EXPECT_NEAR(line.at(x)[0], 2.0 * x, 1e-14);
@@ -106,7 +109,8 @@ TEST(profile, on_an_arc) {
   const double length = 6.0 * std::numbers::pi;
   options.boundaries[1].profile = Profile{"scan.csv", {0.0, length}, {-0.5, -0.5}};
   const Geometry geometry = build(options);
-  EXPECT_NEAR(geometry.facts[0].area_mm2, 0.5 * std::numbers::pi * 5.5 * 5.5, 1e-9) << "the top is shorter at both ends";
+  EXPECT_NEAR(geometry.facts[0].area_mm2, 0.5 * std::numbers::pi * 5.5 * 5.5, 1e-9)
+      << "the top is shorter at both ends";
   const mesh::Mesh& cylinder = geometry.bodies[0];
   for (int node : mesh::nodes_of(cylinder.boundaries.at("round")))
     EXPECT_NEAR((cylinder.X[node] - Vec2(0, 6)).norm(), 5.5, 1e-9);
@@ -148,7 +152,8 @@ TEST(profile, refusals) {
             key + "the height at arc length 2 mm, where it ends within the boundary, is 0.1 mm; it must be 0 there");
   EXPECT_EQ(refusal({"", {0, 3, 6}, {0, 1e3, 0}}),
             key + "a height of 1000 mm is out of proportion to a boundary 6 mm long");
-  EXPECT_EQ(refusal({"", {1, 3, 5}, {0, -3, 0}}).substr(0, key.size() + 36), key + "makes the outline cross itself near ");
+  EXPECT_EQ(refusal({"", {1, 3, 5}, {0, -3, 0}}).substr(0, key.size() + 36),
+            key + "makes the outline cross itself near ");
   EXPECT_EQ(refusal({"", {0, 6}, {-2.5, -2.5}}),
             key + "the height at the end [3, 0] of the boundary takes all of the next edge, line [3, -2] to [3, 0]");
   EXPECT_NEAR(build(blocks({"", {0, 6}, {-0.5, -0.5}})).facts[1].area_mm2, 9.0, 1e-9);
@@ -176,16 +181,18 @@ TEST(profile, boundaries_that_cannot_have_one) {
   options.bodies = {body("lower")};
   options.boundaries = {boundary("lower_top", "lower")};
   options.boundaries[0].profile = zero;
-  EXPECT_EQ(issues_of(options), "boundary.lower_top.profile = \"scan.csv\": needs the edges of a CAD file; the body "
-                                "brings its own mesh");
+  EXPECT_EQ(issues_of(options),
+            "boundary.lower_top.profile = \"scan.csv\": needs the edges of a CAD file; the body "
+            "brings its own mesh");
   options.files = {temporary_file("sides.geo",
                                   "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 4, 2};\n"
                                   "Physical Surface(\"plate\") = {1};\nPhysical Curve(\"sides\") = {2, 4};\n")};
   options.bodies = {body("plate")};
   options.boundaries = {boundary("sides", "plate")};
   options.boundaries[0].profile = zero;
-  EXPECT_EQ(issues_of(options), "boundary.sides.profile = \"scan.csv\": needs one connected boundary; this one has 2 "
-                                "pieces");
+  EXPECT_EQ(issues_of(options),
+            "boundary.sides.profile = \"scan.csv\": needs one connected boundary; this one has 2 "
+            "pieces");
   options.files = {data("shared_curve.geo")};
   options.bodies = {body("right")};
   options.boundaries = {boundary("corner", "right")};

@@ -27,9 +27,9 @@ TEST(refusals, files) {
     EXPECT_EQ(refusal_of_file(path), "geometry = \"" + path + "\": the file is empty");
   }
   const std::string part = temporary_file("part.stl", "solid");
-  EXPECT_EQ(
-      refusal_of_file(part),
-      "geometry = \"" + part + "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu");
+  EXPECT_EQ(refusal_of_file(part),
+            "geometry = \"" + part +
+                "\": the format must be one of .step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu");
   const std::string folder = std::filesystem::path(part).replace_filename("folder.step");
   std::filesystem::create_directories(folder);
   EXPECT_EQ(refusal_of_file(folder), "geometry = \"" + folder + "\": is not a file");
@@ -126,7 +126,8 @@ TEST(refusals, negative_radius) {
   options.axisymmetric = true;
   options.files = {temporary_file("left.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-3, 0, 0, 2, 1};\n")};
   options.bodies = {body_at("disc", -2, 0.5)};
-  EXPECT_EQ(issues_of(options), "body.disc: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0");
+  EXPECT_EQ(issues_of(options),
+            "body.disc: reaches x = -3; in an axisymmetric scene x is the radius and nothing lies at x < 0");
   options.files = {temporary_file("axis.geo", "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {-1e-10, 0, 0, 1, 1};\n")};
   options.bodies = {body_at("disc", 0.5, 0.5)};
   EXPECT_EQ(mesh::bounding_box(build(options).bodies[0].X)[0], 0.0);

@@ -17,7 +17,8 @@ constexpr double radius = 10.0;
 GeometryOptions bore(double seam_deg, bool arcs = false) {
   const std::string from = std::to_string(seam_deg * std::numbers::pi / 180.0);
   const auto circle = [](int number, double r, const std::string& begin, const std::string& end) {
-    return "Circle(" + std::to_string(number) + ") = {0, 0, 0, " + std::to_string(r) + ", " + begin + ", " + end + "};\n";
+    return "Circle(" + std::to_string(number) + ") = {0, 0, 0, " + std::to_string(r) + ", " + begin + ", " + end +
+           "};\n";
   };
   std::string text = "SetFactory(\"OpenCASCADE\");\n" + circle(1, 15.0, "0", "2*Pi");
   text += arcs ? support::three_arcs(seam_deg) : circle(2, radius, from, from + " + 2*Pi");
@@ -25,7 +26,8 @@ GeometryOptions bore(double seam_deg, bool arcs = false) {
           "};\nPlane Surface(1) = {1, 2};\nPhysical Surface(\"bush\") = {1};\n" +
           (arcs ? "Physical Curve(\"bore\") = {2, 8, 9};\n" : "Physical Curve(\"bore\") = {2};\n");
   GeometryOptions options;
-  options.files = {temporary_file("bore_" + std::to_string(static_cast<int>(seam_deg)) + (arcs ? "_arcs.geo" : ".geo"), text)};
+  options.files = {
+      temporary_file("bore_" + std::to_string(static_cast<int>(seam_deg)) + (arcs ? "_arcs.geo" : ".geo"), text)};
   options.bodies = {body("bush")};
   options.bodies[0].mesh.far_size_mm = 2.0;
   options.fine_zones = {{{"bush"}, {0.0, -radius}, 6.0, 2.0, 0.25, 0.0}};

@@ -129,7 +129,8 @@ std::string msh(const mesh::Mesh& m, bool centres) {
 
 // A mesh file of second order must come in with all its nodes but centre ones, and its curved edges as boundaries.
 TEST(second_order, mesh_files) {
-  for (const auto& [kind, centres] : {std::pair{CellKind::tri6, false}, {CellKind::quad8, false}, {CellKind::quad8, true}}) {
+  for (const auto& [kind, centres] :
+       {std::pair{CellKind::tri6, false}, {CellKind::quad8, false}, {CellKind::quad8, true}}) {
     const mesh::Mesh made = support::ring({1.0, 2.0, 1.2, 3, 4, kind});
     GeometryOptions options;
     options.files = {temporary_file("second_order.msh", msh(made, centres))};

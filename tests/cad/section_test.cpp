@@ -92,20 +92,24 @@ TEST(section, beside_faces) {
 // A section that misses every solid must say where they lie; faces across it and solids that cannot be cut must be
 // refused.
 TEST(section, refusals) {
-  EXPECT_EQ(issues_of(cut({0, 0, 20}, {0, 0, 2})),
-            "section.point_mm = [0, 0, 20]: the plane, at 20 mm along its normal, misses every solid of two_solids.step: "
-            "'block' from 0 to 10, 'pad' from 0 to 8");
+  EXPECT_EQ(
+      issues_of(cut({0, 0, 20}, {0, 0, 2})),
+      "section.point_mm = [0, 0, 20]: the plane, at 20 mm along its normal, misses every solid of two_solids.step: "
+      "'block' from 0 to 10, 'pad' from 0 to 8");
   EXPECT_EQ(issues_of(cut({-20, 0, 0}, {1, 1, 0})),
             "section.point_mm = [-20, 0, 0]: the plane, at -14.1421 mm along its normal, misses every solid of "
             "two_solids.step: 'block' from -8.48528 to 4.24264, 'pad' from -1.75736 to 8.48528");
   GeometryOptions options = cut({0, -3, 0}, {0, 1, 0});
   options.files.push_back(data("named.step"));
-  EXPECT_EQ(issues_of(options),
-            "geometry = \"" + data("named.step") + "\": face 'punch': lies in a plane that is not parallel to the section\n"
-            "geometry = \"" + data("named.step") + "\": face 'block': lies in a plane that is not parallel to the section");
-  const std::string own = temporary_file("own.geo",
-                                         "Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0};\nLine(1) = {1, 2};\n"
-                                         "s[] = Extrude {0, 1, 0} { Curve{1}; };\nExtrude {0, 0, 1} { Surface{s[1]}; }\n");
+  EXPECT_EQ(issues_of(options), "geometry = \"" + data("named.step") +
+                                    "\": face 'punch': lies in a plane that is not parallel to the section\n"
+                                    "geometry = \"" +
+                                    data("named.step") +
+                                    "\": face 'block': lies in a plane that is not parallel to the section");
+  const std::string own =
+      temporary_file("own.geo",
+                     "Point(1) = {0, 0, 0};\nPoint(2) = {1, 0, 0};\nLine(1) = {1, 2};\n"
+                     "s[] = Extrude {0, 1, 0} { Curve{1}; };\nExtrude {0, 0, 1} { Surface{s[1]}; }\n");
   options.files = {own};
   EXPECT_EQ(issues_of(options), "geometry = \"" + own +
                                     "\": holds a solid of gmsh's own kernel; only those of "

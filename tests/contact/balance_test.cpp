@@ -33,7 +33,8 @@ FacingOptions closed(double from, double to, double angle) {
 double largest_slip(const support::Interface& face) {
   double slip = 0.0;
   for (const auto& s : face.status()) EXPECT_NE(s, ContactStatus::slip);
-  for (int j = 0; j < static_cast<int>(face.rows().size()); ++j) slip = std::max(slip, std::abs(face.condition(j).slip));
+  for (int j = 0; j < static_cast<int>(face.rows().size()); ++j)
+    slip = std::max(slip, std::abs(face.condition(j).slip));
   return slip;
 }
 
@@ -214,13 +215,16 @@ TEST(volume, energy_of_each_node) {
     const auto after = face.accepted(c.lambda);
     EXPECT_GT(after.frictional_work, 0.0);
     for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
-      const double own = face.status()[j] == ContactStatus::slip ? 3.0 * std::abs(face.condition(j).lambda_t * face.condition(j).slip) : 0.0;
+      const double own = face.status()[j] == ContactStatus::slip
+                             ? 3.0 * std::abs(face.condition(j).lambda_t * face.condition(j).slip)
+                             : 0.0;
       EXPECT_NEAR(after.energy_secondary[j], 0.5 + own, 1e-15);
     }
   }
 }
 
-// With exponents and a threshold, too, removed volume must be coefficient times the law's work, which is not the plain one.
+// With exponents and a threshold, too, removed volume must be coefficient times the law's work, which is not the plain
+// one.
 TEST(volume, is_coefficient_times_the_work_of_the_whole_law) {
   auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-3, 2e-3, 0.5, 30.0, -0.5, 1.0, 0.5}));
   c.increment.duration_s = 0.02;
@@ -243,7 +247,8 @@ TEST(conditions, friction_of_the_increment) {
   for (int j = 0; j < static_cast<int>(c.xs.size()); ++j) {
     if (own.status()[j] != ContactStatus::slip || given.status()[j] != ContactStatus::slip) continue;
     ++found;
-    EXPECT_NEAR(std::abs(given.residual_tangential(j) - own.residual_tangential(j)), 0.05 * own.condition(j).lambda_n, 1e-12);
+    EXPECT_NEAR(std::abs(given.residual_tangential(j) - own.residual_tangential(j)), 0.05 * own.condition(j).lambda_n,
+                1e-12);
   }
   EXPECT_GT(found, 0);
   c.increment.friction = 0.0;  // frictionless: slip whatever the motion
@@ -385,7 +390,8 @@ TEST(volume, of_curved_facets) {
 // Depth that is the same everywhere must open every node by its D and share, with either kind of multipliers; and a
 // thickness factor scales what it opens.
 TEST(volume, even_depth_opens_evenly) {
-  for (const auto& [facing, options] : curved_cases(closed(-0.3, 1.3, 0.0), frictional(0.1, {LawKind::energy, 1.0, 1.0}))) {
+  for (const auto& [facing, options] :
+       curved_cases(closed(-0.3, 1.3, 0.0), frictional(0.1, {LawKind::energy, 1.0, 1.0}))) {
     auto c = support::case_of(support::facing(facing), options);
     for (std::size_t j = 0; j < c.xs.size(); ++j) c.before.pending_secondary[j] = 0.01 * c.setup.secondary.area[j];
     for (std::size_t l = 0; l < c.xm.size(); ++l) c.before.pending_primary[l] = 0.02 * c.setup.primary.area[l];

@@ -64,7 +64,8 @@ TEST(conditions, slip_with_the_whole_law) {
   c.law.speed_exponent = 1.0;
   c.law.speed_ref = 0.05;
   c.law.threshold = 7.0;
-  c.start = {.jump = 4.0, .duration_s = 1.25, .energy = 12.0, .area = 2.0};  // 2 of 4 x 1 mJ are still lacking; 0.1 mm/s
+  c.start = {
+      .jump = 4.0, .duration_s = 1.25, .energy = 12.0, .area = 2.0};  // 2 of 4 x 1 mJ are still lacking; 0.1 mm/s
   const auto r = conditions(node(), c, ContactStatus::slip);
   EXPECT_NEAR(r.work, 0.5 * 2.0 * 2.0, 1e-14);
   EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 2.0) + 0.125, 1e-14);

@@ -56,7 +56,8 @@ constexpr double alpha = 2e-4;  ///< so large that wear weighs as much as the ga
 
 /// The same check over seeds, whole and partly covered; `change` may alter the case.
 void over_states(const ContactOptions& options, int iteration, ContactStatus wanted,
-                 const std::function<void(ContactCase&)>& change = {}, base::Analysis analysis = base::Analysis::plane_strain) {
+                 const std::function<void(ContactCase&)>& change = {},
+                 base::Analysis analysis = base::Analysis::plane_strain) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (bool partly : {false, true}) {
       auto o = state(seed, partly);
@@ -101,8 +102,10 @@ constexpr double m = 0.6, n = -0.4, p_ref = 80.0, v_ref = 2.0;
 // Rates that depend on pressure and speed, on both sides, by either law, imposed sliding included.
 TEST(linearisation, exponents) {
   const auto timed = [](ContactCase& c) { c.increment.duration_s = 0.02; };
-  over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha, m, p_ref, n, v_ref}), 1, ContactStatus::slip, timed);
-  over_states(frictional(0.1, {LawKind::archard, alpha, 2.0 * alpha, n, p_ref, m, v_ref}), 1, ContactStatus::slip, timed);
+  over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha, m, p_ref, n, v_ref}), 1, ContactStatus::slip,
+              timed);
+  over_states(frictional(0.1, {LawKind::archard, alpha, 2.0 * alpha, n, p_ref, m, v_ref}), 1, ContactStatus::slip,
+              timed);
   auto options = frictional(0.2, {LawKind::archard, alpha, alpha, m, p_ref, n, v_ref});
   options.imposed = true;
   over_states(options, 1, ContactStatus::slip, [](ContactCase& c) {
@@ -118,7 +121,8 @@ TEST(linearisation, threshold) {
     constexpr double threshold = 5.0, beyond = 0.4;  // of this increment's energy
     for (std::size_t j = 0; j < c.lambda.size(); ++j) {
       const auto& at = face.condition(static_cast<int>(j));
-      c.before.energy_secondary[j] = threshold * c.setup.secondary.area[j] - (1.0 - beyond) * c.increment.jump * std::abs(at.lambda_t * at.slip);
+      c.before.energy_secondary[j] =
+          threshold * c.setup.secondary.area[j] - (1.0 - beyond) * c.increment.jump * std::abs(at.lambda_t * at.slip);
     }
     c.setup.options.wear.threshold = threshold;
   };
@@ -162,7 +166,9 @@ void hold(ContactCase& c) {
 }
 
 // Shear held as a given load, below and beyond the friction bound.
-TEST(linearisation, held_shear) { over_states(frictional(0.2, {LawKind::energy, alpha, alpha}), 1, ContactStatus::stick, hold); }
+TEST(linearisation, held_shear) {
+  over_states(frictional(0.2, {LawKind::energy, alpha, alpha}), 1, ContactStatus::stick, hold);
+}
 
 // Held shear with an anchor: all rows depend on the anchor's multiplier and normal.
 TEST(linearisation, held_shear_with_anchor) {
@@ -173,7 +179,8 @@ TEST(linearisation, held_shear_with_anchor) {
 }
 
 /// The same check with curved facets, either kind of multipliers, and over length on X or on x.
-void over_curved_states(ContactOptions options, int iteration, ContactStatus wanted, const std::function<void(ContactCase&)>& change = {}) {
+void over_curved_states(ContactOptions options, int iteration, ContactStatus wanted,
+                        const std::function<void(ContactCase&)>& change = {}) {
   for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
     for (auto measure : {base::Kinematics::small, base::Kinematics::finite})
       for (unsigned seed = 1; seed <= 2; ++seed)
@@ -185,9 +192,10 @@ void over_curved_states(ContactOptions options, int iteration, ContactStatus wan
           options.dual = dual;
           auto c = support::random_case(o, options);
           if (change) change(c);
-          expect_rate_two(c, iteration, wanted, std::string(dual == contact::DualOrder::linear ? "linear" : "quadratic") +
-                                                    (measure == base::Kinematics::finite ? ", on x" : ", on X") +
-                                                    (partly ? ", partly covered, seed " : ", seed ") + std::to_string(seed));
+          expect_rate_two(c, iteration, wanted,
+                          std::string(dual == contact::DualOrder::linear ? "linear" : "quadratic") +
+                              (measure == base::Kinematics::finite ? ", on x" : ", on X") +
+                              (partly ? ", partly covered, seed " : ", seed ") + std::to_string(seed));
         }
 }
 
@@ -205,7 +213,8 @@ TEST(linearisation, curved_facets_with_wear_on_the_secondary_side) {
 // Straight facets over length on x, where D follows the stretch.
 TEST(linearisation, length_on_x) {
   for (unsigned seed = 1; seed <= 4; ++seed)
-    for (const auto& [friction, iteration, wanted] : {std::tuple{0.4, 0, ContactStatus::stick}, {0.1, 1, ContactStatus::slip}}) {
+    for (const auto& [friction, iteration, wanted] :
+         {std::tuple{0.4, 0, ContactStatus::stick}, {0.1, 1, ContactStatus::slip}}) {
       auto o = state(seed, seed % 2 == 0);
       o.measure = base::Kinematics::finite;
       const auto c = support::random_case(o, frictional(friction, {LawKind::energy, alpha, 3.0 * alpha}));
@@ -222,8 +231,10 @@ TEST(linearisation, imposed_sliding_of_curved_facets) {
 
 /// Layers that stand in the gap with other than their thickness on X.
 void thicken(ContactCase& c) {
-  for (std::size_t j = 0; j < c.xs.size(); ++j) c.increment.thickness_secondary.push_back(0.5 + 0.1 * static_cast<double>(j));
-  for (std::size_t l = 0; l < c.xm.size(); ++l) c.increment.thickness_primary.push_back(1.5 - 0.1 * static_cast<double>(l));
+  for (std::size_t j = 0; j < c.xs.size(); ++j)
+    c.increment.thickness_secondary.push_back(0.5 + 0.1 * static_cast<double>(j));
+  for (std::size_t l = 0; l < c.xm.size(); ++l)
+    c.increment.thickness_primary.push_back(1.5 - 0.1 * static_cast<double>(l));
 }
 
 // The same where depth on X and depth in the gap differ from node to node.

@@ -32,8 +32,7 @@ TEST(element, gradients_match_differences) {
   for (auto kind : {CellKind::tri3, CellKind::quad4, CellKind::tri6, CellKind::quad8})
     for (int i = 0; i < 2; ++i) {
       const Vec2 xi{0.21, 0.37}, step = 1e-5 * Vec2::Unit(i);
-      const fem::NodeValues d =
-          (fem::shape_functions(kind, xi + step) - fem::shape_functions(kind, xi - step)) / 2e-5;
+      const fem::NodeValues d = (fem::shape_functions(kind, xi + step) - fem::shape_functions(kind, xi - step)) / 2e-5;
       EXPECT_LT((d - fem::shape_gradients(kind, xi).col(i)).norm(), 1e-10);
     }
 }

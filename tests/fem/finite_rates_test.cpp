@@ -21,7 +21,7 @@ material::Gradient<T> manufactured_F(Analysis analysis, const T& X, const T& Y) 
   const T R = X;
   const T u1 = 0.08 * sin(2.0 * X) * cos(1.5 * Y);
   material::Gradient<T> F{1.0 + 0.16 * cos(2.0 * X) * cos(1.5 * Y), -0.12 * sin(2.0 * X) * sin(1.5 * Y),
-                          -0.1 * sin(X) * sin(2.0 * Y) , 1.0 + 0.2 * cos(X) * cos(2.0 * Y), T(1.0)};
+                          -0.1 * sin(X) * sin(2.0 * Y), 1.0 + 0.2 * cos(X) * cos(2.0 * Y), T(1.0)};
   if (analysis == Analysis::axisymmetric) F[4] = 1.0 + u1 / R;
   return F;
 }
@@ -74,23 +74,28 @@ void for_each_point(const Mesh& mesh, Analysis analysis, const Vector& u, Visit 
 }
 
 Errors manufactured_errors(const Case& c, int n) {
-  const auto mesh = support::mapped(support::rectangle({.corner = {1, 0}, .nx = n, .ny = n, .kind = c.kind}), [](const Vec2& X) {
-    return Vec2{X.x() + 0.04 * std::sin(3 * X.y()) * std::sin(3 * X.x()), X.y() + 0.04 * std::sin(2 * X.x() + X.y())};
-  });
+  const auto mesh =
+      support::mapped(support::rectangle({.corner = {1, 0}, .nx = n, .ny = n, .kind = c.kind}), [](const Vec2& X) {
+        return Vec2{X.x() + 0.04 * std::sin(3 * X.y()) * std::sin(3 * X.x()),
+                    X.y() + 0.04 * std::sin(2 * X.x() + X.y())};
+      });
   Vector f = Vector::Zero(2 * mesh.node_count()), u = nodal(mesh, manufactured_u);
-  for_each_point(mesh, c.solid.analysis, u, [&](int cell, const auto&, const auto& N, const auto&, double volume, const Vec2& X) {
-    const Vec2 b = body_force(c.solid, X);
-    for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) f.segment<2>(2 * mesh.cells[cell][a]) += volume * N[a] * b;
-  });
+  for_each_point(mesh, c.solid.analysis, u,
+                 [&](int cell, const auto&, const auto& N, const auto&, double volume, const Vec2& X) {
+                   const Vec2 b = body_force(c.solid, X);
+                   for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a)
+                     f.segment<2>(2 * mesh.cells[cell][a]) += volume * N[a] * b;
+                 });
   const auto table = newton(mesh, c.solid, outline_nodes(mesh), f, u);
   EXPECT_LT(table.back(), 1e-11);
   Errors e;
-  for_each_point(mesh, c.solid.analysis, u, [&](int, const CellFields& cell, const auto& N, const auto& dN, double volume, const Vec2& X) {
-    e.l2 += volume * (cell.u.transpose() * N - manufactured_u(X)).squaredNorm();
-    const auto F = manufactured_F(c.solid.analysis, X.x(), X.y());
-    const Eigen::Matrix2d H = cell.u.transpose() * dN, exact{{F[0] - 1, F[1]}, {F[2], F[3] - 1}};
-    e.h1 += volume * (H - exact).squaredNorm();
-  });
+  for_each_point(mesh, c.solid.analysis, u,
+                 [&](int, const CellFields& cell, const auto& N, const auto& dN, double volume, const Vec2& X) {
+                   e.l2 += volume * (cell.u.transpose() * N - manufactured_u(X)).squaredNorm();
+                   const auto F = manufactured_F(c.solid.analysis, X.x(), X.y());
+                   const Eigen::Matrix2d H = cell.u.transpose() * dN, exact{{F[0] - 1, F[1]}, {F[2], F[3] - 1}};
+                   e.h1 += volume * (H - exact).squaredNorm();
+                 });
   return {std::sqrt(e.l2), std::sqrt(e.h1)};
 }
 

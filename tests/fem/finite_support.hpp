@@ -23,12 +23,16 @@ inline const material::Material rubber = material::NeoHookean{300.0, 0.4, materi
 inline const material::Material metal = material::HenckyJ2{300.0, 0.3, material::LinearHardening{1.0, 20.0}};
 
 inline const char* name_of(CellKind kind) {
-  return kind == CellKind::tri3 ? "tri3" : kind == CellKind::quad4 ? "quad4" : kind == CellKind::tri6 ? "tri6" : "quad8";
+  return kind == CellKind::tri3    ? "tri3"
+         : kind == CellKind::quad4 ? "quad4"
+         : kind == CellKind::tri6  ? "tri6"
+                                   : "quad8";
 }
 
 inline const char* name_of(Analysis analysis) {
-  return analysis == Analysis::plane_strain ? "plane_strain"
-                                            : analysis == Analysis::plane_stress ? "plane_stress" : "axisymmetric";
+  return analysis == Analysis::plane_strain   ? "plane_strain"
+         : analysis == Analysis::plane_stress ? "plane_stress"
+                                              : "axisymmetric";
 }
 
 /// A kind of cell and what it is made of.

@@ -32,7 +32,9 @@ class solid : public testing::TestWithParam<Case> {
 TEST_P(solid, tangent_is_the_derivative) {
   const auto mesh = patch_mesh(param().kind);
   const Vector u = bent(mesh);
-  const Vector along = nodal(mesh, [](const Vec2& X) { return Vec2{std::sin(5 * X.x() + X.y()), std::cos(3 * X.y() * X.x())}; });
+  const Vector along = nodal(mesh, [](const Vec2& X) {
+    return Vec2{std::sin(5 * X.x() + X.y()), std::cos(3 * X.y() * X.x())};
+  });
   const fem::Pattern pattern(mesh);
   auto K = pattern.zero();
   fem::InternalForce f;
@@ -110,8 +112,7 @@ TEST_P(solid, forces_turn_with_the_body) {
   const Eigen::Matrix2d R{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
   const auto turn = [&](const Vector& u) {
     Vector v(u.size());
-    for (int k = 0; k < mesh.node_count(); ++k)
-      v.segment<2>(2 * k) = R * (mesh.X[k] + u.segment<2>(2 * k)) - mesh.X[k];
+    for (int k = 0; k < mesh.node_count(); ++k) v.segment<2>(2 * k) = R * (mesh.X[k] + u.segment<2>(2 * k)) - mesh.X[k];
     return v;
   };
   EXPECT_LT(force(mesh, turn(Vector::Zero(2 * mesh.node_count()))).norm(), 1e-10 * 300.0);

@@ -35,14 +35,19 @@ TEST(follower, tangent_is_the_derivative) {
     for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric}) {
       const auto mesh = patch_mesh(kind);
       const Vector u = bent(mesh);
-      const Vector along = nodal(mesh, [](const Vec2& X) { return Vec2{std::sin(5 * X.x() + X.y()), std::cos(3 * X.x())}; });
+      const Vector along = nodal(mesh, [](const Vec2& X) {
+        return Vec2{std::sin(5 * X.x() + X.y()), std::cos(3 * X.x())};
+      });
       const fem::Pattern pattern(mesh);
       auto K = pattern.zero();
       fem::FollowerPressure(mesh, analysis, squeeze).add_tangent(1.0, mesh, u, pattern, K);
       const Vector exact = K * along;
       const auto error = [&](double h) {
-        return ((force(mesh, analysis, squeeze, u + h * along) - force(mesh, analysis, squeeze, u - h * along)) / (2 * h) -
-                exact).norm() / exact.norm();
+        return ((force(mesh, analysis, squeeze, u + h * along) - force(mesh, analysis, squeeze, u - h * along)) /
+                    (2 * h) -
+                exact)
+                   .norm() /
+               exact.norm();
       };
       EXPECT_LT(error(1e-4), 1e-9) << name_of(kind) << " " << name_of(analysis);
     }

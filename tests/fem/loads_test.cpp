@@ -90,7 +90,8 @@ TEST(loads, point_load_takes_the_nearest_node) {
 TEST(loads, bad_edges_are_input_errors) {
   const auto m = rectangle({});
   EXPECT_THROW(fem::load_vector(m, Analysis::plane_strain, {"p", "roof", 1, {0, 0}, {}, ""}), base::InputError);
-  EXPECT_THROW(fem::load_vector(m, Analysis::plane_strain, {"p", "top", 1, {0, 0}, {{1.2, 1.5}}, ""}), base::InputError);
+  EXPECT_THROW(fem::load_vector(m, Analysis::plane_strain, {"p", "top", 1, {0, 0}, {{1.2, 1.5}}, ""}),
+               base::InputError);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ struct PatchCase {
 class patch : public testing::TestWithParam<PatchCase> {
  protected:
   mesh::Mesh mesh_ = support::turned(
-      support::rectangle({.corner = {4, 1}, .size = {3, 2}, .nx = 6, .ny = 5, .kind = GetParam().kind, .distortion = 0.9}),
+      support::rectangle(
+          {.corner = {4, 1}, .size = {3, 2}, .nx = 6, .ny = 5, .kind = GetParam().kind, .distortion = 0.9}),
       GetParam().analysis == Analysis::axisymmetric ? 0.0 : 0.5);
   material::Material material_ = material::LinearElastic{2.1e5, GetParam().nu};
   /// u = G X; in axisymmetry a radius may only scale and the height may shear nothing.

@@ -102,8 +102,8 @@ TEST_P(prestrain, uniform_deformation_on_a_fresh_mesh) {
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity(), first = one + 0.6 * H, rest = (one + H) * first.inverse();
   const bool ring = of().analysis == Analysis::axisymmetric;
   const Vector u = nodal(mesh_, [&](const Vec2& X) { return Vec2(H * X); });
-  Mesh fresh = support::rectangle(
-      {.corner = {4, 1}, .size = {3, 2}, .nx = 3, .ny = 5, .kind = mesh_.kind, .distortion = 0.3});
+  Mesh fresh =
+      support::rectangle({.corner = {4, 1}, .size = {3, 2}, .nx = 3, .ny = 5, .kind = mesh_.kind, .distortion = 0.3});
   fresh = moved(fresh, nodal(fresh, [&](const Vec2& X) { return Vec2((first - one) * X); }));
   const Prestrain F0(fresh.cells.size() * fem::stiffness_rule(fresh.kind).size(),
                      {first(0, 0), first(0, 1), first(1, 0), first(1, 1), ring ? first(0, 0) : 1.0});

@@ -257,9 +257,9 @@ TEST(second_order, convergence) {
         }
         last = error;
       }
-      RecordProperty("finest_" + std::to_string(static_cast<int>(kind)) + "_" +
-                         std::to_string(static_cast<int>(exact.analysis)),
-                     std::to_string(last[0]) + " " + std::to_string(last[1]));
+      RecordProperty(
+          "finest_" + std::to_string(static_cast<int>(kind)) + "_" + std::to_string(static_cast<int>(exact.analysis)),
+          std::to_string(last[0]) + " " + std::to_string(last[1]));
     }
 }
 

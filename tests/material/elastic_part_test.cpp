@@ -19,7 +19,9 @@ double largest_difference(const Symmetric<double>& a, const Symmetric<double>& b
 double yielding(const Symmetric<double>& e) {
   const double mean = (e[0] + e[1] + e[3]) / 3.0;
   return 3.0 * shear_modulus(steel) *
-         std::sqrt(2.0 / 3.0 * (std::pow(e[0] - mean, 2) + std::pow(e[1] - mean, 2) + 2.0 * e[2] * e[2] + std::pow(e[3] - mean, 2)));
+         std::sqrt(
+             2.0 / 3.0 *
+             (std::pow(e[0] - mean, 2) + std::pow(e[1] - mean, 2) + 2.0 * e[2] * e[2] + std::pow(e[3] - mean, 2)));
 }
 
 }  // namespace
@@ -30,7 +32,8 @@ TEST(ElasticPart, IsWhatTheStressFollowsFrom) {
     const Voigt<double> strain{0.03, -0.02, 0.05, analysis == Analysis::plane_strain ? 0.0 : 0.001};
     const Gradient<double> F{1.3, 0.2, -0.1, 0.8, analysis == Analysis::plane_strain ? 1.0 : 1.05};
     const auto hooke = [](const ElasticState& e) {
-      return combined(e.strain, 2.0 * shear_modulus(steel), lame_lambda(steel) * (e.strain[0] + e.strain[1] + e.strain[3]));
+      return combined(e.strain, 2.0 * shear_modulus(steel),
+                      lame_lambda(steel) * (e.strain[0] + e.strain[1] + e.strain[3]));
     };
     PlasticState small, finite;
     const auto sigma = stress(Material(steel), analysis, strain, PlasticState{}, &small);
@@ -59,8 +62,8 @@ TEST(ElasticPart, SurvivesAnotherDeformation) {
   }
 }
 
-// A law that does not yield must give Hooke's stress on the elastic strain of a state that has flowed, however far beyond
-// its yield surface, and leave its plastic state alone, at either kinematics.
+// A law that does not yield must give Hooke's stress on the elastic strain of a state that has flowed, however far
+// beyond its yield surface, and leave its plastic state alone, at either kinematics.
 TEST(ElasticPart, MayLieBeyondTheYieldSurface) {
   const Symmetric<double> beyond{4e-3, -3e-3, 2e-3, 1e-3};
   for (auto analysis : analyses) {

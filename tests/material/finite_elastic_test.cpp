@@ -125,7 +125,8 @@ TEST(finite_elastic, st_venant_kirchhoff_closed_forms) {
                 {l * l * E * strain, 0, 0, 0});
 }
 
-// Hencky in simple shear, principal logarithmic strain asinh(gamma / 2), and in uniaxial tension tau = E ln l; or sigma.
+// Hencky in simple shear, principal logarithmic strain asinh(gamma / 2), and in uniaxial tension tau = E ln l; or
+// sigma.
 TEST(finite_elastic, hencky_closed_forms) {
   const Hencky law{E, nu};
   const double g = 1.4, log_stretch = std::asinh(g / 2), c = std::sqrt(1 + g * g / 4);

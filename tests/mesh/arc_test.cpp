@@ -53,7 +53,8 @@ TEST(arc, the_origin_is_chosen_once) {
   EXPECT_EQ(arc_chains(mesh, "edge").at(0).nodes, (Chain{2, 1, 0}));
 }
 
-// A mesh that replaces another must count its boundaries from the same places, whatever the numbers and order of its chains.
+// A mesh that replaces another must count its boundaries from the same places, whatever the numbers and order of its
+// chains.
 TEST(arc, later_meshes_follow) {
   Mesh former = with({{0, 0}, {0, 1}, {3, 0}, {3, 1}}, {{1, 0}, {2, 3}});
   former.arc_origin["edge"] = {3, 1};
@@ -80,7 +81,8 @@ TEST(arc, a_ring_ends_where_it_began) {
 // With several contacts on a ring its arc length must begin amid the longest stretch between them.
 TEST(arc, a_ring_begins_between_its_contacts) {
   Points corners;
-  for (int i = 0; i < 12; ++i) corners.emplace_back(std::cos(i * std::numbers::pi / 6.0), std::sin(i * std::numbers::pi / 6.0));
+  for (int i = 0; i < 12; ++i)
+    corners.emplace_back(std::cos(i * std::numbers::pi / 6.0), std::sin(i * std::numbers::pi / 6.0));
   const Mesh mesh = with(corners, {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0}});
   const auto& ring = mesh.boundaries.at("edge")[0];
   EXPECT_EQ(farthest_from(mesh, ring, {{2, 0}}), 6);

@@ -16,7 +16,8 @@ mesh::Mesh ring() {
 
 }  // namespace
 
-// A point must be inside a body only where material is, and its distance must be that from the nearest edge, of a hole, too.
+// A point must be inside a body only where material is, and its distance must be that from the nearest edge, of a hole,
+// too.
 TEST(Place, AgainstARing) {
   const auto in = mesh::place_of(ring(), {0.25, 2.0});
   EXPECT_TRUE(in.inside);

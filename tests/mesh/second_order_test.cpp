@@ -11,8 +11,8 @@
 #include "mesh/quadratic_edge.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/shape.hpp"
-#include "support/meshes.hpp"
 #include "small_meshes.hpp"
+#include "support/meshes.hpp"
 
 namespace {
 
@@ -38,7 +38,9 @@ TEST(shape, nodal_basis_with_its_gradients) {
 
 // Functions of second order must reproduce every quadratic of the reference coordinates.
 TEST(shape, second_order_is_complete_to_degree_two) {
-  const auto quadratic = [](const Vec2& x) { return 1 + x[0] - 2 * x[1] + x[0] * x[0] + 3 * x[0] * x[1] - x[1] * x[1]; };
+  const auto quadratic = [](const Vec2& x) {
+    return 1 + x[0] - 2 * x[1] + x[0] * x[0] + 3 * x[0] * x[1] - x[1] * x[1];
+  };
   for (CellKind kind : {CellKind::tri6, CellKind::quad8}) {
     const Vec2 xi(0.17, 0.42);
     double sum = 0.0;
@@ -52,14 +54,14 @@ TEST(shape, second_order_is_complete_to_degree_two) {
 double by_chords(const QuadraticEdge& e, double from, double to) {
   constexpr int n = 20000;
   double sum = 0.0;
-  for (int i = 0; i < n; ++i)
-    sum += (e.at(from + (to - from) * (i + 1) / n) - e.at(from + (to - from) * i / n)).norm();
+  for (int i = 0; i < n; ++i) sum += (e.at(from + (to - from) * (i + 1) / n) - e.at(from + (to - from) * i / n)).norm();
   return sum;
 }
 
 // Length of a quadratic edge must be exact, bent strongly, hardly or not at all, with its mid node off the centre.
 TEST(quadratic_edge, length) {
-  for (const Vec2& mid : {Vec2(0.5, -0.4), Vec2(0.4, 0.1), Vec2(0.5, -1e-9), Vec2(0.5, 0.0), Vec2(0.6, 0.0), Vec2(0.5 + 1e-13, 0.0)}) {
+  for (const Vec2& mid :
+       {Vec2(0.5, -0.4), Vec2(0.4, 0.1), Vec2(0.5, -1e-9), Vec2(0.5, 0.0), Vec2(0.6, 0.0), Vec2(0.5 + 1e-13, 0.0)}) {
     const QuadraticEdge e{{0, 0}, mid, {1, 0}};
     EXPECT_NEAR(e.length(), by_chords(e, -1.0, 1.0), 3e-9);
     EXPECT_NEAR(e.length(-0.3, 0.8), by_chords(e, -0.3, 0.8), 3e-9);
@@ -111,7 +113,8 @@ TEST(second_order, arc_lengths_and_nodal_lengths) {
   for (double share : nodal_lengths(m.X, outer, 2)) sum += share;
   EXPECT_NEAR(sum, length(m.X, outer, 2), 1e-12);
   const Mesh straight = to_second_order(squares(1));
-  const auto shares = nodal_lengths(straight.X, Boundary{{straight.outline[0][0], straight.outline[0][1], straight.outline[0][2]}}, 2);
+  const auto shares =
+      nodal_lengths(straight.X, Boundary{{straight.outline[0][0], straight.outline[0][1], straight.outline[0][2]}}, 2);
   EXPECT_NEAR(shares[0], 1.0 / 6.0, 1e-15);
   EXPECT_NEAR(shares[1], 4.0 / 6.0, 1e-15);
 }

@@ -115,7 +115,8 @@ TEST(derivative, curved_facets) {
         o.primary_order = primary;
         o.from = from;
         const auto f = support::facing(o);
-        EXPECT_NEAR(rate(in_motion(f, seed), seed), 2.0, 0.1) << secondary << primary << " from " << from << " seed " << seed;
+        EXPECT_NEAR(rate(in_motion(f, seed), seed), 2.0, 0.1)
+            << secondary << primary << " from " << from << " seed " << seed;
       }
 }
 

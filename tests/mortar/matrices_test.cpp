@@ -70,9 +70,8 @@ Exact exact(const support::Facing& f) {
       const int node = j == 0 ? i : k;
       e.D[node] += own[j];
       for (int l = 0; l < nm; ++l) {
-        e.M(node, l) += piecewise(f.xm, a, b, [&](double x) {
-          return (A(j, 0) * N(0, x) + A(j, 1) * N(1, x)) * hat(f.xm, l, x) * r(x);
-        });
+        e.M(node, l) += piecewise(
+            f.xm, a, b, [&](double x) { return (A(j, 0) * N(0, x) + A(j, 1) * N(1, x)) * hat(f.xm, l, x) * r(x); });
         e.T(node, l) += piecewise(f.xm, a, b, [&](double x) { return N(j, x) * hat(f.xm, l, x) * r(x); });
       }
     }

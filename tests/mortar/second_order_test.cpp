@@ -89,7 +89,8 @@ constexpr Cover covers[] = {{0.5, 2.5}, {1.3, 2.5}, {0.5, 1.7}, {1.2, 1.6}, {1.4
 // over whole and partly covered facets, for three, two and one of them.
 TEST(second_order, biorthogonal_on_the_covered_part) {
   for (const auto& cover : covers)
-    for (const auto& cut : {std::array<bool, 3>{false, false, false}, {false, false, true}, {true, false, false}, {true, false, true}}) {
+    for (const auto& cut :
+         {std::array<bool, 3>{false, false, false}, {false, false, true}, {true, false, false}, {true, false, true}}) {
       auto w = facet_under(cover.from, cover.to);
       w.in.cut = cut;
       mortar::integrate(w);
@@ -156,7 +157,8 @@ TEST(second_order, constant_pressure_passes_exactly) {
         auto p = support::placed(f);
         if (linear) p.cut = linear_multipliers(f.secondary);
         const auto s = support::integrals(p);
-        const Vector on_secondary = s.D + s.off.colwise().sum().transpose(), on_primary = s.M.colwise().sum().transpose();
+        const Vector on_secondary = s.D + s.off.colwise().sum().transpose(),
+                     on_primary = s.M.colwise().sum().transpose();
         for (int j = 0; j < f.secondary.node_count(); ++j) EXPECT_NEAR(on_secondary[j], f.secondary.area[j], 1e-13);
         for (int l = 0; l < f.primary.node_count(); ++l) EXPECT_NEAR(on_primary[l], f.primary.area[l], 1e-13);
       }

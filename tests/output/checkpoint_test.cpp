@@ -21,7 +21,8 @@ Origin origin() { return {"0.1.0", "c0ffee", 7, "abc"}; }
 /// A folder with the tables that the checkpoint tells of.
 struct RunFolder : sample::TemporaryFolder {
   RunFolder() {
-    for (const char* table : {"history.csv", "remesh.csv", "surface_pad_primary.csv"}) atomic_write(*this / table, "head\none\ntwo\n");
+    for (const char* table : {"history.csv", "remesh.csv", "surface_pad_primary.csv"})
+      atomic_write(*this / table, "head\none\ntwo\n");
   }
 };
 
@@ -105,13 +106,14 @@ TEST(Checkpoint, AnyAlteredByteFallsBack) {
     atomic_write(dir / "checkpoint/current.bin", altered);
     const auto search = load_checkpoint(dir.str(), origin());
     ASSERT_TRUE(search.found && search.found->payload == "old") << i;
-    ASSERT_TRUE(holds(reasons(search), "altered") || holds(reasons(search), "truncated") || holds(reasons(search), "older program"))
+    ASSERT_TRUE(holds(reasons(search), "altered") || holds(reasons(search), "truncated") ||
+                holds(reasons(search), "older program"))
         << reasons(search);
   }
 }
 
-// Checkpoints of another scene or another version are refused with that reason, those of another layout with both commits;
-// another commit of the same layout is no reason.
+// Checkpoints of another scene or another version are refused with that reason, those of another layout with both
+// commits; another commit of the same layout is no reason.
 TEST(Checkpoint, OtherOriginsAreRefused) {
   RunFolder dir;
   save_checkpoint(dir.str(), checkpoint("x"));
@@ -137,7 +139,8 @@ TEST(Checkpoint, OlderContainerIsRefused) {
   EXPECT_TRUE(holds(reasons(load_checkpoint(dir.str(), origin())), "written by an older program"));
 }
 
-// Where a table holds fewer whole rows than a checkpoint says, the one before is taken, and put in its place it is kept.
+// Where a table holds fewer whole rows than a checkpoint says, the one before is taken, and put in its place it is
+// kept.
 TEST(Checkpoint, TablesTooShortFallBack) {
   RunFolder dir;
   auto old = checkpoint("old");
@@ -162,15 +165,16 @@ TEST(Checkpoint, TablesTooShortFallBack) {
   EXPECT_EQ(load_checkpoint(dir.str(), origin()).found->payload, "old");
 }
 
-// Bytes altered under a right checksum must be refused or read as a checkpoint, whatever they say: no crash, no memory for
-// sizes that the file cannot hold, no file outside of the folder.
+// Bytes altered under a right checksum must be refused or read as a checkpoint, whatever they say: no crash, no memory
+// for sizes that the file cannot hold, no file outside of the folder.
 TEST(Checkpoint, AlteredUnderARightChecksum) {
   const std::string whole = packed(checkpoint("payload"));
   std::mt19937 random(1);
   int refused = 0;
   for (int k = 0; k < 20000; ++k) {
     std::string body = whole.substr(24);
-    for (int n = 1 + static_cast<int>(random() % 3); n > 0; --n) body[random() % body.size()] = static_cast<char>(random() % 5 == 0 ? 0xff : random());
+    for (int n = 1 + static_cast<int>(random() % 3); n > 0; --n)
+      body[random() % body.size()] = static_cast<char>(random() % 5 == 0 ? 0xff : random());
     try {
       const auto read = unpacked(sealed(body), 7);
       EXPECT_LE(read.payload.size(), whole.size());
@@ -207,10 +211,18 @@ TEST(Serialize, EigenReadsBack) {
   EXPECT_EQ(to_bytes(v2, m2, points2, none2), bytes);
 }
 
-// Everything that a fine zone says must come back: one made for a body that turns follows no contact, after a restart, too.
+// Everything that a fine zone says must come back: one made for a body that turns follows no contact, after a restart,
+// too.
 TEST(Serialize, FineZoneReadsBack) {
-  const reye::cad::FineZone zone{.bodies = {"a"}, .centre_mm = {1.0, 2.0}, .half_width_mm = 3.0, .depth_mm = 4.0, .size_mm = 5.0,
-                                 .angle_deg = 6.0, .contact = "pad", .key = "contact.pad.fine_zone[1]", .turns = true};
+  const reye::cad::FineZone zone{.bodies = {"a"},
+                                 .centre_mm = {1.0, 2.0},
+                                 .half_width_mm = 3.0,
+                                 .depth_mm = 4.0,
+                                 .size_mm = 5.0,
+                                 .angle_deg = 6.0,
+                                 .contact = "pad",
+                                 .key = "contact.pad.fine_zone[1]",
+                                 .turns = true};
   reye::cad::FineZone back;
   from_bytes(to_bytes(zone), back);
   EXPECT_EQ(to_bytes(back), to_bytes(zone));
@@ -221,7 +233,8 @@ TEST(Serialize, FineZoneReadsBack) {
 // A matrix of a size that it cannot have, a truth value that is none and a pointer to something else are errors.
 TEST(Serialize, ImpossibleBytesThrow) {
   reye::base::Vector v;
-  for (const auto& [rows, cols] : {std::pair{std::int64_t{-1}, std::int64_t{1}}, {2, 2}, {1LL << 62, 1}, {1LL << 40, 1}})
+  for (const auto& [rows, cols] :
+       {std::pair{std::int64_t{-1}, std::int64_t{1}}, {2, 2}, {1LL << 62, 1}, {1LL << 40, 1}})
     EXPECT_THROW(from_bytes(to_bytes(rows, cols, 1.0, 2.0), v), cereal::Exception);
   bool flag = false;
   EXPECT_THROW(from_bytes("\2", flag), cereal::Exception);

@@ -12,8 +12,8 @@ using namespace reye::output;
 
 namespace {
 
-const std::vector<std::string> read_again = {".reye.json",          "summary.json", "history.csv", "surface_pad_secondary.csv",
-                                             "surface_pad_primary.csv", "remesh.csv"};
+const std::vector<std::string> read_again = {
+    ".reye.json", "summary.json", "history.csv", "surface_pad_secondary.csv", "surface_pad_primary.csv", "remesh.csv"};
 
 /// A run that is done, with all its tables.
 void write_done(const std::string& dir) {
@@ -44,12 +44,24 @@ std::string altered(std::string text, std::mt19937& random) {
   for (int n = 1 + static_cast<int>(random() % 4); n > 0 && !text.empty(); --n) {
     const std::size_t at = random() % text.size();
     switch (random() % 6) {
-      case 0: text[at] = static_cast<char>(random()); break;
-      case 1: text[at] = "0123456789.,-e\n\"{}[]:="[random() % 22]; break;
-      case 2: text.insert(at, 1 + random() % 5, "9,\n\"e-"[random() % 6]); break;
-      case 3: text.erase(at, 1 + random() % 20); break;
-      case 4: text.resize(at); break;
-      default: text.replace(at, 1, "null"); break;
+      case 0:
+        text[at] = static_cast<char>(random());
+        break;
+      case 1:
+        text[at] = "0123456789.,-e\n\"{}[]:="[random() % 22];
+        break;
+      case 2:
+        text.insert(at, 1 + random() % 5, "9,\n\"e-"[random() % 6]);
+        break;
+      case 3:
+        text.erase(at, 1 + random() % 20);
+        break;
+      case 4:
+        text.resize(at);
+        break;
+      default:
+        text.replace(at, 1, "null");
+        break;
     }
   }
   return text;
@@ -65,13 +77,16 @@ TEST(Damage, TheFileIsNamed) {
   for (const auto& file : read_again) {
     const std::string whole = read_text(dir / file), path = dir / file;
     for (const auto& [what, text] : {std::pair<std::string, std::string>("garbage", std::string("\0\x7f\xff{[\n", 7)),
-                                     {"empty", ""}, {"cut", whole.substr(0, whole.size() / 2)}}) {
+                                     {"empty", ""},
+                                     {"cut", whole.substr(0, whole.size() / 2)}}) {
       atomic_write(path, text);
       EXPECT_TRUE(holds(said(dir.str()), file + " is damaged: ")) << file << ' ' << what << ": " << said(dir.str());
     }
     sample::fs::remove(path);
     const bool may_be_missing = file == "summary.json" || file == "remesh.csv";
-    const std::string missing = file == ".reye.json" ? "holds no run of reye" : may_be_missing ? "" : file + " is damaged: it is missing";
+    const std::string missing = file == ".reye.json" ? "holds no run of reye"
+                                : may_be_missing     ? ""
+                                                     : file + " is damaged: it is missing";
     EXPECT_TRUE(holds(said(dir.str()), missing)) << file;
     sample::fs::create_directory(path);
     EXPECT_TRUE(holds(said(dir.str()), file)) << file << ": " << said(dir.str());
@@ -81,7 +96,8 @@ TEST(Damage, TheFileIsNamed) {
   EXPECT_EQ(said(dir.str()), "");
 }
 
-// Whatever bytes of a folder are altered, a report must be made or refused with a sentence; nothing else may come of it.
+// Whatever bytes of a folder are altered, a report must be made or refused with a sentence; nothing else may come of
+// it.
 TEST(Damage, AnyAlteredBytes) {
   sample::TemporaryFolder dir;
   write_done(dir.str());
@@ -124,7 +140,8 @@ TEST(Damage, BrokenMember) {
   write_done(dir.str());
   EXPECT_EQ(read_end(dir.str()).status, "done");
   const std::string whole = read_text(dir / "summary.json");
-  for (const std::string& text : {std::string("{\"status\": 3}"), std::string("[1]"), std::string("\xff"), whole.substr(0, 99), std::string()}) {
+  for (const std::string& text :
+       {std::string("{\"status\": 3}"), std::string("[1]"), std::string("\xff"), whole.substr(0, 99), std::string()}) {
     atomic_write(dir / "summary.json", text);
     EXPECT_EQ(read_end(dir.str()).status, "damaged") << text;
     EXPECT_TRUE(holds(read_end(dir.str()).reason, "summary.json cannot be read"));

@@ -45,15 +45,16 @@ TEST(Number, RoundTripsEveryDouble) {
   }
 }
 
-// history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid edges, then
-// four per bond.
+// history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid
+// edges, then four per bond.
 TEST(History, HasTheColumnsOfTheContract) {
   using reye::base::Analysis;
-  EXPECT_EQ(history_header({{"pad"}, {{"holder", true}}}, Analysis::plane_stress),
-            "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
-            "energy_mJ_per_mm,pad_pressure_max_MPa,pad_depth_max_secondary_mm,pad_depth_max_primary_mm,pad_energy_mJ_per_mm,"
-            "pad_normal_force_N_per_mm,pad_tangential_force_N_per_mm,holder_force_x_N_per_mm,holder_force_y_N_per_mm,"
-            "holder_moment_N_mm_per_mm\n");
+  EXPECT_EQ(
+      history_header({{"pad"}, {{"holder", true}}}, Analysis::plane_stress),
+      "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
+      "energy_mJ_per_mm,pad_pressure_max_MPa,pad_depth_max_secondary_mm,pad_depth_max_primary_mm,pad_energy_mJ_per_mm,"
+      "pad_normal_force_N_per_mm,pad_tangential_force_N_per_mm,holder_force_x_N_per_mm,holder_force_y_N_per_mm,"
+      "holder_moment_N_mm_per_mm\n");
   EXPECT_EQ(history_header({{}, {{"a"}, {"b"}}}, Analysis::axisymmetric),
             "step,cycle,progress,newton,pressure_max_MPa,depth_max_secondary_mm,depth_max_primary_mm,"
             "energy_mJ,a_force_x_N,a_force_y_N,b_force_x_N,b_force_y_N\n");
@@ -73,8 +74,7 @@ TEST(History, RowReadsBack) {
   auto columns = sample::columns;
   columns.bonds = {"glue"};
   columns.supports[1].moment = true;
-  const Table table =
-      parse_csv(history_header(columns, reye::base::Analysis::plane_strain) + history_row(record));
+  const Table table = parse_csv(history_header(columns, reye::base::Analysis::plane_strain) + history_row(record));
   ASSERT_EQ(table.rows(), 1u);
   EXPECT_EQ(table.word(table.column("step")[0]), "press, \"hard\" and long");
   EXPECT_EQ(table.column("cycle")[0], record.cycle);
@@ -108,8 +108,7 @@ TEST(Surface, HasTheColumnsOfTheContractAndReadsBack) {
   const char* words[] = {"inactive", "stick", "slip"};
   EXPECT_EQ(table.column("frame"), std::vector<double>(table.rows(), 3.0));
   EXPECT_EQ(table.column("cycle"), std::vector<double>(table.rows(), 9000.0));
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    EXPECT_EQ(table.word(table.column("body")[i]), frame.bodies[0].name);
+  for (std::size_t i = 0; i < table.rows(); ++i) EXPECT_EQ(table.word(table.column("body")[i]), frame.bodies[0].name);
   for (std::size_t i = 0; i < table.rows(); ++i)
     EXPECT_EQ(table.word(table.column("status")[i]), words[record.status[i]]);
 }
@@ -117,7 +116,8 @@ TEST(Surface, HasTheColumnsOfTheContractAndReadsBack) {
 // remesh.csv has exactly these columns, the residue named as what it is in the analysis.
 TEST(Remesh, HasItsColumns) {
   using reye::base::Analysis;
-  const std::string first = "step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,";
+  const std::string first =
+      "step,cycle,body,nodes_before,nodes_after,scaled_jacobian_before,scaled_jacobian_after,projection_mm,";
   const std::string last = ",gap_moved_mm,gap_left_mm,pressure_jump,peak_jump,force_jump,energy_jump,reason\n";
   EXPECT_EQ(remesh_header(Analysis::plane_strain), first + "area_residue_mm2" + last);
   EXPECT_EQ(remesh_header(Analysis::plane_stress), first + "area_residue_mm2" + last);
@@ -133,12 +133,19 @@ TEST(Remesh, RowReadsBack) {
   EXPECT_EQ(table.word(table.column("step")[0]), record.step);
   EXPECT_EQ(table.word(table.column("body")[0]), record.body);
   EXPECT_EQ(table.word(table.column("reason")[0]), record.reason);
-  const std::pair<const char*, double> numbers[] = {
-      {"cycle", record.cycle}, {"nodes_before", 120.0}, {"nodes_after", 135.0},
-      {"scaled_jacobian_before", record.scaled_jacobian_before}, {"scaled_jacobian_after", record.scaled_jacobian_after},
-      {"projection_mm", record.projection_mm}, {"area_residue_mm2", record.area_residue},
-      {"gap_moved_mm", record.gap_moved_mm}, {"gap_left_mm", record.gap_left_mm}, {"pressure_jump", record.pressure_jump},
-      {"peak_jump", record.peak_jump}, {"force_jump", record.force_jump}, {"energy_jump", record.energy_jump}};
+  const std::pair<const char*, double> numbers[] = {{"cycle", record.cycle},
+                                                    {"nodes_before", 120.0},
+                                                    {"nodes_after", 135.0},
+                                                    {"scaled_jacobian_before", record.scaled_jacobian_before},
+                                                    {"scaled_jacobian_after", record.scaled_jacobian_after},
+                                                    {"projection_mm", record.projection_mm},
+                                                    {"area_residue_mm2", record.area_residue},
+                                                    {"gap_moved_mm", record.gap_moved_mm},
+                                                    {"gap_left_mm", record.gap_left_mm},
+                                                    {"pressure_jump", record.pressure_jump},
+                                                    {"peak_jump", record.peak_jump},
+                                                    {"force_jump", record.force_jump},
+                                                    {"energy_jump", record.energy_jump}};
   for (const auto& [column, value] : numbers) EXPECT_EQ(table.column(column).at(0), value) << column;
   record.seconds = record.mesh_seconds = 99.0;
   EXPECT_EQ(remesh_row(record), row);
@@ -172,9 +179,10 @@ TEST(ParseCsv, KnowsWholeRows) {
 
 // The worn amount of a table is depth times full nodal length, so it returns the removed volume.
 TEST(WornAmount, IsDepthTimesNodalLength) {
-  SurfaceTable surface{reye::sim::Side::secondary,
-                       parse_csv(surface_header() + "0,0,b,0,1,0,0,0,0,0,slip\n0,0,b,1,2,0,0,0,0,2,slip\n0,0,b,3,4,0,0,0,0,0,slip\n"),
-                       {{0.0, 0, 3}}};
+  SurfaceTable surface{
+      reye::sim::Side::secondary,
+      parse_csv(surface_header() + "0,0,b,0,1,0,0,0,0,0,slip\n0,0,b,1,2,0,0,0,0,2,slip\n0,0,b,3,4,0,0,0,0,0,slip\n"),
+      {{0.0, 0, 3}}};
   EXPECT_DOUBLE_EQ(worn_amount(surface, surface.frames[0], reye::base::Analysis::plane_strain), 3.0);
   EXPECT_DOUBLE_EQ(worn_amount(surface, surface.frames[0], reye::base::Analysis::axisymmetric), 12.0 * M_PI);
 }

@@ -18,7 +18,8 @@ TEST(FolderLock, OneAtATime) {
     const FolderLock lock(dir.str());
     EXPECT_TRUE(is_locked(dir.str()));
     EXPECT_THROW(FolderLock(dir.str()), reye::base::InputError);
-    for (const bool force : {false, true}) EXPECT_EQ(open_folder(dir.str(), "s", "1", force), refusal_of_locked(dir.str()));
+    for (const bool force : {false, true})
+      EXPECT_EQ(open_folder(dir.str(), "s", "1", force), refusal_of_locked(dir.str()));
   }
   EXPECT_FALSE(is_locked(dir.str()));
   EXPECT_FALSE(open_folder(dir.str(), "s", "1", false));

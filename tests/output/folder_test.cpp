@@ -69,8 +69,8 @@ TEST(Folder, IdentityReadsBack) {
   EXPECT_EQ(identity.friction.at("pad"), 0.9);
 }
 
-// Nothing is removed or written through a symbolic link in the folder: a new run removes the link alone, a resumed one and a
-// report refuse it.
+// Nothing is removed or written through a symbolic link in the folder: a new run removes the link alone, a resumed one
+// and a report refuse it.
 TEST(Folder, FollowsNoLinkInside) {
   sample::TemporaryFolder dir, other;
   atomic_write(other / "precious.svg", "mine");
@@ -85,7 +85,8 @@ TEST(Folder, FollowsNoLinkInside) {
   };
   sample::write_run(dir.str(), 4);
   for (const char* name : {"frames", "figures", "checkpoint"}) plant(name, other.str());
-  for (const char* name : {"log.txt", "summary.json", "surface_pad_primary.csv", "report.html", "series.pvd"}) plant(name, other / "table.csv");
+  for (const char* name : {"log.txt", "summary.json", "surface_pad_primary.csv", "report.html", "series.pvd"})
+    plant(name, other / "table.csv");
   sample::write_run(dir.str(), 4);
   EXPECT_TRUE(untouched());
   EXPECT_FALSE(sample::fs::is_symlink(dir / "frames"));
@@ -134,7 +135,8 @@ TEST(Folder, ForceRemovesNoRunThroughALink) {
 // What a kill has left under a temporary name goes when the folder is used again; a file of the user's stays.
 TEST(Folder, LeftOversGo) {
   sample::TemporaryFolder dir;
-  const std::vector<std::string> left = {"summary.json.4711.tmp", ".reye.json.new.1.tmp", "frames/bodies_000000.vtu.12.tmp"};
+  const std::vector<std::string> left = {"summary.json.4711.tmp", ".reye.json.new.1.tmp",
+                                         "frames/bodies_000000.vtu.12.tmp"};
   const std::vector<std::string> kept = {"notes.txt.4711.tmp", "summary.json.tmp", "my.tmp"};
   for (const bool resumed : {false, true}) {
     sample::write_run(dir.str(), 4);

@@ -37,7 +37,9 @@ std::map<std::string, std::string> contents(const std::string& dir) {
   return all;
 }
 
-Checkpoint checkpoint_of(const RunWriter& writer, int block) { return {own_origin("abc123"), writer.counters(), std::to_string(block)}; }
+Checkpoint checkpoint_of(const RunWriter& writer, int block) {
+  return {own_origin("abc123"), writer.counters(), std::to_string(block)};
+}
 
 /// Thrown where the power fails.
 struct PowerCut {};
@@ -69,8 +71,8 @@ void cut_power(const std::string& dir, std::mt19937& random) {
 
 }  // namespace
 
-// Wherever the power fails, and wherever the tables then end behind what was synced, the run must go on to the bytes of an
-// unbroken one.
+// Wherever the power fails, and wherever the tables then end behind what was synced, the run must go on to the bytes of
+// an unbroken one.
 TEST(PowerCut, AnyMoment) {
   sample::TemporaryFolder whole;
   RunWriter unbroken(whole.str(), sample::scene());

@@ -39,8 +39,8 @@ TEST(Report, IsWholeAndSelfContained) {
   }
   EXPECT_TRUE(well_formed(read_text(dir / "figures/overview-pad.svg")));
   EXPECT_TRUE(holds(page, "Contact pad: secondary side face, primary side round."));
-  for (const char* section : {"Results", "Ledger", "The run", "Where the time went", "Skipped, and why",
-                              "Cut-backs, and why"})
+  for (const char* section :
+       {"Results", "Ledger", "The run", "Where the time went", "Skipped, and why", "Cut-backs, and why"})
     EXPECT_TRUE(holds(page, "<h2>" + std::string(section) + "</h2>")) << section;
   for (const char* outside : {"src=", "href=", "@import", "url(http"}) EXPECT_FALSE(holds(page, outside)) << outside;
 }
@@ -67,7 +67,8 @@ TEST(Report, WarningsComeFirst) {
   EXPECT_LT(page.find("<h2>Warnings</h2>"), page.find("<h2>Results</h2>"));
 }
 
-// Of each bond the page tells the largest tension and shear with their places, and of those at a free end that they grow with the mesh.
+// Of each bond the page tells the largest tension and shear with their places, and of those at a free end that they
+// grow with the mesh.
 TEST(Report, BondsSayWhereTheyPull) {
   sample::TemporaryFolder dir;
   sample::write_run(dir.str(), 4);
@@ -135,9 +136,10 @@ TEST(Report, TellsOfRemeshes) {
   const std::string page = page_of(dir.str());
   EXPECT_TRUE(well_formed(page));
   EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Bodies meshed anew: 2</summary>"));
-  EXPECT_TRUE(holds(page, "<tr><th>2500</th><td>pad, upper</td><td class=\"number\">120 → 135</td>"
-                          "<td class=\"number\">1.2</td><td class=\"number\">0.033</td><td class=\"number\">0.04</td>"
-                          "<td class=\"number\">0.01</td><td>worn at (0, 1) mm: 0.6 of the element below</td></tr>"));
+  EXPECT_TRUE(holds(page,
+                    "<tr><th>2500</th><td>pad, upper</td><td class=\"number\">120 → 135</td>"
+                    "<td class=\"number\">1.2</td><td class=\"number\">0.033</td><td class=\"number\">0.04</td>"
+                    "<td class=\"number\">0.01</td><td>worn at (0, 1) mm: 0.6 of the element below</td></tr>"));
   for (int k = 0; k < 20; ++k) writer.remesh(sample::remesh(3000.0 + k));
   append_text(dir / "remesh.csv", "wear,35");
   write_report(dir.str());

@@ -155,8 +155,10 @@ TEST(RunWriter, CollectionsAreWholeAfterEachFrame) {
     const std::string pvd = read_text(dir / "series.pvd");
     EXPECT_NE(pvd.find("</VTKFile>"), std::string::npos);
     const std::string last = "frames/bodies_00000" + std::to_string(k) + ".vtu";
-    EXPECT_NE(pvd.find("timestep=\"" + std::to_string(100 * k) + "\" group=\"\" part=\"0\" file=\"" + last), std::string::npos);
+    EXPECT_NE(pvd.find("timestep=\"" + std::to_string(100 * k) + "\" group=\"\" part=\"0\" file=\"" + last),
+              std::string::npos);
     EXPECT_TRUE(sample::fs::exists(dir / last));
-    EXPECT_NE(read_text(dir / "surfaces.pvd").find("frames/surface_00000" + std::to_string(k) + ".vtp"), std::string::npos);
+    EXPECT_NE(read_text(dir / "surfaces.pvd").find("frames/surface_00000" + std::to_string(k) + ".vtp"),
+              std::string::npos);
   }
 }

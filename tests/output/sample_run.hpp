@@ -37,7 +37,8 @@ inline reye::mesh::Mesh block(int nx, int ny, double y0) {
     for (int i = 0; i <= nx; ++i) mesh.X.emplace_back(-1.0 + 2.0 * i / nx, y0 + 0.5 * j / ny);
   const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
   for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) mesh.cells.push_back(reye::mesh::cell_of({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}));
+    for (int i = 0; i < nx; ++i)
+      mesh.cells.push_back(reye::mesh::cell_of({id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)}));
   reye::mesh::Chain loop;
   for (int i = 0; i < nx; ++i) loop.push_back(id(i, 0));
   for (int j = 0; j < ny; ++j) loop.push_back(id(nx, j));
@@ -68,9 +69,20 @@ inline sim::BodyFrame body_frame(const std::string& name, reye::mesh::Mesh mesh,
 }
 
 /// Nodes [first, first + count) of a body as a surface with a wear scar that grows with the cycle.
-inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame& frame, int first, int count, double cycle) {
-  sim::SurfaceRecord s{.contact = "pad", .side = side, .body = {}, .node = {}, .arc_length_mm = {}, .x_mm = {}, .y_mm = {},
-                       .pressure_MPa = {}, .shear_MPa = {}, .slip_mm = {}, .wear_depth_mm = {}, .status = {}};
+inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame& frame, int first, int count,
+                                  double cycle) {
+  sim::SurfaceRecord s{.contact = "pad",
+                       .side = side,
+                       .body = {},
+                       .node = {},
+                       .arc_length_mm = {},
+                       .x_mm = {},
+                       .y_mm = {},
+                       .pressure_MPa = {},
+                       .shear_MPa = {},
+                       .slip_mm = {},
+                       .wear_depth_mm = {},
+                       .status = {}};
   const double grown = cycle / 18000.0, a = 0.12 + 0.35 * std::sqrt(grown), p0 = 400.0 * 0.12 / a;
   for (int i = 0; i < count; ++i) {
     const Vec2 X = frame.mesh->X[static_cast<std::size_t>(first + i)];
@@ -105,31 +117,68 @@ inline const reye::output::HistoryColumns columns{{"pad"}, {{"holder"}, {"shaker
 
 inline sim::IncrementRecord increment(int k, double cycle) {
   const double t = k / 40.0, force = 12.0 * std::sin(2.0 * M_PI * t);
-  return {.step = "wear, main", .cycle = cycle, .progress = t, .newton = 3, .pressure_max_MPa = 400.0 / 3.0,
-          .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
-          .energy_mJ = 0.9 * cycle + t, .contacts = {{.pressure_max_MPa = 400.0 / 3.0, .depth_max_secondary_mm = 1e-7 * cycle, .depth_max_primary_mm = 0.7e-7 * cycle,
-                        .energy_mJ = 0.9 * cycle + t, .normal_force = 18.5, .tangential_force = force}},
-          .bonds = {}, .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)}, .support_moments = {{}, {}}};
+  return {.step = "wear, main",
+          .cycle = cycle,
+          .progress = t,
+          .newton = 3,
+          .pressure_max_MPa = 400.0 / 3.0,
+          .depth_max_secondary_mm = 1e-7 * cycle,
+          .depth_max_primary_mm = 0.7e-7 * cycle,
+          .energy_mJ = 0.9 * cycle + t,
+          .contacts = {{.pressure_max_MPa = 400.0 / 3.0,
+                        .depth_max_secondary_mm = 1e-7 * cycle,
+                        .depth_max_primary_mm = 0.7e-7 * cycle,
+                        .energy_mJ = 0.9 * cycle + t,
+                        .normal_force = 18.5,
+                        .tangential_force = force}},
+          .bonds = {},
+          .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)},
+          .support_moments = {{}, {}}};
 }
 
 inline sim::RemeshRecord remesh(double cycle) {
-  return {.step = "wear, main", .cycle = cycle, .body = "pad, upper", .reason = "worn at (0, 1) mm: 0.6 of the element below",
-          .nodes_before = 120, .nodes_after = 135, .scaled_jacobian_before = 0.28, .scaled_jacobian_after = 2.0 / 3.0,
-          .projection_mm = 1e-5, .area_residue = -3e-9, .gap_moved_mm = 4e-6, .gap_left_mm = 5e-9, .pressure_jump = 0.0123, .peak_jump = 0.0045, .force_jump = 1e-3 / 3.0,
-          .energy_jump = 4e-4, .mesh_seconds = 0.04, .seconds = 0.1};
+  return {.step = "wear, main",
+          .cycle = cycle,
+          .body = "pad, upper",
+          .reason = "worn at (0, 1) mm: 0.6 of the element below",
+          .nodes_before = 120,
+          .nodes_after = 135,
+          .scaled_jacobian_before = 0.28,
+          .scaled_jacobian_after = 2.0 / 3.0,
+          .projection_mm = 1e-5,
+          .area_residue = -3e-9,
+          .gap_moved_mm = 4e-6,
+          .gap_left_mm = 5e-9,
+          .pressure_jump = 0.0123,
+          .peak_jump = 0.0045,
+          .force_jump = 1e-3 / 3.0,
+          .energy_jump = 4e-4,
+          .mesh_seconds = 0.04,
+          .seconds = 0.1};
 }
 
 inline sim::Summary summary(Analysis analysis = Analysis::plane_strain) {
   sim::Summary s;
   s.title = scene().title;
   s.cycles = 18000.0;
-  s.contacts.push_back({.name = "pad", .peak_pressure_MPa = 102.3, .contact_half_width_mm = 0.47, .stick_half_width_mm = {},
-                        .normal_force = 18.5, .tangential_force = 12.0, .dissipated_energy = 16200.5,
-                        .secondary = {0.0025, 1.61e-3, 0.92}, .primary = {0.0016, 1.06e-3, 0.92},
+  s.contacts.push_back({.name = "pad",
+                        .peak_pressure_MPa = 102.3,
+                        .contact_half_width_mm = 0.47,
+                        .stick_half_width_mm = {},
+                        .normal_force = 18.5,
+                        .tangential_force = 12.0,
+                        .dissipated_energy = 16200.5,
+                        .secondary = {0.0025, 1.61e-3, 0.92},
+                        .primary = {0.0016, 1.06e-3, 0.92},
                         .ledger_relative_error = 3.1e-14});
   s.probes["edge"] = Vec2(1e-3, -2e-3);
   s.life_cycles = {{"deep", 17000.0}, {"deeper", std::nullopt}};
-  s.counts = {.blocks = 180, .increments = 7250, .newton_iterations = 21750, .factorisations = 361, .remeshes = 0, .cutbacks = 2};
+  s.counts = {.blocks = 180,
+              .increments = 7250,
+              .newton_iterations = 21750,
+              .factorisations = 361,
+              .remeshes = 0,
+              .cutbacks = 2};
   s.wall_s = 120.0;
   s.cpu_s = 118.0;
   s.peak_rss_MB = 340.0;

@@ -8,7 +8,9 @@ using namespace reye;
 TEST(StateArchive, RecallReadsBack) {
   sim::State state;
   state.recall.step = 2;
-  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0), {}, {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
+  state.recall.played[{0.25, 0.5}] = {base::Vector::LinSpaced(3, 0.1, 1.0 / 3.0),
+                                      {},
+                                      {{{0.1, -0.2}, {0.3, 1.0 / 3.0}}, {}},
                                       {{contact::ContactStatus::slip, contact::ContactStatus::inactive}, {}}};
   const auto again = output::state_from_bytes(output::state_to_bytes(state)).recall;
   EXPECT_EQ(again.step, 2);
@@ -38,7 +40,8 @@ TEST(StateArchive, InteriorsReadBack) {
   EXPECT_TRUE(again[1].F0.empty());
 }
 
-// What a run has seen of its contacts, and warned of, must come back from a checkpoint, or a resumed run would warn otherwise.
+// What a run has seen of its contacts, and warned of, must come back from a checkpoint, or a resumed run would warn
+// otherwise.
 TEST(StateArchive, KeepsWhatWasSeen) {
   sim::State state;
   state.warnings = {{"resolution", "contact pad", "2 elements touch.", 4.0}};

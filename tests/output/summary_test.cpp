@@ -25,19 +25,20 @@ Keys keys(const Json& object) {
 // The keys of a plane problem are those of the contract, in its order; extra ones come after.
 TEST(Summary, PlaneKeysAreTheContract) {
   const Json json = read(sample::summary());
-  EXPECT_EQ(keys(json), (Keys{"title", "status", "reason", "cycles", "contacts", "probes", "life_cycles",
-                              "estimated_error", "counts", "wall_s", "cpu_s", "peak_rss_MB", "version", "scene_sha256",
-                              "life_band", "bonds", "room_seconds", "skipped", "cutback_reasons", "warnings"}));
+  EXPECT_EQ(keys(json),
+            (Keys{"title",           "status", "reason",       "cycles",  "contacts",        "probes",  "life_cycles",
+                  "estimated_error", "counts", "wall_s",       "cpu_s",   "peak_rss_MB",     "version", "scene_sha256",
+                  "life_band",       "bonds",  "room_seconds", "skipped", "cutback_reasons", "warnings"}));
   const Json& pad = json["contacts"]["pad"];
   EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
                              "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
                              "secondary", "primary", "ledger_relative_error"}));
   for (const char* side : {"secondary", "primary"})
     EXPECT_EQ(keys(pad[side]), (Keys{"max_depth_mm", "worn_area_mm2", "scar_width_mm"}));
-  EXPECT_EQ(keys(json["estimated_error"]), (Keys{"cycle_jump", "discretisation", "peak_pressure", "kinematics", "life_cycles", "energy_norm"}));
-  EXPECT_EQ(keys(json["counts"]),
-            (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes", "cutbacks", "cycles_solved",
-                  "refused_blocks"}));
+  EXPECT_EQ(keys(json["estimated_error"]),
+            (Keys{"cycle_jump", "discretisation", "peak_pressure", "kinematics", "life_cycles", "energy_norm"}));
+  EXPECT_EQ(keys(json["counts"]), (Keys{"blocks", "increments", "newton_iterations", "factorisations", "remeshes",
+                                        "cutbacks", "cycles_solved", "refused_blocks"}));
   EXPECT_EQ(keys(json["probes"]["edge"]), (Keys{"u_x_mm", "u_y_mm"}));
 }
 
@@ -67,9 +68,9 @@ TEST(Summary, BondsTellWhereTheyPull) {
 TEST(Summary, AxisymmetricKeysAreTheContract) {
   const Json json = read(sample::summary(sample::Analysis::axisymmetric));
   const Json& pad = json["contacts"]["pad"];
-  EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm", "normal_force_N",
-                             "tangential_force_N", "dissipated_energy_mJ", "secondary", "primary",
-                             "ledger_relative_error"}));
+  EXPECT_EQ(keys(pad),
+            (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm", "normal_force_N",
+                  "tangential_force_N", "dissipated_energy_mJ", "secondary", "primary", "ledger_relative_error"}));
   EXPECT_EQ(keys(pad["primary"]), (Keys{"max_depth_mm", "worn_volume_mm3", "scar_width_mm"}));
 }
 

@@ -88,7 +88,8 @@ TEST(BodiesVtu, HasItsArrays) {
   for (int c = 0; c < 4; ++c) EXPECT_STREQ(stress->GetComponentName(c), names[c]);
   EXPECT_EQ(stress->GetComponent(5, 1), -200.0);
   EXPECT_EQ(stress->GetComponent(57, 1), 0.0);
-  EXPECT_NEAR(points->GetArray("von_mises")->GetComponent(5, 0), std::sqrt(0.5 * (1e4 + 1.1e2 * 1.1e2 + 1e2) + 2700.0), 1e-12);
+  EXPECT_NEAR(points->GetArray("von_mises")->GetComponent(5, 0), std::sqrt(0.5 * (1e4 + 1.1e2 * 1.1e2 + 1e2) + 2700.0),
+              1e-12);
   EXPECT_NE(points->GetArray("wear_depth_mm"), nullptr);
   EXPECT_EQ(grid->GetFieldData()->GetAbstractArray("body_names")->GetVariantValue(1).ToString(), "pad, upper");
 }
@@ -135,8 +136,9 @@ TEST(SurfacesVtp, PiecesOnTwoBodies) {
   add(side.node, bar.node);
   add(side.status, bar.status);
   for (double arc : bar.arc_length_mm) side.arc_length_mm.push_back(end + arc);
-  for (auto column : {&reye::sim::SurfaceRecord::x_mm, &reye::sim::SurfaceRecord::y_mm, &reye::sim::SurfaceRecord::pressure_MPa,
-                      &reye::sim::SurfaceRecord::shear_MPa, &reye::sim::SurfaceRecord::slip_mm, &reye::sim::SurfaceRecord::wear_depth_mm})
+  for (auto column : {&reye::sim::SurfaceRecord::x_mm, &reye::sim::SurfaceRecord::y_mm,
+                      &reye::sim::SurfaceRecord::pressure_MPa, &reye::sim::SurfaceRecord::shear_MPa,
+                      &reye::sim::SurfaceRecord::slip_mm, &reye::sim::SurfaceRecord::wear_depth_mm})
     add(side.*column, bar.*column);
   const auto lines = read_back<vtkXMLPolyDataReader>(surfaces_vtp(frame));
   EXPECT_EQ(lines->GetNumberOfLines(), 3);

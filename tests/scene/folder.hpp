@@ -11,16 +11,12 @@ namespace reye::test {
 
 class Folder {
  public:
-  Folder() : before_(std::filesystem::current_path()) {
-    std::filesystem::current_path(path());
-  }
+  Folder() : before_(std::filesystem::current_path()) { std::filesystem::current_path(path()); }
   ~Folder() { std::filesystem::current_path(before_); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  static void write(const std::string& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary) << text;
-  }
+  static void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
   const std::filesystem::path& path() const { return folder_.path(); }
 
  private:

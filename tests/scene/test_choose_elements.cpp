@@ -49,8 +49,10 @@ TEST(ChooseElements, ForcedGetsSecondOrder) {
   EXPECT_EQ(s.contacts[0].dual, DualOrder::linear);
   const auto choices = scene::element_choices(s);
   ASSERT_EQ(choices.size(), 1U);
-  EXPECT_EQ(scene::in_words(s, choices[0]).find("contact pad: only forces drive it, so that it slips in part at most: second "
-                                                "order for cylinder, flat and linear multipliers"), 0U);
+  EXPECT_EQ(scene::in_words(s, choices[0])
+                .find("contact pad: only forces drive it, so that it slips in part at most: second "
+                      "order for cylinder, flat and linear multipliers"),
+            0U);
 }
 
 /// What only presses before the cycles is no sliding, even by a given way.

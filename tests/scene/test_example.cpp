@@ -130,7 +130,8 @@ TEST(Example, Lines) {
   EXPECT_EQ(s.lines.at("contact.pad.fine_zone.size_mm"), 31);
   EXPECT_EQ(s.lines.at("support.holder.y.history"), 37);
   EXPECT_EQ(s.lines.at("step[2].cycles"), 65);
-  const auto error = scene::located(s, {{"step[2].increments[3]", "", "later"}, {"support.holder.y.history", "\"press\"", "first"},
+  const auto error = scene::located(s, {{"step[2].increments[3]", "", "later"},
+                                        {"support.holder.y.history", "\"press\"", "first"},
                                         {"nowhere.at.all", "1", "top"}});
   EXPECT_STREQ(error.what(),
                "scene.toml:1: nowhere.at.all = 1: top\n"

@@ -26,13 +26,16 @@ std::string changed(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-// Limits, how many cycles the last step has, and comments must not count; anything else must, so must whether it has cycles at all.
+// Limits, how many cycles the last step has, and comments must not count; anything else must, so must whether it has
+// cycles at all.
 TEST(Extension, FixedPart) {
-  for (const auto& same : {changed("= 400", "= 1e6 # more"), changed("depth_mm = 0.1", "depth_mm = 0.2"), changed("[limit.life]\ndepth_mm = 0.1\n", ""),
-                           "# a scene\n\n" + text})
+  for (const auto& same : {changed("= 400", "= 1e6 # more"), changed("depth_mm = 0.1", "depth_mm = 0.2"),
+                           changed("[limit.life]\ndepth_mm = 0.1\n", ""), "# a scene\n\n" + text})
     EXPECT_EQ(fixed(same), fixed(text)) << same;
-  for (const auto& other : {changed("200e3", "210e3"), changed("\"press\"", "\"push\""), changed("cycles = 400", "cycles = 0"), changed("cycles = 400\n", ""),
-                            text + "[[step]]\nname = \"more\"\n", changed("name = \"press\"", "name = \"press\"\ncycles = 3")})
+  for (const auto& other :
+       {changed("200e3", "210e3"), changed("\"press\"", "\"push\""), changed("cycles = 400", "cycles = 0"),
+        changed("cycles = 400\n", ""), text + "[[step]]\nname = \"more\"\n",
+        changed("name = \"press\"", "name = \"press\"\ncycles = 3")})
     EXPECT_NE(fixed(other), fixed(text)) << other;
 }
 

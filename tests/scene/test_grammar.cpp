@@ -18,15 +18,17 @@ scene::Scene changed(const std::string& from, const std::string& to) {
 
 scene::Scene with(const std::string& more) { return changed("[history] ", more + "\n[history] "); }
 
-const std::string law = R"(wear      = { law = "energy", secondary_mm3_per_J = 3.222e-5, primary_mm3_per_J = 2.111e-5 })";
+const std::string law =
+    R"(wear      = { law = "energy", secondary_mm3_per_J = 3.222e-5, primary_mm3_per_J = 2.111e-5 })";
 
 }  // namespace
 
 /// Archard's coefficients are consistent already; with an imposed sliding friction may be absent.
 TEST(Grammar, Archard) {
-  const auto s = changed("friction  = 0.9\n" + law,
-                         "imposed_sliding_mm = 1000.0\nimplicit = false\nsearch_mm = 0.5\nc_normal = 2.0\n"
-                         "c_tangential = 3\ndual = \"linear\"\nwear = { law = \"archard\", secondary_per_MPa = 2.9e-8 }");
+  const auto s =
+      changed("friction  = 0.9\n" + law,
+              "imposed_sliding_mm = 1000.0\nimplicit = false\nsearch_mm = 0.5\nc_normal = 2.0\n"
+              "c_tangential = 3\ndual = \"linear\"\nwear = { law = \"archard\", secondary_per_MPa = 2.9e-8 }");
   const auto& contact = s.contacts.at(0);
   EXPECT_EQ(contact.wear.kind, wear::LawKind::archard);
   EXPECT_EQ(contact.wear.secondary, 2.9e-8);
@@ -42,7 +44,9 @@ TEST(Grammar, Archard) {
 
 /// Imposed sliding is a number, or parts that may follow histories.
 TEST(Grammar, SlidingInParts) {
-  const auto pad = changed(law, "imposed_sliding_mm = [{ value = 30.0, history = \"stroke\" }, { value = -2.0 }]\n" + law).contacts.at(0);
+  const auto pad =
+      changed(law, "imposed_sliding_mm = [{ value = 30.0, history = \"stroke\" }, { value = -2.0 }]\n" + law)
+          .contacts.at(0);
   EXPECT_TRUE(pad.imposed && !pad.out_of_plane);
   ASSERT_EQ(pad.imposed_sliding.size(), 2U);
   EXPECT_EQ(pad.imposed_sliding[0].value, 30.0);
@@ -53,9 +57,10 @@ TEST(Grammar, SlidingInParts) {
 
 /// A spring leaves a motion to the equations; a far end that moves is a force, its stiffness times the way.
 TEST(Grammar, Springs) {
-  const auto s = with("[support.mount]\nedge = \"left\"\nx = { spring_N_per_mm2 = 100.0 }\n"
-                      "y = [{ spring_N_per_mm2 = 50.0, motion_mm = 0.5, history = \"press\" }, { force_N_per_mm = 3.0 }]\n"
-                      "rotation = { spring_N_mm_per_mm = 7.0, moment_N_mm_per_mm = 2.0 }\n");
+  const auto s = with(
+      "[support.mount]\nedge = \"left\"\nx = { spring_N_per_mm2 = 100.0 }\n"
+      "y = [{ spring_N_per_mm2 = 50.0, motion_mm = 0.5, history = \"press\" }, { force_N_per_mm = 3.0 }]\n"
+      "rotation = { spring_N_mm_per_mm = 7.0, moment_N_mm_per_mm = 2.0 }\n");
   const auto& mount = s.supports.at(2);
   EXPECT_TRUE(mount.rigid);
   EXPECT_EQ(mount.x.drive, body::Drive::loaded);
@@ -113,7 +118,8 @@ TEST(Grammar, FrictionOverCycles) {
 /// A history that turns a body by whole turns, and moves nothing else, may end a cycle elsewhere than it began.
 TEST(Grammar, WholeTurnsAreClosedCycles) {
   const auto turned = [](const std::string& motion) {
-    auto text = test::replaced(test::example, "[[0.0, 0.0], [0.25, 1.0], [0.75, -1.0], [1.0, 0.0]]", "[[0.0, 0.0], [1.0, 1.0]]");
+    auto text = test::replaced(test::example, "[[0.0, 0.0], [0.25, 1.0], [0.75, -1.0], [1.0, 0.0]]",
+                               "[[0.0, 0.0], [1.0, 1.0]]");
     text = test::replaced(text, "rotation = \"fixed\"\nx        = { motion_mm = 0.025, history = \"stroke\" }", motion);
     const test::Folder folder;
     test::Folder::write("scene.toml", text);
@@ -122,16 +128,18 @@ TEST(Grammar, WholeTurnsAreClosedCycles) {
   };
   EXPECT_NO_THROW(turned("rotation = { motion_rad = 12.5663706, history = \"stroke\" }"));
   EXPECT_THROW(turned("rotation = { motion_rad = 6.0, history = \"stroke\" }"), base::InputError);
-  EXPECT_THROW(turned("rotation = { motion_rad = 12.5663706, history = \"stroke\" }\nx = { motion_mm = 0.1, history = \"stroke\" }"),
+  EXPECT_THROW(turned("rotation = { motion_rad = 12.5663706, history = \"stroke\" }\nx = { motion_mm = 0.1, history = "
+                      "\"stroke\" }"),
                base::InputError);
 }
 
 /// A point, an edge's own axes and turned axes.
 TEST(Grammar, Supports) {
-  const auto s = with("[support.pin]\npoint_mm = [3.0, 6.0]\nbody = \"cylinder\"\nx = \"fixed\"\n"
-                      "[support.roller]\nedge = \"left\"\nnormal = { motion_mm = 0.1 }\ntangent = \"free\"\n"
-                      "[support.wedge]\nedge = \"right\"\nangle_deg = 30.0\nx = \"fixed\"\n"
-                      "[support.crank]\nedge = \"arm\"\nrotation = { moment_N_mm_per_mm = 4.0, history = \"press\" }\n");
+  const auto s = with(
+      "[support.pin]\npoint_mm = [3.0, 6.0]\nbody = \"cylinder\"\nx = \"fixed\"\n"
+      "[support.roller]\nedge = \"left\"\nnormal = { motion_mm = 0.1 }\ntangent = \"free\"\n"
+      "[support.wedge]\nedge = \"right\"\nangle_deg = 30.0\nx = \"fixed\"\n"
+      "[support.crank]\nedge = \"arm\"\nrotation = { moment_N_mm_per_mm = 4.0, history = \"press\" }\n");
   ASSERT_EQ(s.supports.size(), 6U);
   const auto &pin = s.supports[2], &roller = s.supports[3], &wedge = s.supports[4], &crank = s.supports[5];
   EXPECT_EQ(*pin.point_mm, base::Vec2(3.0, 6.0));
@@ -150,11 +158,15 @@ TEST(Grammar, Supports) {
 
 /// A component may be a list of parts, each with its own value and history; a table alone is a list of one.
 TEST(Grammar, PartsOfASum) {
-  const auto s = with("[support.crank]\nedge = \"arm\"\nrotation = [{ motion_rad = 6.28, history = \"press\" }, { motion_rad = 0.1, history = \"stroke\" }]\n"
-                      "[load.both]\nedge = \"top\"\nparts = [{ pressure_MPa = 5.0, history = \"press\" }, { traction_MPa = [1, 2] }]\n"
-                      "[load.tip]\npoint_mm = [1.0, 2.0]\n"
-                      "[[load.tip.parts]]\nforce_N_per_mm = [3.0, 4.0]\n[[load.tip.parts]]\nforce_N_per_mm = [0.5, 0.0]\nhistory = \"stroke\"\n"
-                      "[load.weight]\nbody = \"flat\"\nparts = [{ force_N_per_mm3 = [0, -1] }, { force_N_per_mm3 = [2, 0], history = \"stroke\" }]\n");
+  const auto s = with(
+      "[support.crank]\nedge = \"arm\"\nrotation = [{ motion_rad = 6.28, history = \"press\" }, { motion_rad = 0.1, "
+      "history = \"stroke\" }]\n"
+      "[load.both]\nedge = \"top\"\nparts = [{ pressure_MPa = 5.0, history = \"press\" }, { traction_MPa = [1, 2] }]\n"
+      "[load.tip]\npoint_mm = [1.0, 2.0]\n"
+      "[[load.tip.parts]]\nforce_N_per_mm = [3.0, 4.0]\n[[load.tip.parts]]\nforce_N_per_mm = [0.5, 0.0]\nhistory = "
+      "\"stroke\"\n"
+      "[load.weight]\nbody = \"flat\"\nparts = [{ force_N_per_mm3 = [0, -1] }, { force_N_per_mm3 = [2, 0], history = "
+      "\"stroke\" }]\n");
   const auto& turn = s.supports.at(2).rotation;
   EXPECT_EQ(turn.drive, body::Drive::moved);
   ASSERT_EQ(turn.parts.size(), 2U);
@@ -177,10 +189,11 @@ TEST(Grammar, PartsOfASum) {
 
 /// The keys of a load tell its kind.
 TEST(Grammar, Loads) {
-  const auto s = with("[load.top]\nedge = \"top\"\npressure_MPa = 10.0\ntraction_MPa = [1, -2]\ninterval_mm = [0.0, 3.0]\n"
-                      "history = \"press\"\n"
-                      "[load.tip]\npoint_mm = [1.0, 2.0]\nforce_N_per_mm = [3.0, 4.0]\n"
-                      "[load.weight]\nbody = \"flat\"\nforce_N_per_mm3 = [0, -7.7e-5]\n");
+  const auto s = with(
+      "[load.top]\nedge = \"top\"\npressure_MPa = 10.0\ntraction_MPa = [1, -2]\ninterval_mm = [0.0, 3.0]\n"
+      "history = \"press\"\n"
+      "[load.tip]\npoint_mm = [1.0, 2.0]\nforce_N_per_mm = [3.0, 4.0]\n"
+      "[load.weight]\nbody = \"flat\"\nforce_N_per_mm3 = [0, -7.7e-5]\n");
   ASSERT_EQ(s.boundary_loads.size(), 1U);
   EXPECT_EQ(s.boundary_loads[0].pressure_MPa, 10.0);
   EXPECT_EQ(s.boundary_loads[0].traction_MPa, base::Vec2(1.0, -2.0));
@@ -196,9 +209,10 @@ TEST(Grammar, Loads) {
 
 /// Dotted keys at the end of the file, as one writes them by hand.
 TEST(Grammar, OneLiners) {
-  const auto s = changed("[material.steel]", "shape = \"off\"\nsolver = { max_newton = 50, max_cutbacks = 0 }\n"
-                                             "body.ring.rigid = true\nbody.ring.name = \"ring/1\"\n"
-                                             "body.ring.mesh = { element = \"tri\", growth = 2 }\n[material.steel]");
+  const auto s = changed("[material.steel]",
+                         "shape = \"off\"\nsolver = { max_newton = 50, max_cutbacks = 0 }\n"
+                         "body.ring.rigid = true\nbody.ring.name = \"ring/1\"\n"
+                         "body.ring.mesh = { element = \"tri\", growth = 2 }\n[material.steel]");
   EXPECT_FALSE(s.shape);
   EXPECT_EQ(s.max_newton, 50);
   EXPECT_EQ(s.max_cutbacks, 0);
@@ -217,8 +231,9 @@ TEST(Grammar, SectionAndProfile) {
   test::Folder::write("scans/a.csv", "arc_length_mm,height_mm\n0,0\n1,0.25\n2,0\n");
   test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
   const auto text = test::replaced(test::example, R"(type = "circle")", R"(type = "circle", profile = "scans/a.csv")");
-  test::Folder::write("scene.toml", test::replaced(text, "[material.steel]",
-                                                   "section = { point_mm = [1, 2, 3], normal = [0, 0.5, -2] }\n[material.steel]"));
+  test::Folder::write("scene.toml",
+                      test::replaced(text, "[material.steel]",
+                                     "section = { point_mm = [1, 2, 3], normal = [0, 0.5, -2] }\n[material.steel]"));
   const auto s = scene::read("scene.toml");
   ASSERT_TRUE(s.geometry.section);
   EXPECT_EQ(s.geometry.section->point_mm, cad::Vec3(1, 2, 3));
@@ -235,14 +250,16 @@ TEST(Grammar, SectionAndProfile) {
 TEST(Grammar, Axisymmetric) {
   const test::Folder folder;
   test::Folder::write("ring.geo", "Point(1) = {0, 0, 0};");
-  test::Folder::write("ring.toml",
-                      "analysis = \"axisymmetric\"\ngeometry = [\"ring.geo\"]\n"
-                      "[material.m]\nE_MPa = 1\nnu = 0\n[body.b]\nmaterial = \"m\"\nb_bar = false\nkinematics = \"small\"\norder = 1\n"
-                      "[support.s]\nedge = \"top\"\ny = { force_N = 5 }\n"
-                      "[load.l]\npoint_mm = [1, 1]\nforce_N = [0, 1]\n"
-                      "[contact.c]\nsecondary = \"a\"\nprimary = [\"b\"]\nfine_zone = { centre_mm = [0, 0], half_width_mm = 1, "
-                      "depth_mm = 1, size_mm = 0.1, angle_deg = 45 }\n"
-                      "[limit.v]\ncontact = \"c\"\nside = \"sum\"\nvolume_mm3 = 2\nstop = true\n[[step]]\nwear = false\ncycles = 5\njump = 10\n");
+  test::Folder::write(
+      "ring.toml",
+      "analysis = \"axisymmetric\"\ngeometry = [\"ring.geo\"]\n"
+      "[material.m]\nE_MPa = 1\nnu = 0\n[body.b]\nmaterial = \"m\"\nb_bar = false\nkinematics = \"small\"\norder = 1\n"
+      "[support.s]\nedge = \"top\"\ny = { force_N = 5 }\n"
+      "[load.l]\npoint_mm = [1, 1]\nforce_N = [0, 1]\n"
+      "[contact.c]\nsecondary = \"a\"\nprimary = [\"b\"]\nfine_zone = { centre_mm = [0, 0], half_width_mm = 1, "
+      "depth_mm = 1, size_mm = 0.1, angle_deg = 45 }\n"
+      "[limit.v]\ncontact = \"c\"\nside = \"sum\"\nvolume_mm3 = 2\nstop = true\n[[step]]\nwear = false\ncycles = "
+      "5\njump = 10\n");
   const auto s = scene::read("ring.toml");
   EXPECT_EQ(s.name, "ring");
   EXPECT_EQ(s.title, "ring");
@@ -258,12 +275,17 @@ TEST(Grammar, Axisymmetric) {
   EXPECT_EQ(s.geometry.fine_zones[0].angle_deg, 45.0);
 }
 
-/// A contact that touches in two places takes a list of fine zones, in either form that TOML has; a table by itself is a list of one.
+/// A contact that touches in two places takes a list of fine zones, in either form that TOML has; a table by itself is
+/// a list of one.
 TEST(Grammar, SeveralFineZones) {
-  const std::string one = "fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }";
-  const std::string headed = "[[contact.pad.fine_zone]]\ncentre_mm = [1, 2]\nhalf_width_mm = 1\ndepth_mm = 1\nsize_mm = 0.01\n";
-  const auto list = changed(one, "fine_zone = [{ centre_mm = [1, 2], half_width_mm = 0.6, depth_mm = 0.4, size_mm = 0.01 }, "
-                                 "{ centre_mm = [3, 4], half_width_mm = 0.5, depth_mm = 0.3, size_mm = 0.02, angle_deg = 9 }]");
+  const std::string one =
+      "fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }";
+  const std::string headed =
+      "[[contact.pad.fine_zone]]\ncentre_mm = [1, 2]\nhalf_width_mm = 1\ndepth_mm = 1\nsize_mm = 0.01\n";
+  const auto list =
+      changed(one,
+              "fine_zone = [{ centre_mm = [1, 2], half_width_mm = 0.6, depth_mm = 0.4, size_mm = 0.01 }, "
+              "{ centre_mm = [3, 4], half_width_mm = 0.5, depth_mm = 0.3, size_mm = 0.02, angle_deg = 9 }]");
   for (const auto& scene : {list, changed(one, headed + headed)}) {
     const auto& zones = scene.geometry.fine_zones;
     ASSERT_EQ(zones.size(), 2U);
@@ -282,7 +304,8 @@ TEST(Grammar, SeveralFineZones) {
 /// A jump is a number of cycles, or a tolerance with a first guess of a thousandth of the step.
 TEST(Grammar, JumpUnderControl) {
   const auto read = [](const std::string& jump) { return changed("jump = 100 ", "jump = " + jump + " ").steps.back(); };
-  const auto fixed = read("10"), controlled = read("{ tolerance = 0.01 }"), given = read("{ tolerance = 0.02, first = 7, most = 90 }");
+  const auto fixed = read("10"), controlled = read("{ tolerance = 0.01 }"),
+             given = read("{ tolerance = 0.02, first = 7, most = 90 }");
   EXPECT_EQ(fixed.jump_tolerance, 0.0);
   EXPECT_EQ(controlled.jump_tolerance, 0.01);
   EXPECT_EQ(controlled.jump, 18.0);
@@ -291,10 +314,11 @@ TEST(Grammar, JumpUnderControl) {
   EXPECT_EQ(given.jump_most, 90.0);
 }
 
-/// With an accuracy a fine zone may leave out its size, a step that wears its jump, which half of it controls then, and the mesh's
-/// error is estimated; what the scene says stays, load steps and steps that do not wear have no tolerance.
+/// With an accuracy a fine zone may leave out its size, a step that wears its jump, which half of it controls then, and
+/// the mesh's error is estimated; what the scene says stays, load steps and steps that do not wear have no tolerance.
 TEST(Grammar, Accuracy) {
-  const auto none = changed("jump = 100 ", ""), sized = changed("[material.steel]", "accuracy = 0.02\n[material.steel]");
+  const auto none = changed("jump = 100 ", ""),
+             sized = changed("[material.steel]", "accuracy = 0.02\n[material.steel]");
   EXPECT_EQ(none.accuracy, 0.0);
   EXPECT_EQ(none.steps[2].jump_tolerance, 0.0);
   EXPECT_EQ(none.steps[2].jump, 1.0);
@@ -391,6 +415,7 @@ TEST(Grammar, Locking) {
 /// What is odd but no error is a warning with its line.
 TEST(Grammar, Warnings) {
   const auto s = changed("press  = [[", "idle = [[0, 0], [1, 1]]\npress  = [[");
-  EXPECT_EQ(s.warnings, (std::vector<std::string>{"scene.toml:46: history.idle: no step plays it; its factor stays 0",
-                                                  "scene.toml:46: history.idle: no support, load or imposed sliding names it"}));
+  EXPECT_EQ(s.warnings,
+            (std::vector<std::string>{"scene.toml:46: history.idle: no step plays it; its factor stays 0",
+                                      "scene.toml:46: history.idle: no support, load or imposed sliding names it"}));
 }

@@ -31,7 +31,8 @@ TEST(Keys, TableIsSound) {
 /// The reference has one row per key that can be given.
 TEST(Keys, Reference) {
   const auto text = scene::reference();
-  EXPECT_NE(text.find("| `material.*.nu` | number in (-1, 0.5) |  | required | Poisson's ratio |\n"), std::string::npos);
+  EXPECT_NE(text.find("| `material.*.nu` | number in (-1, 0.5) |  | required | Poisson's ratio |\n"),
+            std::string::npos);
   EXPECT_NE(text.find("| `material.*.E_MPa` | number > 0 | MPa | required | Young's modulus |\n"), std::string::npos);
   EXPECT_NE(text.find("| `shape` | \"on\" or \"off\" |  | `on` | "), std::string::npos);
   for (const auto& key : scene::keys()) {

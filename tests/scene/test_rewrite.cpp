@@ -129,8 +129,10 @@ TEST(Sweep, FineZones) {
   EXPECT_EQ(size(one, "contact.pad.fine_zone.size_mm=0.02", 0), 0.02);
   EXPECT_EQ(size("[" + one + ", " + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 1), 0.03);
   EXPECT_EQ(size("[" + one + ", " + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 0), 0.01);
-  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone.size_mm=0.03", 0), base::InputError) << "it needs its index";
-  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 0), base::InputError) << "there is one zone";
+  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone.size_mm=0.03", 0), base::InputError)
+      << "it needs its index";
+  EXPECT_THROW(size("[" + one + "]", "contact.pad.fine_zone[1].size_mm=0.03", 0), base::InputError)
+      << "there is one zone";
 }
 
 /// Everything wrong with the variations is told at once, each with its rule.

@@ -12,7 +12,8 @@ Point(1) = {-1, 1, 0}; Point(2) = {0, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0
 Circle(1) = {1, 4, 2}; Circle(2) = {2, 4, 3}; Line(3) = {3, 1};
 Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};
 Delete { Point{4}; }
-Point(11) = {-1, -1, 0}; Point(12) = {1, -1, 0}; Point(13) = {1, 0, 0}; Point(14) = {)" + end + R"(, 0, 0}; Point(15) = {-1, 0, 0};
+Point(11) = {-1, -1, 0}; Point(12) = {1, -1, 0}; Point(13) = {1, 0, 0}; Point(14) = {)" +
+         end + R"(, 0, 0}; Point(15) = {-1, 0, 0};
 Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 15}; Line(15) = {15, 11};
 Curve Loop(2) = {11, 12, 13, 14, 15}; Plane Surface(2) = {2};
 Physical Surface("disc") = {1}; Physical Surface("flat") = {2};
@@ -53,7 +54,8 @@ increments = 2
 wear = false
 )";
 
-inline sim::Problem disc_problem(const std::vector<std::pair<std::string, std::string>>& changes = {}, const std::string& end = "0.5") {
+inline sim::Problem disc_problem(const std::vector<std::pair<std::string, std::string>>& changes = {},
+                                 const std::string& end = "0.5") {
   return support::problem_from({{"disc.geo", disc_geo(end)}, {"scene.toml", with(disc_scene, changes)}});
 }
 

@@ -49,7 +49,8 @@ std::vector<double> numbers(const sim::State& s) {
   all.insert(all.end(), s.solution.q_low.begin(), s.solution.q_low.end());
   for (const auto& c : s.solution.contacts) {
     for (const auto& l : c.lambda) all.insert(all.end(), {l.x(), l.y()});
-    for (const auto& v : {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip, c.energy_secondary})
+    for (const auto& v :
+         {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip, c.energy_secondary})
       all.insert(all.end(), v.begin(), v.end());
     all.insert(all.end(), {c.friction, c.frictional_work, c.worn_work, c.law_work, c.strip_secondary, c.strip_primary});
   }
@@ -83,8 +84,9 @@ TEST(Approach, HeldBodyStays) {
 
 // A force of a later step must not keep apart what the first one presses together.
 TEST(Approach, LaterForcesWait) {
-  Prepared p(test::with(test::block_scene, {{"[history]", "[load.pull]\nedge = \"slider_top\"\ntraction_MPa = [0.0, 15.0]\n"
-                                                          "history = \"stroke\"\n[history]"}}),
+  Prepared p(test::with(test::block_scene, {{"[history]",
+                                             "[load.pull]\nedge = \"slider_top\"\ntraction_MPa = [0.0, 15.0]\n"
+                                             "history = \"stroke\"\n[history]"}}),
              0.2);
   EXPECT_NEAR(lowest(p.sides().secondary), 0.0, 1e-12);
 }
@@ -117,13 +119,13 @@ TEST(Blocks, CutBackHalvesAndSaysWhy) {
   const auto outcome = sim::play_increments(p.problem, p.state, p.cache, p.span(1), observer);
   EXPECT_EQ(outcome.state.counts.cutbacks, 2);
   ASSERT_EQ(outcome.state.cutback_reasons.size(), 2U);
-  EXPECT_NE(outcome.state.cutback_reasons[0].find("step \"wear\", cycle 0, progress 0 to 0.125: "),
-            std::string::npos);
+  EXPECT_NE(outcome.state.cutback_reasons[0].find("step \"wear\", cycle 0, progress 0 to 0.125: "), std::string::npos);
   EXPECT_NE(outcome.state.cutback_reasons[1].find("progress 0 to 0.0625: "), std::string::npos);
   EXPECT_NE(outcome.failure.find("progress 0 to 0.03125: "), std::string::npos);
   ASSERT_EQ(log.size(), 3U);
   EXPECT_EQ(log[0], "cut back: " + outcome.state.cutback_reasons[0]);
-  EXPECT_EQ(log[2].find("no state: step \"wear\", cycle 0, progress 0 to 0.03125: no convergence in 1 iterations"), 0U) << log[2];
+  EXPECT_EQ(log[2].find("no state: step \"wear\", cycle 0, progress 0 to 0.03125: no convergence in 1 iterations"), 0U)
+      << log[2];
 }
 
 // However many increments are cut, a state must keep the reasons of the first hundred only, and count all.

@@ -23,7 +23,8 @@ struct Outcome {
 };
 
 Outcome run(const std::string& geometry, const std::string& scene) {
-  Outcome outcome{support::problem_from({{"part.geo", geometry}, {"scene.toml", "geometry = [\"part.geo\"]\n" + scene}}), {}, {}};
+  Outcome outcome{
+      support::problem_from({{"part.geo", geometry}, {"scene.toml", "geometry = [\"part.geo\"]\n" + scene}}), {}, {}};
   outcome.state = sim::initial_state(outcome.problem);
   sim::Observer observer;
   observer.increment = [&](const sim::IncrementRecord& row) { outcome.rows.push_back(row); };
@@ -54,9 +55,13 @@ std::string materials(double nu) {
 
 std::string bodies(int order, const std::string& secondary, const std::string& primary) {
   const auto o = "order = " + std::to_string(order);
-  return "[body.lower]\nmaterial = \"soft\"\nkinematics = \"small\"\n" + o + "\nmesh = { far_size_mm = 0.5 }\n"
-         "[body.upper]\nmaterial = \"stiff\"\nkinematics = \"small\"\n" + o + "\nmesh = { far_size_mm = 0.37 }\n"
-         "[bond.glue]\nsecondary = \"" + secondary + "\"\nprimary = [\"" + primary + "\"]\n";
+  return "[body.lower]\nmaterial = \"soft\"\nkinematics = \"small\"\n" + o +
+         "\nmesh = { far_size_mm = 0.5 }\n"
+         "[body.upper]\nmaterial = \"stiff\"\nkinematics = \"small\"\n" +
+         o +
+         "\nmesh = { far_size_mm = 0.37 }\n"
+         "[bond.glue]\nsecondary = \"" +
+         secondary + "\"\nprimary = [\"" + primary + "\"]\n";
 }
 
 /// 3 MPa of shear and 20 MPa of tension: lateral strain is left out, so that one stress is in both.
@@ -97,12 +102,14 @@ wear = false
 
 }  // namespace
 
-// Across a bond of meshes that do not match, one stress must pass exactly, in tension and shear, whichever side is secondary.
+// Across a bond of meshes that do not match, one stress must pass exactly, in tension and shear, whichever side is
+// secondary.
 TEST(Bonds, PatchOfTensionAndShear) {
   for (const int order : {1, 2})
     for (const bool swapped : {false, true}) {
       const char *above = "upper_bottom", *below = "lower_top";
-      const auto o = run(strip, materials(0.0) + bodies(order, swapped ? below : above, swapped ? above : below) + pulled);
+      const auto o =
+          run(strip, materials(0.0) + bodies(order, swapped ? below : above, swapped ? above : below) + pulled);
       ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
       const double compliance = 2.0 / 1000.0 + 1.0 / 10000.0;
       const auto& u = o.summary.probes.at("corner");
@@ -120,9 +127,11 @@ TEST(Bonds, PatchOfTensionAndShear) {
     }
 }
 
-// Summary and history must tell the tension and shear of a bond, their means, and the most of the run where the load falls again.
+// Summary and history must tell the tension and shear of a bond, their means, and the most of the run where the load
+// falls again.
 TEST(Bonds, TellWhatTheyCarry) {
-  const auto falls = std::string(pulled).replace(std::string(pulled).find("[[0, 0], [1, 1]]"), 16, "[[0, 0], [0.5, 2], [1, 1]]");
+  const auto falls =
+      std::string(pulled).replace(std::string(pulled).find("[[0, 0], [1, 1]]"), 16, "[[0, 0], [0.5, 2], [1, 1]]");
   const auto o = run(strip, materials(0.0) + bodies(1, "upper_bottom", "lower_top") + falls);
   ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
   ASSERT_EQ(o.summary.bonds.size(), 1U);
@@ -141,15 +150,18 @@ TEST(Bonds, TellWhatTheyCarry) {
   EXPECT_NEAR(o.rows[1].bonds.at(0).shear.MPa, 3.0, 1e-8);
 }
 
-// The peak at a free end of a bond between two materials, which grows as elements get shorter, must be named so; one that a load
-// makes in the middle, and one on a line of symmetry, must not.
+// The peak at a free end of a bond between two materials, which grows as elements get shorter, must be named so; one
+// that a load makes in the middle, and one on a line of symmetry, must not.
 TEST(Bonds, APeakAtAFreeEndIsNamed) {
   const auto load = [](const std::string& where) {
     return "[support.base]\nedge = \"bottom\"\nx = \"fixed\"\ny = \"fixed\"\n[load.pull]\nedge = \"top\"\n" + where +
-           "traction_MPa = [0.0, 20.0]\nhistory = \"press\"\n[history]\npress = [[0, 0], [1, 1]]\n[[step]]\nplay = [\"press\"]\n"
+           "traction_MPa = [0.0, 20.0]\nhistory = \"press\"\n[history]\npress = [[0, 0], [1, 1]]\n[[step]]\nplay = "
+           "[\"press\"]\n"
            "increments = 1\nwear = false\n";
   };
-  const std::string symmetric = "[support.left]\nedge = \"lower_left\"\nx = \"fixed\"\n[support.left_above]\nedge = \"upper_left\"\nx = \"fixed\"\n";
+  const std::string symmetric =
+      "[support.left]\nedge = \"lower_left\"\nx = \"fixed\"\n[support.left_above]\nedge = \"upper_left\"\nx = "
+      "\"fixed\"\n";
   const auto peak = [&](const std::string& more) {
     const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + more);
     EXPECT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
@@ -166,14 +178,16 @@ TEST(Bonds, APeakAtAFreeEndIsNamed) {
   EXPECT_LT(half.at_mm.x(), 0.5);
 }
 
-// Bodies that are bonded to one another are one linear body: each increment must take one solve, and one to see that it is met.
+// Bodies that are bonded to one another are one linear body: each increment must take one solve, and one to see that it
+// is met.
 TEST(Bonds, AreLinear) {
   const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + pulled);
   ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
   EXPECT_LE(o.summary.counts.newton_iterations, 4);
 }
 
-// A coat of 20 um on a block that can not widen must give by p h (1 + nu) (1 - 2 nu) / (E (1 - nu)), and so must the block.
+// A coat of 20 um on a block that can not widen must give by p h (1 + nu) (1 - 2 nu) / (E (1 - nu)), and so must the
+// block.
 TEST(Bonds, ACoatUnderUniformPressure) {
   const auto o = run(R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1};
@@ -235,7 +249,9 @@ increments = 1
 wear = false
 )");
   ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
-  const auto given = [](double h, double E, double nu) { return 50.0 * h * (1.0 + nu) * (1.0 - 2.0 * nu) / (E * (1.0 - nu)); };
+  const auto given = [](double h, double E, double nu) {
+    return 50.0 * h * (1.0 + nu) * (1.0 - 2.0 * nu) / (E * (1.0 - nu));
+  };
   const double foot = o.summary.probes.at("foot").y(), face = o.summary.probes.at("face").y();
   EXPECT_NEAR(foot / -given(1.0, 200e3, 0.3), 1.0, 1e-8);
   EXPECT_NEAR((face - foot) / -given(0.02, 3e3, 0.4), 1.0, 1e-8);
@@ -295,13 +311,14 @@ wear = false
   for (const auto& lambda : o.bond().lambda) EXPECT_LE(lambda.norm(), 1e-4);  // of a modulus of 2e5 MPa
 }
 
-// A coat of 20 um under a block that slides must end the run with its name and what is left of it before no element fits in, on
-// elements of both kinds, with fixed blocks and under a tolerance; what it leaves is a whole mesh.
+// A coat of 20 um under a block that slides must end the run with its name and what is left of it before no element
+// fits in, on elements of both kinds, with fixed blocks and under a tolerance; what it leaves is a whole mesh.
 TEST(Bonds, ACoatWornThrough) {
   const char* cases[][3] = {{"quad", "0.1", "10"}, {"tri", "0.1", "{ tolerance = 0.02 }"}};
   for (const auto& [element, size, jump] : cases) {
     const std::string mesh = std::string("mesh = { element = \"") + element + "\", far_size_mm = ";
-    const auto o = run(R"(SetFactory("OpenCASCADE");
+    const auto o =
+        run(R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1};
 Rectangle(2) = {0, 1, 0, 1, 0.02};
 Rectangle(3) = {0, 1.02, 0, 1, 0.5};
@@ -315,9 +332,10 @@ Physical Curve("face") = {7};
 Physical Curve("sole") = {9};
 Physical Curve("top") = {11};
 )",
-                       "[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.block]\nmaterial = \"steel\"\n" + mesh + "0.25 }\n[body.slider]\nmaterial = \"steel\"\n" +
-                               mesh + "0.25 }\n[body.coat]\nmaterial = \"steel\"\n" + mesh + size + " }\n[[step]]\nplay = [\"press\"]\nwear = false\n" +
-                               "[[step]]\nname = \"wear\"\ncycles = 400\njump = " + jump + R"(
+            "[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.block]\nmaterial = \"steel\"\n" + mesh +
+                "0.25 }\n[body.slider]\nmaterial = \"steel\"\n" + mesh + "0.25 }\n[body.coat]\nmaterial = \"steel\"\n" +
+                mesh + size + " }\n[[step]]\nplay = [\"press\"]\nwear = false\n" +
+                "[[step]]\nname = \"wear\"\ncycles = 400\njump = " + jump + R"(
 [contact.pad]
 secondary = "face"
 primary = ["sole"]
@@ -340,8 +358,10 @@ press = [[0, 0], [1, 1]]
 )");
     const auto where = std::string(element) + ' ' + size + ' ' + jump;
     EXPECT_EQ(o.summary.status, sim::RunStatus::failed) << where;
-    EXPECT_NE(o.summary.reason.find("body coat is worn by 0.01"), std::string::npos) << where << ": " << o.summary.reason;
-    EXPECT_NE(o.summary.reason.find("mm of the 0.02 mm that it measured at cycle 0, 0.0"), std::string::npos) << where << ": " << o.summary.reason;
+    EXPECT_NE(o.summary.reason.find("body coat is worn by 0.01"), std::string::npos)
+        << where << ": " << o.summary.reason;
+    EXPECT_NE(o.summary.reason.find("mm of the 0.02 mm that it measured at cycle 0, 0.0"), std::string::npos)
+        << where << ": " << o.summary.reason;
     EXPECT_GE(o.summary.contacts.at(0).secondary.max_depth_mm, 0.018) << where;
     EXPECT_GT(mesh::poorest_cell(o.state.shapes[1]->mesh).scaled_jacobian, 0.0) << where;
   }

@@ -11,10 +11,12 @@ namespace {
 /// A square that stands on its corner, `turn` rad from its side, above a flat block.
 sim::Problem standing(const std::string& sides, double turn, const std::string& slider_bottom = "{1, 4}") {
   const std::string geometry =
-      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\nRotate {{0,0,1},{0,0,0}, " + std::to_string(turn) +
+      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\nRotate {{0,0,1},{0,0,0}, " +
+      std::to_string(turn) +
       "} { Surface{1}; }\nRectangle(2) = {-2, -1, 0, 4, 1};\n"
       "Physical Surface(\"slider\") = {1};\nPhysical Surface(\"base\") = {2};\nPhysical Curve(\"slider_bottom\") = " +
-      slider_bottom + ";\nPhysical Curve(\"slider_top\") = {2};\n"
+      slider_bottom +
+      ";\nPhysical Curve(\"slider_top\") = {2};\n"
       "Physical Curve(\"base_bottom\") = {5};\nPhysical Curve(\"base_top\") = {7};\n";
   const std::string scene =
       test::with(test::block_scene, {{"secondary = \"slider_bottom\"\nprimary   = [\"base_top\"]", sides},
@@ -48,7 +50,8 @@ TEST(Corners, ItMayBePrimary) {
   sim::Observer watch;
   watch.increment = [&](const sim::IncrementRecord& r) { rows.push_back(r); };
   EXPECT_EQ(sim::run(problem, state, watch).status, sim::RunStatus::done);
-  for (const auto& r : rows) EXPECT_LE(std::abs(r.support_forces[1].x()), 0.3 * std::abs(r.support_forces[1].y()) + 1e-6);
+  for (const auto& r : rows)
+    EXPECT_LE(std::abs(r.support_forces[1].x()), 0.3 * std::abs(r.support_forces[1].y()) + 1e-6);
 }
 
 // Corners that do not poke are none of this: a block whose sides are named with its foot stays welcome.

@@ -51,7 +51,8 @@ TEST(Discretisation, ATenthMore) {
 // In axisymmetry a place must count by its radius: p = 1 against 1 + x / 10 for 1 <= x <= 3 is off by a tenth of
 // root int x^2 x dx over int x dx = 5.
 TEST(Discretisation, RingsCountByTheirRadius) {
-  auto fine = side(1000, [](double) { return 1.0; }), coarse = side(1000, [](double x) { return 1.0 + 0.1 * (x + 2.0); });
+  auto fine = side(1000, [](double) { return 1.0; }),
+       coarse = side(1000, [](double x) { return 1.0 + 0.1 * (x + 2.0); });
   for (auto* s : {&fine, &coarse})
     for (double& x : s->x_mm) x += 2.0;
   const auto apart = sim::mesh_difference({fine}, {coarse}, base::Analysis::axisymmetric);

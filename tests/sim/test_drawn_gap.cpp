@@ -16,16 +16,21 @@ using Changes = std::vector<std::pair<std::string, std::string>>;
 
 /// The two blocks drawn `depth` into one another, with elements of 0.1 mm.
 sim::Problem overlapping(double depth, Changes changes = {}) {
-  changes.insert(changes.end(), {{"[body.slider]\n", "[body.slider]\nkinematics = \"small\"\n"}, {"far_size_mm = 0.5", "far_size_mm = 0.1"},
-                                   {"[body.base]\n", "[body.base]\nkinematics = \"small\"\n"}, {"far_size_mm = 0.4", "far_size_mm = 0.1"}});
+  changes.insert(changes.end(), {{"[body.slider]\n", "[body.slider]\nkinematics = \"small\"\n"},
+                                 {"far_size_mm = 0.5", "far_size_mm = 0.1"},
+                                 {"[body.base]\n", "[body.base]\nkinematics = \"small\"\n"},
+                                 {"far_size_mm = 0.4", "far_size_mm = 0.1"}});
   return test::problem_of(test::with(test::block_scene, changes), -depth);
 }
 
 /// The upper block held or moved instead of loaded, with no stroke.
 Changes moved_by(const std::string& way) {
-  return {{"motion_mm = 0.01", "motion_mm = 0.0"}, {"force_N_per_mm = -20.0", "motion_mm = " + way},
-          {"friction  = 0.3\nwear      = { law = \"energy\", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5 }\n", ""},
-          {"cycles = 40\njump = 10\n", "wear = false\n"}};
+  return {
+      {"motion_mm = 0.01", "motion_mm = 0.0"},
+      {"force_N_per_mm = -20.0", "motion_mm = " + way},
+      {"friction  = 0.3\nwear      = { law = \"energy\", secondary_mm3_per_J = 3.0e-5, primary_mm3_per_J = 2.0e-5 }\n",
+       ""},
+      {"cycles = 40\njump = 10\n", "wear = false\n"}};
 }
 
 std::string refusal_of(const std::function<void()>& prepare) {
@@ -77,7 +82,8 @@ TEST(DrawnGap, IsInThePlan) {
   EXPECT_EQ(test::problem_of(test::block_scene, 0.1).plan.lines[3], "contact pad: drawn gap of 0.1 mm, at (1, 0.1) mm");
 }
 
-// What is less than a twentieth of a facet must change neither steps nor histories: facets of curves that touch overlap so.
+// What is less than a twentieth of a facet must change neither steps nor histories: facets of curves that touch overlap
+// so.
 TEST(DrawnGap, ATinyOverlapIsClosedAtOnce) {
   const auto problem = overlapping(0.004);
   EXPECT_FALSE(problem.contacts[0].drawn.let_in);
@@ -85,7 +91,8 @@ TEST(DrawnGap, ATinyOverlapIsClosedAtOnce) {
   EXPECT_FALSE(problem.scene.histories.contains(sim::overlap_left));
 }
 
-// An overlap must be let in by progress alone: half way through the step half of it is left, whatever increments there are.
+// An overlap must be let in by progress alone: half way through the step half of it is left, whatever increments there
+// are.
 TEST(DrawnGap, IsLetInByProgress) {
   const auto problem = overlapping(0.25);
   auto state = sim::initial_state(problem);
@@ -94,12 +101,13 @@ TEST(DrawnGap, IsLetInByProgress) {
   for (double progress : {0.0, 0.5, 1.0}) {
     const auto& step = problem.scene.steps[0];
     const auto factors = sim::factors_at(problem.scene, step, progress, state.factors);
-    EXPECT_NEAR(sim::controls_at(problem, system, factors, step, 0.0, progress, 1.0).contacts[0].inset, 0.25 * (1.0 - progress), 1e-15);
+    EXPECT_NEAR(sim::controls_at(problem, system, factors, step, 0.0, progress, 1.0).contacts[0].inset,
+                0.25 * (1.0 - progress), 1e-15);
   }
 }
 
-// Blocks drawn into one another must be pressed as by a motion of that size: at its end the same, on the way but for the dent
-// that the side lies inside of.
+// Blocks drawn into one another must be pressed as by a motion of that size: at its end the same, on the way but for
+// the dent that the side lies inside of.
 TEST(DrawnGap, ActsAsTheMotionDoes) {
   const Changes ramp = {{"wear = false", "increments = 4\nwear = false"}};
   auto drawn = moved_by("0.0"), moved = moved_by("-0.25");
@@ -121,9 +129,11 @@ TEST(DrawnGap, ABodyUnderAForceIsLiftedOut) {
 
 // A first step that counts cycles must begin with the overlap let in, in a step of its own which wears nothing.
 TEST(DrawnGap, IsLetInBeforeCycles) {
-  const auto problem = overlapping(0.1, {{"[[step]]\nname = \"press\"\nplay = [\"press\"]\nwear = false\n", ""},
-                                          {"force_N_per_mm = -20.0, history = \"press\"", "motion_mm = 0.0, history = \"press\""},
-                                          {"friction  = 0.3", "friction  = 0.01"}, {"motion_mm = 0.01", "motion_mm = 0.1"}});
+  const auto problem =
+      overlapping(0.1, {{"[[step]]\nname = \"press\"\nplay = [\"press\"]\nwear = false\n", ""},
+                        {"force_N_per_mm = -20.0, history = \"press\"", "motion_mm = 0.0, history = \"press\""},
+                        {"friction  = 0.3", "friction  = 0.01"},
+                        {"motion_mm = 0.01", "motion_mm = 0.1"}});
   ASSERT_EQ(problem.scene.steps.size(), 2U);
   EXPECT_FALSE(problem.scene.steps[0].wear);
   EXPECT_EQ(problem.scene.steps[0].cycles, 0.0);
@@ -138,12 +148,14 @@ TEST(DrawnGap, IsLetInBeforeCycles) {
   EXPECT_GT(worn.back(), 0.0);
 }
 
-// What slips while an overlap is let in must wear by coefficient x work where the step wears, and not where it does not.
+// What slips while an overlap is let in must wear by coefficient x work where the step wears, and not where it does
+// not.
 TEST(DrawnGap, WearsByItsWorkAlone) {
   for (bool wears : {false, true}) {
-    const auto problem = overlapping(0.1, {{"wear = false", wears ? "increments = 4" : "increments = 4\nwear = false"},
-                                           {"force_N_per_mm = -20.0, history = \"press\"", "motion_mm = 0.0, history = \"press\""},
-                                           {"cycles = 40\njump = 10\n", "wear = false\n"}});
+    const auto problem =
+        overlapping(0.1, {{"wear = false", wears ? "increments = 4" : "increments = 4\nwear = false"},
+                          {"force_N_per_mm = -20.0, history = \"press\"", "motion_mm = 0.0, history = \"press\""},
+                          {"cycles = 40\njump = 10\n", "wear = false\n"}});
     const auto r = run(problem);
     const auto& contact = r.state.solution.contacts[0];
     EXPECT_EQ(contact.law_work > 0.0, wears);
@@ -156,7 +168,8 @@ TEST(DrawnGap, WearsByItsWorkAlone) {
 TEST(DrawnGap, OfHalfABodyIsRefused) {
   const auto text = refusal_of([] { test::problem_of(test::block_scene, -0.5); });
   EXPECT_TRUE(has(text, "contact.pad: its sides overlap by 0.5 mm as drawn")) << text;
-  EXPECT_TRUE(has(text, "of the 1 mm that body slider measures there: too deep for a fit; draw the bodies apart")) << text;
+  EXPECT_TRUE(has(text, "of the 1 mm that body slider measures there: too deep for a fit; draw the bodies apart"))
+      << text;
 }
 
 // Bodies drawn farther apart than the usual search must come together where a motion or a force brings them together.
@@ -178,7 +191,9 @@ TEST(DrawnGap, ThatNothingClosesIsTold) {
   const auto problem = test::problem_of(test::with(test::block_scene, moved_by("-0.05")), 0.1);
   ASSERT_EQ(problem.warnings.size(), 1U);
   EXPECT_EQ(problem.warnings[0].kind, "gap");
-  EXPECT_EQ(problem.warnings[0].text, "Its sides are 0.1 mm apart as drawn, and supports move no body by more than 0.05 mm, nor does a force: they never "
-                                      "touch. Draw them closer, or move them farther.");
+  EXPECT_EQ(problem.warnings[0].text,
+            "Its sides are 0.1 mm apart as drawn, and supports move no body by more than 0.05 mm, nor does a force: "
+            "they never "
+            "touch. Draw them closer, or move them farther.");
   EXPECT_TRUE(test::problem_of(test::with(test::block_scene, moved_by("-0.2")), 0.1).warnings.empty());
 }

@@ -106,17 +106,19 @@ TEST(Drive, Duration) {
   sim::Cache cache;
   const auto& system = sim::system_of(p, sim::initial_state(p), cache);
   const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
-  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].duration_s, 1.0);
+  EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].duration_s,
+                   1.0);
 }
 
 // Friction over cycles must be taken from its table, straight between its rows and constant outside.
 TEST(Drive, FrictionOverCycles) {
-  const auto p = test::problem_of(
-      test::with(test::block_scene, {{"friction  = 0.3", "friction = { cycles = [10, 20, 40], value = [0.3, 0.5, 0.4] }"}}));
+  const auto p = test::problem_of(test::with(
+      test::block_scene, {{"friction  = 0.3", "friction = { cycles = [10, 20, 40], value = [0.3, 0.5, 0.4] }"}}));
   EXPECT_EQ(p.contacts[0].options.friction, 0.5);
   solver::Controls controls;
   controls.contacts.resize(1);
-  for (const auto& [cycle, mu] : {std::pair{0.0, 0.3}, {10.0, 0.3}, {15.0, 0.4}, {20.0, 0.5}, {30.0, 0.45}, {50.0, 0.4}}) {
+  for (const auto& [cycle, mu] :
+       {std::pair{0.0, 0.3}, {10.0, 0.3}, {15.0, 0.4}, {20.0, 0.5}, {30.0, 0.45}, {50.0, 0.4}}) {
     sim::set_friction(controls, p, cycle);
     EXPECT_DOUBLE_EQ(controls.contacts[0].friction.value(), mu) << cycle;
   }

@@ -69,10 +69,18 @@ TEST(Intact, WhatCannotBe) {
       {[](sim::State& s) { s.solution.q[0] = none; }, "its displacements"},
       {[](sim::State& s) { s.solution.contacts.clear(); }, "a contact too many or too few"},
       {[](sim::State& s) { s.solution.contacts[0].lambda.pop_back(); }, "contact pad has a value too many or too few"},
-      {[](sim::State& s) { s.solution.contacts[0].removed_primary[0] = none; }, "contact pad has a value that is no number"},
-      {[](sim::State& s) { s.solution.contacts[0].status[0] = static_cast<contact::ContactStatus>(3); }, "neither open nor sticks nor slips"},
-      {[](sim::State& s) { s.solution.contacts[0].reference[0].M = {{99, 0.5}}; }, "its primary side lacks"},
-      {[](sim::State& s) { s.solution.contacts[0].reference[0].off = {{-1, 0.5}}; }, "its secondary side lacks"},
+      {[](sim::State& s) { s.solution.contacts[0].removed_primary[0] = none; },
+       "contact pad has a value that is no number"},
+      {[](sim::State& s) { s.solution.contacts[0].status[0] = static_cast<contact::ContactStatus>(3); },
+       "neither open nor sticks nor slips"},
+      {[](sim::State& s) {
+         s.solution.contacts[0].reference[0].M = {{99, 0.5}};
+       },
+       "its primary side lacks"},
+      {[](sim::State& s) {
+         s.solution.contacts[0].reference[0].off = {{-1, 0.5}};
+       },
+       "its secondary side lacks"},
       {[](sim::State& s) { s.recall.played.begin()->second.dq.conservativeResize(1); }, "an increment led elsewhere"},
       {[](sim::State& s) { s.renewed_at.resize(1); }, "a support stands nowhere"},
       {[](sim::State& s) { s.displaced.resize(2), s.displaced[0].resize(1); }, "displaced at nodes that it lacks"},
@@ -99,7 +107,9 @@ TEST(Intact, Meshes) {
       [](mesh::Mesh& m) { m.kind = static_cast<mesh::CellKind>(17); },
       [](mesh::Mesh& m) { m.kind = mesh::CellKind::quad8; },
       [](mesh::Mesh& m) { m.X[0].x() = none; },
-      [](mesh::Mesh& m) { m.X[0] = {50.0, 50.0}; },
+      [](mesh::Mesh& m) {
+        m.X[0] = {50.0, 50.0};
+      },
       [](mesh::Mesh& m) { m.X.emplace_back(0.0, 0.0); },
       [](mesh::Mesh& m) { m.outline[0][1] = 100000; },
       [](mesh::Mesh& m) { m.outline.clear(); },
@@ -108,5 +118,6 @@ TEST(Intact, Meshes) {
       [](mesh::Mesh& m) { m.points.push_back(100000); },
       [](mesh::Mesh& m) { m.arc_origin["slider_top"] = {-3}; },
   };
-  for (std::size_t k = 0; k < std::size(changes); ++k) EXPECT_TRUE(said(problem, with_mesh(good, changes[k])).starts_with("altered: ")) << k;
+  for (std::size_t k = 0; k < std::size(changes); ++k)
+    EXPECT_TRUE(said(problem, with_mesh(good, changes[k])).starts_with("altered: ")) << k;
 }

@@ -32,7 +32,8 @@ Run run(const sim::Problem& problem) {
 
 /// 40 000 cycles of the block: enough for the edges' pressure to be worn away.
 sim::Problem worn_block(const std::string& jump, const std::string& more = "") {
-  return test::problem_of(test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
+  return test::problem_of(
+      test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
 }
 
 std::vector<double> removed(const Run& r) { return r.state.solution.contacts[0].removed_secondary; }
@@ -53,7 +54,8 @@ TEST(Jump, Orders) {
   std::vector<double> plain, controlled;
   for (const std::string size : {"8000", "4000", "2000"}) {
     plain.push_back(apart(removed(run(worn_block(size))), exact));
-    controlled.push_back(apart(removed(run(worn_block("{ tolerance = 0.2, first = " + size + ", most = " + size + " }"))), exact));
+    controlled.push_back(
+        apart(removed(run(worn_block("{ tolerance = 0.2, first = " + size + ", most = " + size + " }"))), exact));
   }
   for (int k : {0, 1}) {
     EXPECT_NEAR(std::log2(plain[k] / plain[k + 1]), 1.0, 0.2) << plain[k];
@@ -62,7 +64,8 @@ TEST(Jump, Orders) {
   }
 }
 
-// The estimated error must be that of the profile, within a factor of three or on the safe side, and below the tolerance.
+// The estimated error must be that of the profile, within a factor of three or on the safe side, and below the
+// tolerance.
 TEST(Jump, EstimateAndTolerance) {
   const auto exact = removed(run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
   for (const double tolerance : {0.03, 0.01, 0.003}) {
@@ -77,13 +80,14 @@ TEST(Jump, EstimateAndTolerance) {
   }
 }
 
-// A block too long for the tolerance must be refused and said so, and leave nothing but its count behind; where it was the
-// first of a step, the first cycle is played by itself.
+// A block too long for the tolerance must be refused and said so, and leave nothing but its count behind; where it was
+// the first of a step, the first cycle is played by itself.
 TEST(Jump, RefusedBlocksLeaveNothing) {
   const auto r = run(worn_block("{ tolerance = 0.001, first = 20000 }"));
   const auto& counts = r.summary.counts;
   EXPECT_GT(counts.refused_blocks, 0);
-  EXPECT_NE(std::find_if(r.log.begin(), r.log.end(), [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
+  EXPECT_NE(std::find_if(r.log.begin(), r.log.end(),
+                         [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
   const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
   EXPECT_EQ(r.told.size(), 1 + 8 + (2 * 8 * static_cast<std::size_t>(blocks) + 8 * 8));  // eight cycles level the end
@@ -121,7 +125,8 @@ TEST(Jump, LifeInsideABlock) {
   }
 }
 
-// Where no edge moved, extrapolation must double the correction, keep sums and give no node material back that waits in no gap.
+// Where no edge moved, extrapolation must double the correction, keep sums and give no node material back that waits in
+// no gap.
 TEST(Jump, ExtrapolationKeepsSums) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Cache cache;
@@ -139,19 +144,21 @@ TEST(Jump, ExtrapolationKeepsSums) {
     middle[0].removed_secondary[j] = middle[0].energy_secondary[j] = middle[0].slip[j] = 1.0;
     halves.solution.contacts[0].removed_secondary[j] = 2.0 - wave;
     halves.solution.contacts[0].pending_secondary[j] = 0.15;
-    for (auto* end : {&once, &halves}) end->solution.contacts[0].energy_secondary[j] = end->solution.contacts[0].slip[j] = 2.0;
+    for (auto* end : {&once, &halves})
+      end->solution.contacts[0].energy_secondary[j] = end->solution.contacts[0].slip[j] = 2.0;
   }
-  const double expected = 2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
+  const double expected =
+      2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
   sim::extrapolate(system, {start, once, middle}, halves);
   const auto& c = halves.solution.contacts[0];
   EXPECT_NEAR(sum(c.removed_secondary), expected, 1e-13);
   EXPECT_GE(*std::min_element(c.pending_secondary.begin(), c.pending_secondary.end()), 0.0);
-  EXPECT_GT(c.removed_secondary[0], 2.2);               // 2.1 and nearly 0.2 more
+  EXPECT_GT(c.removed_secondary[0], 2.2);                  // 2.1 and nearly 0.2 more
   EXPECT_NEAR(c.removed_secondary[2], 1.9 - 0.15, 1e-14);  // no more than waits
 }
 
-// Without friction no energy is dissipated, and wear by Archard's law must be extrapolated all the same; what an edge that
-// passed leaves of the sum must not be taken from nodes that are three elements away.
+// Without friction no energy is dissipated, and wear by Archard's law must be extrapolated all the same; what an edge
+// that passed leaves of the sum must not be taken from nodes that are three elements away.
 TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Cache cache;
@@ -161,7 +168,8 @@ TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
   start.solution.contacts = {contact::fresh_state(system.contacts[0])};
   const auto& X = system.contacts[0].secondary.X;
   const auto by_x = [&](auto a, auto b) { return a.x() < b.x(); };
-  const auto edge = std::min_element(X.begin(), X.end(), by_x) - X.begin(), far = std::max_element(X.begin(), X.end(), by_x) - X.begin();
+  const auto edge = std::min_element(X.begin(), X.end(), by_x) - X.begin(),
+             far = std::max_element(X.begin(), X.end(), by_x) - X.begin();
   for (auto& status : start.solution.contacts[0].status) status = contact::ContactStatus::slip;
   sim::State once = start, halves = start;
   auto middle = start.solution.contacts;
@@ -175,7 +183,8 @@ TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
   }
   once.solution.contacts[0].removed_secondary[edge] = 2.5;
   middle[0].removed_secondary[edge] = 0.0;  // the edge passed here in the second half
-  const double expected = 2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
+  const double expected =
+      2.0 * sum(halves.solution.contacts[0].removed_secondary) - sum(once.solution.contacts[0].removed_secondary);
   sim::extrapolate(system, {start, once, middle}, halves);
   const auto& c = halves.solution.contacts[0];
   EXPECT_NEAR(sum(c.removed_secondary), expected, 1e-13);
@@ -224,9 +233,10 @@ TEST(Jump, SlipsThroughout) {
 // The next block must grow with what is worn where the error is as aimed at, shrink in proportion to an error above it,
 // and never by leaps.
 TEST(Jump, NextJump) {
-  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01), 125.0, 1e-9);        // a fifth of all wear again
+  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01), 125.0, 1e-9);       // a fifth of all wear again
   EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.017, 0.01), 500.0 / 9.0, 1e-9);  // a tenth
-  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01, 0.0085 / 0.25), 100.0 * 0.8 / 0.84, 1e-9);  // error per share grew by 1.25
+  EXPECT_NEAR(sim::next_jump(100.0, 0.2, 0.0085, 0.01, 0.0085 / 0.25), 100.0 * 0.8 / 0.84,
+              1e-9);  // error per share grew by 1.25
   EXPECT_EQ(sim::next_jump(100.0, 0.2, 0.0, 0.01), 400.0);
   EXPECT_EQ(sim::next_jump(100.0, 0.2, 1.0, 0.01), 30.0);
   EXPECT_EQ(sim::next_jump(2.0, 1.0, 1.0, 0.01), 1.0);

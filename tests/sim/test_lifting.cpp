@@ -15,7 +15,8 @@ namespace {
 std::string shim(const std::string& thickness) {
   return R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {-6, -6, 0, 12, 6};
-Rectangle(2) = {-6, 0, 0, 12, )" + thickness + R"(};
+Rectangle(2) = {-6, 0, 0, 12, )" +
+         thickness + R"(};
 Physical Surface("block") = {1};
 Physical Surface("shim") = {2};
 Physical Curve("block_bottom") = {1};
@@ -120,8 +121,8 @@ wear = false
 
 }  // namespace
 
-// A loose shim that lifts off node by node must find its contact without a cut-back, however thin it is and however many
-// nodes have to open, and in no more solves than an increment of any other contact takes.
+// A loose shim that lifts off node by node must find its contact without a cut-back, however thin it is and however
+// many nodes have to open, and in no more solves than an increment of any other contact takes.
 TEST(Lifting, AShimUnderFriction) {
   for (const char* thickness : {"0.2", "0.02"}) {
     const auto problem = support::problem_from({{"shim.geo", shim(thickness)}, {"scene.toml", text}});
@@ -141,7 +142,8 @@ TEST(Lifting, ACoatThatFrictionHolds) {
   const auto summary = sim::run(problem, state, {});
   EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
   EXPECT_EQ(summary.counts.cutbacks, 0);
-  const double modulus = 200e3 / (2.0 * (1.0 - 0.3 * 0.3)), peak = std::sqrt(120.0 * modulus / (std::numbers::pi * 6.0));
+  const double modulus = 200e3 / (2.0 * (1.0 - 0.3 * 0.3)),
+               peak = std::sqrt(120.0 * modulus / (std::numbers::pi * 6.0));
   EXPECT_NEAR(summary.contacts.at(0).peak_pressure_MPa.value() / peak, 1.0, 0.01);
   EXPECT_NEAR(summary.contacts.at(1).normal_force / 120.0, 1.0, 1e-6);
 }

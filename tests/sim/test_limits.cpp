@@ -40,7 +40,8 @@ TEST(Limits, StopEndsTheRunAtTheLimit) {
     EXPECT_NEAR(r.summary.cycles, life, 5e-3 * life) << jump;
     EXPECT_NEAR(r.summary.limit_share.at("life"), 1.0, 5e-3) << jump;
     EXPECT_LT(r.summary.cycles, 39000.0);
-    EXPECT_TRUE(std::is_sorted(r.rows.begin() + 1, r.rows.end(), [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
+    EXPECT_TRUE(std::is_sorted(r.rows.begin() + 1, r.rows.end(),
+                               [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
     EXPECT_LT(r.summary.contacts[0].ledger_relative_error.value(), 1e-12);
   }
 }
@@ -59,13 +60,15 @@ TEST(Limits, HistoryEndsAsTheSummary) {
   EXPECT_NEAR(deepest(r.rows.back()), r.summary.contacts[0].secondary.max_depth_mm, 1e-12);
   EXPECT_NEAR(r.rows.back().energy_mJ, r.summary.contacts[0].dissipated_energy, 1e-9 * r.rows.back().energy_mJ);
   EXPECT_NEAR(r.rows.back().cycle, r.summary.cycles, 1e-6);
-  EXPECT_TRUE(std::is_sorted(r.rows.begin(), r.rows.end(), [](const auto& a, const auto& b) { return deepest(a) < deepest(b); }));
+  EXPECT_TRUE(std::is_sorted(r.rows.begin(), r.rows.end(),
+                             [](const auto& a, const auto& b) { return deepest(a) < deepest(b); }));
 }
 
 // A tolerance that is missed must be named among the warnings with its figure.
 TEST(Limits, MissedToleranceIsAWarning) {
   const auto r = run("{ tolerance = 0.0001, first = 1, most = 1e5 }\n[solver]\nmax_newton = 30", "");
   const auto error = r.summary.error_cycle_jump.value();
-  const auto found = std::find_if(r.summary.warnings.begin(), r.summary.warnings.end(), [](const auto& w) { return w.kind == "tolerance"; });
+  const auto found = std::find_if(r.summary.warnings.begin(), r.summary.warnings.end(),
+                                  [](const auto& w) { return w.kind == "tolerance"; });
   EXPECT_EQ(found != r.summary.warnings.end(), error > 1e-4) << error;
 }

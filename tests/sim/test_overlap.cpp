@@ -10,18 +10,22 @@ namespace {
 
 /// Two blocks in contact and a post on the same base, `gap` right of the slider; no contact is between post and slider.
 sim::Problem with_post(double gap, const std::string& stroke) {
-  const std::string geometry = "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {1, 0, 0, 2, 1};\nRectangle(2) = {0, -1, 0, 4, 1};\n"
-                               "Rectangle(3) = {" + std::to_string(3.0 + gap) + ", 0.2, 0, 0.5, 0.5};\n"
-                               "Physical Surface(\"slider\") = {1};\nPhysical Surface(\"base\") = {2};\n"
-                               "Physical Surface(\"post\") = {3};\nPhysical Curve(\"slider_bottom\") = {1};\n"
-                               "Physical Curve(\"slider_top\") = {3};\nPhysical Curve(\"base_bottom\") = {5};\n"
-                               "Physical Curve(\"base_top\") = {7};\nPhysical Curve(\"post_right\") = {10};\n";
-  const std::string scene = test::with(
-      test::block_scene, {{"motion_mm = 0.01", "motion_mm = " + stroke},
-                          {"[contact.pad]", "[body.post]\nmaterial = \"steel\"\nmesh = { far_size_mm = 0.25 }\n[contact.pad]"},
-                          {"[history]", "[support.post]\nedge = \"post_right\"\nx = \"fixed\"\ny = \"fixed\"\n[history]"},
-                          {"cycles = 40\njump = 10\n", "wear = false\n"},
-                          {"[0.25, 1.0], [0.75, -1.0], [1.0, 0.0]", "[1.0, 1.0]"}});
+  const std::string geometry =
+      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {1, 0, 0, 2, 1};\nRectangle(2) = {0, -1, 0, 4, 1};\n"
+      "Rectangle(3) = {" +
+      std::to_string(3.0 + gap) +
+      ", 0.2, 0, 0.5, 0.5};\n"
+      "Physical Surface(\"slider\") = {1};\nPhysical Surface(\"base\") = {2};\n"
+      "Physical Surface(\"post\") = {3};\nPhysical Curve(\"slider_bottom\") = {1};\n"
+      "Physical Curve(\"slider_top\") = {3};\nPhysical Curve(\"base_bottom\") = {5};\n"
+      "Physical Curve(\"base_top\") = {7};\nPhysical Curve(\"post_right\") = {10};\n";
+  const std::string scene =
+      test::with(test::block_scene,
+                 {{"motion_mm = 0.01", "motion_mm = " + stroke},
+                  {"[contact.pad]", "[body.post]\nmaterial = \"steel\"\nmesh = { far_size_mm = 0.25 }\n[contact.pad]"},
+                  {"[history]", "[support.post]\nedge = \"post_right\"\nx = \"fixed\"\ny = \"fixed\"\n[history]"},
+                  {"cycles = 40\njump = 10\n", "wear = false\n"},
+                  {"[0.25, 1.0], [0.75, -1.0], [1.0, 0.0]", "[1.0, 1.0]"}});
   return support::problem_from({{"blocks.geo", geometry}, {"scene.toml", scene}});
 }
 

@@ -11,7 +11,8 @@ using namespace reye;
 namespace {
 
 const std::string preload = "y        = { force_N_per_mm = -20.0, history = \"press\" }";
-const std::string both = "y        = [{ force_N_per_mm = -20.0, history = \"press\" }, { force_N_per_mm = 5.0, history = \"stroke\" }]";
+const std::string both =
+    "y        = [{ force_N_per_mm = -20.0, history = \"press\" }, { force_N_per_mm = 5.0, history = \"stroke\" }]";
 
 std::vector<sim::IncrementRecord> rows_of(const sim::Problem& problem) {
   std::vector<sim::IncrementRecord> rows;
@@ -27,7 +28,8 @@ std::vector<sim::IncrementRecord> rows_of(const sim::Problem& problem) {
 
 // Parts of a force must add up, each with the history of its own: a preload that stays and a vibration about it.
 TEST(Parts, PreloadAndVibration) {
-  const auto problem = test::problem_of(test::with(test::block_scene, {{preload, both}, {"cycles = 40\njump = 10", "cycles = 1"}}));
+  const auto problem =
+      test::problem_of(test::with(test::block_scene, {{preload, both}, {"cycles = 40\njump = 10", "cycles = 1"}}));
   const auto rows = rows_of(problem);
   ASSERT_EQ(rows.size(), 9U);
   const auto& stroke = problem.scene.histories.at("stroke");
@@ -41,8 +43,10 @@ TEST(Parts, PreloadAndVibration) {
 // Parts of one history must act as one part with the sum of their values.
 TEST(Parts, OfOneHistoryAreOne) {
   const auto one = rows_of(test::problem_of(test::block_scene));
-  const auto two = rows_of(test::problem_of(test::with(test::block_scene, {{preload,
-      "y = [{ force_N_per_mm = -15.0, history = \"press\" }, { force_N_per_mm = -5.0, history = \"press\" }]"}})));
+  const auto two = rows_of(test::problem_of(test::with(
+      test::block_scene,
+      {{preload,
+        "y = [{ force_N_per_mm = -15.0, history = \"press\" }, { force_N_per_mm = -5.0, history = \"press\" }]"}})));
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_NEAR(two[i].pressure_max_MPa, one[i].pressure_max_MPa, 1e-7 * one[i].pressure_max_MPa);
@@ -68,11 +72,15 @@ TEST(Parts, SpinAndSwing) {
 // A load in parts must do what as many loads do.
 TEST(Parts, OfALoad) {
   const auto loaded = [](const std::string& loads) {
-    return rows_of(test::problem_of(test::with(test::block_scene, {{"[history]", loads + "[history]"}, {"cycles = 40\njump = 10", "cycles = 1"}})));
+    return rows_of(test::problem_of(
+        test::with(test::block_scene, {{"[history]", loads + "[history]"}, {"cycles = 40\njump = 10", "cycles = 1"}})));
   };
-  const auto parts = loaded("[load.a]\nedge = \"slider_top\"\nparts = [{ pressure_MPa = 3.0, history = \"press\" }, { traction_MPa = [0.0, 1.0], history = \"stroke\" }]\n");
-  const auto loads = loaded("[load.a]\nedge = \"slider_top\"\npressure_MPa = 3.0\nhistory = \"press\"\n[load.b]\nedge = \"slider_top\"\n"
-                            "traction_MPa = [0.0, 1.0]\nhistory = \"stroke\"\n");
+  const auto parts = loaded(
+      "[load.a]\nedge = \"slider_top\"\nparts = [{ pressure_MPa = 3.0, history = \"press\" }, { traction_MPa = [0.0, "
+      "1.0], history = \"stroke\" }]\n");
+  const auto loads = loaded(
+      "[load.a]\nedge = \"slider_top\"\npressure_MPa = 3.0\nhistory = \"press\"\n[load.b]\nedge = \"slider_top\"\n"
+      "traction_MPa = [0.0, 1.0]\nhistory = \"stroke\"\n");
   ASSERT_EQ(parts.size(), loads.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].pressure_max_MPa, loads[i].pressure_max_MPa);

@@ -10,12 +10,12 @@ namespace {
 /// The upper of two blocks of rubber, 0.1 mm apart, pushed down by 0.6 mm in one increment.
 std::string pushed(const std::string& more) {
   return test::with(test::block_scene, {{"E_MPa = 200e3", "E_MPa = 5.0"},
-                                               {"[body.slider]\n", "[body.slider]\nkinematics = \"small\"\n"},
-                                               {"[body.base]\n", "[body.base]\nkinematics = \"small\"\n"},
-                                               {"force_N_per_mm = -20.0", "motion_mm = -0.6"},
-                                               {"motion_mm = 0.01", "motion_mm = 0.0"},
-                                               {"wear = false\n", "wear = false\nincrements = 1\n"},
-                                               {"cycles = 40\njump = 10\n", "cycles = 1\n"}}) +
+                                        {"[body.slider]\n", "[body.slider]\nkinematics = \"small\"\n"},
+                                        {"[body.base]\n", "[body.base]\nkinematics = \"small\"\n"},
+                                        {"force_N_per_mm = -20.0", "motion_mm = -0.6"},
+                                        {"motion_mm = 0.01", "motion_mm = 0.0"},
+                                        {"wear = false\n", "wear = false\nincrements = 1\n"},
+                                        {"cycles = 40\njump = 10\n", "cycles = 1\n"}}) +
          more;
 }
 

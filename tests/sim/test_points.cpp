@@ -11,9 +11,12 @@ namespace {
 
 /// The slider worn under a point load, remeshed after every block.
 std::string worn_under_a_point(const std::string& at) {
-  return test::with(test::block_scene, {{"y        = { force_N_per_mm = -20.0, history = \"press\" }\nrotation = \"fixed\"", "y = \"free\"\nrigid = false"},
-                                        {"[history]", "[load.weight]\nbody = \"slider\"\npoint_mm = " + at +
-                                                          "\nforce_N_per_mm = [0, -20]\nhistory = \"press\"\n[remesh]\nevery_blocks = 1\n[history]"}});
+  return test::with(
+      test::block_scene,
+      {{"y        = { force_N_per_mm = -20.0, history = \"press\" }\nrotation = \"fixed\"",
+        "y = \"free\"\nrigid = false"},
+       {"[history]", "[load.weight]\nbody = \"slider\"\npoint_mm = " + at +
+                         "\nforce_N_per_mm = [0, -20]\nhistory = \"press\"\n[remesh]\nevery_blocks = 1\n[history]"}});
 }
 
 }  // namespace
@@ -32,8 +35,8 @@ TEST(Points, ALoadStaysWhereItIsThroughRemeshes) {
   }
 }
 
-// A point outside of its body must be refused with its line and the nearest place of the body; one within a quarter of an element
-// of its outline is taken to it.
+// A point outside of its body must be refused with its line and the nearest place of the body; one within a quarter of
+// an element of its outline is taken to it.
 TEST(Points, OutsideOfTheBodyIsRefused) {
   const auto refusal = [](const std::string& at) -> std::string {
     try {
@@ -44,7 +47,10 @@ TEST(Points, OutsideOfTheBodyIsRefused) {
     return {};
   };
   const std::string told = refusal("[1.87, 1.6]");
-  EXPECT_NE(told.find("scene.toml:28: load.weight.point_mm = [1.87, 1.6]: lies outside of body slider, whose nearest place is (1.87, 1), 0.6 mm away; "
-                      "put the point on the body"), std::string::npos) << told;
+  EXPECT_NE(told.find("scene.toml:28: load.weight.point_mm = [1.87, 1.6]: lies outside of body slider, whose nearest "
+                      "place is (1.87, 1), 0.6 mm away; "
+                      "put the point on the body"),
+            std::string::npos)
+      << told;
   EXPECT_EQ(refusal("[1.87, 1.1]"), "");
 }

@@ -9,8 +9,8 @@ namespace {
 
 /// The two blocks, pressed by this motion or force.
 sim::Summary played(const std::string& stroke_mm, const std::string& press) {
-  const auto problem = test::problem_of(test::with(test::block_scene, {{"motion_mm = 0.01", "motion_mm = " + stroke_mm},
-                                                                       {"force_N_per_mm = -20.0", press}}));
+  const auto problem = test::problem_of(test::with(
+      test::block_scene, {{"motion_mm = 0.01", "motion_mm = " + stroke_mm}, {"force_N_per_mm = -20.0", press}}));
   auto state = sim::initial_state(problem);
   return sim::run(problem, state, {});
 }

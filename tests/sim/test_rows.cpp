@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "support/problem.hpp"
 #include "sim/run.hpp"
+#include "support/problem.hpp"
 
 using namespace reye;
 
@@ -74,7 +74,8 @@ cycles = 4
 
 }  // namespace
 
-// A row must tell of every contact what the summary tells of it at the end, and the first columns the largest and the sum of them.
+// A row must tell of every contact what the summary tells of it at the end, and the first columns the largest and the
+// sum of them.
 TEST(Rows, TellOfEveryContact) {
   sim::Summary summary;
   const auto row = last_row(support::problem_from({{"table.geo", table_geo}, {"scene.toml", table_scene}}), &summary);
@@ -97,16 +98,21 @@ TEST(Rows, TellOfEveryContact) {
   EXPECT_EQ(row.contacts[1].depth_max_primary_mm, 0.0);
 }
 
-// The moment of a rigid edge must be that which balances a load beside its middle; an edge that is held node by node has none.
+// The moment of a rigid edge must be that which balances a load beside its middle; an edge that is held node by node
+// has none.
 TEST(Rows, TellTheMomentOfARigidEdge) {
-  const std::string geo = "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 4, 1};\nPhysical Surface(\"lever\") = {1};\n"
-                          "Physical Curve(\"end\") = {4};\n";
+  const std::string geo =
+      "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 4, 1};\nPhysical Surface(\"lever\") = {1};\n"
+      "Physical Curve(\"end\") = {4};\n";
   const auto scene = [](const std::string& rotation) {
     return "geometry = [\"lever.geo\"]\n[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.lever]\nmaterial = \"steel\"\n"
-           "mesh = { far_size_mm = 0.5 }\n[support.clamp]\nedge = \"end\"\nx = \"fixed\"\ny = \"fixed\"\n" + rotation +
-           "[load.tip]\npoint_mm = [4.0, 1.0]\nbody = \"lever\"\nforce_N_per_mm = [3.0, 10.0]\n[[step]]\nwear = false\n";
+           "mesh = { far_size_mm = 0.5 }\n[support.clamp]\nedge = \"end\"\nx = \"fixed\"\ny = \"fixed\"\n" +
+           rotation +
+           "[load.tip]\npoint_mm = [4.0, 1.0]\nbody = \"lever\"\nforce_N_per_mm = [3.0, 10.0]\n[[step]]\nwear = "
+           "false\n";
   };
-  const auto rigid = last_row(support::problem_from({{"lever.geo", geo}, {"scene.toml", scene("rotation = \"fixed\"\n")}}));
+  const auto rigid =
+      last_row(support::problem_from({{"lever.geo", geo}, {"scene.toml", scene("rotation = \"fixed\"\n")}}));
   EXPECT_NEAR(rigid.support_forces[0].x(), -3.0, 1e-8);
   EXPECT_NEAR(rigid.support_forces[0].y(), -10.0, 1e-8);
   ASSERT_TRUE(rigid.support_moments[0].has_value());

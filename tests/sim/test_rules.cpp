@@ -76,14 +76,17 @@ TEST(FrameRules, OfARun) {
 
 // However many rules want it, no state may be shown twice: a frame per increment and one of the start are all there is.
 TEST(FrameRules, NoFrameTwice) {
-  const auto w = with_output("frames = { every_increment = true, last_block = true, every_blocks = 1, every_cycles = 5, per_decade = 9 }");
+  const auto w = with_output(
+      "frames = { every_increment = true, last_block = true, every_blocks = 1, every_cycles = 5, per_decade = 9 }");
   EXPECT_EQ(w.frames.size(), 1u + 1u + 4u * 8u);
-  for (std::size_t k = 2; k < w.frames.size(); ++k) EXPECT_DOUBLE_EQ(w.frames[k], 10.0 * static_cast<double>(k - 1) / 8.0);
+  for (std::size_t k = 2; k < w.frames.size(); ++k)
+    EXPECT_DOUBLE_EQ(w.frames[k], 10.0 * static_cast<double>(k - 1) / 8.0);
 }
 
 // A body meshed anew must be seen on its new mesh at the end of that block, and only then.
 TEST(FrameRules, AtRemeshes) {
-  const auto text = std::string(test::block_scene) + "[remesh]\nevery_blocks = 2\n[output]\nframes = { at_remeshes = true }\n";
+  const auto text =
+      std::string(test::block_scene) + "[remesh]\nevery_blocks = 2\n[output]\nframes = { at_remeshes = true }\n";
   const auto w = written(test::problem_of(text));
   ASSERT_EQ(w.summary.status, sim::RunStatus::done) << w.summary.reason;
   EXPECT_EQ(w.frames, (std::vector{0.0, 0.0, 10.0, 30.0, 40.0}));  // the press step is the first block

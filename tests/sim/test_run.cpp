@@ -41,27 +41,29 @@ TEST(Run, Plan) {
           "step \"press\": 1 increments, no wear",
           "step \"wear\": 40 cycles in blocks of 10, 8 increments a cycle",
       }));
-  const auto detailed = test::problem_of(test::with(
-      test::block_scene,
-      {{"friction  = 0.3", "friction = { cycles = [0, 20], value = [0.3, 0.5] }"},
-       {"law = \"energy\"", "law = \"energy\", threshold_mJ_per_mm2 = 2.5, pressure_exponent = 0.5, pressure_ref_MPa = 10"}}));
-  EXPECT_EQ(detailed.plan.lines[2],
-            "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction from 0.3 at cycle 0 to 0.5 at cycle "
-            "20 (2 values), wear by dissipated energy beyond 2.5 mJ/mm^2 x (pressure / 10 MPa)^0.5");
+  const auto detailed = test::problem_of(
+      test::with(test::block_scene,
+                 {{"friction  = 0.3", "friction = { cycles = [0, 20], value = [0.3, 0.5] }"},
+                  {"law = \"energy\"",
+                   "law = \"energy\", threshold_mJ_per_mm2 = 2.5, pressure_exponent = 0.5, pressure_ref_MPa = 10"}}));
+  EXPECT_EQ(
+      detailed.plan.lines[2],
+      "contact pad: 5 secondary nodes on slider_bottom, 11 primary nodes, friction from 0.3 at cycle 0 to 0.5 at cycle "
+      "20 (2 values), wear by dissipated energy beyond 2.5 mJ/mm^2 x (pressure / 10 MPa)^0.5");
   const std::string linear = " is linear: factorised once per shape, interior solved back only for frames";
   const std::string reach = "contact pad: nodes far from where it touches are condensed out until it comes near";
   const std::string frames = "frames only of the start and of the end of each step: stress is recovered there alone";
   EXPECT_EQ(problem.plan.skipped,
             (std::vector<std::string>{"body slider" + linear + " and, once a block, for the triggers of remeshing",
-                                      "body base" + linear + " and, once a block, for the triggers of remeshing", reach, frames}));
+                                      "body base" + linear + " and, once a block, for the triggers of remeshing", reach,
+                                      frames}));
   const auto off =
       test::problem_of("shape = \"off\"\n" + test::with(test::block_scene, {{", primary_mm3_per_J = 2.0e-5", ""}}));
   EXPECT_EQ(off.plan.skipped,
-            (std::vector<std::string>{"body slider" + linear, "body base" + linear, reach,
-                                      "shape = \"off\": wear stays in the gap, no shape step",
-                                      "contact pad: the primary side does not wear",
-                                      "no boundary moves by wear and no reference may be renewed: no body is meshed anew",
-                                      frames}));
+            (std::vector<std::string>{
+                "body slider" + linear, "body base" + linear, reach,
+                "shape = \"off\": wear stays in the gap, no shape step", "contact pad: the primary side does not wear",
+                "no boundary moves by wear and no reference may be renewed: no body is meshed anew", frames}));
 }
 
 // A run must play all blocks, close its ledger, and end every block with a state from which it can go on.

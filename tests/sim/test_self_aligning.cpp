@@ -76,16 +76,19 @@ TEST(SelfAligning, SlidesAtOnce) {
   for (std::size_t i = 0; i < drag.size(); ++i) EXPECT_NEAR(drag[i], i < 10 ? 8.0 : -8.0, 1e-3) << i;  // mu x 20 N/mm
 }
 
-// What it wears under a tolerance must be coefficient x work to rounding, though the gap is carried round its rounded edges in
-// the middle of blocks: what moves from node to node there is no wear.
+// What it wears under a tolerance must be coefficient x work to rounding, though the gap is carried round its rounded
+// edges in the middle of blocks: what moves from node to node there is no wear.
 TEST(SelfAligning, LedgerIsExact) {
   std::string rounded = geometry, worn = text;
-  const auto put = [](std::string& in, const std::string& from, const std::string& to) { in.replace(in.find(from), from.size(), to); };
+  const auto put = [](std::string& in, const std::string& from, const std::string& to) {
+    in.replace(in.find(from), from.size(), to);
+  };
   put(rounded, "20, 8};", "20, 8, 0.5};");
   put(rounded, "Physical Curve(\"sole\") = {5};\nPhysical Curve(\"back\") = {7};\n", "");
   put(worn, "far_size_mm = 1.0", "far_size_mm = 0.4");
-  put(worn, "[contact.brake]", "[boundary]\nsole = { body = \"pad\", box_mm = [-10.1, -0.1, 10.1, 0.6] }\n"
-                               "back = { body = \"pad\", nearest_mm = [0, 8] }\n[contact.brake]");
+  put(worn, "[contact.brake]",
+      "[boundary]\nsole = { body = \"pad\", box_mm = [-10.1, -0.1, 10.1, 0.6] }\n"
+      "back = { body = \"pad\", nearest_mm = [0, 8] }\n[contact.brake]");
   put(worn, "friction  = 0.4\n", "friction  = 0.4\nwear      = { law = \"energy\", secondary_mm3_per_J = 2.5e-5 }\n");
   put(worn, "motion_mm = 10", "motion_mm = 15");
   put(worn, "increments = 2\n", "increments = 2\nwear = false\n");

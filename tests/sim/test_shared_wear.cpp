@@ -37,14 +37,15 @@ const std::string second_name = "[contact.second]\nsecondary = \"track\"";
 TEST(SharedWear, IsToldInThePlan) {
   const auto problem = problem_of(text_of("two_pins.geo"), text_of("scene.toml"));
   const auto& lines = problem.plan.lines;
-  EXPECT_EQ(std::count(lines.begin(), lines.end(),
-                       "contacts first, second wear the same boundary, track: depths there are what all of them have worn, "
-                       "areas and energy each one's own"),
-            1);
+  EXPECT_EQ(
+      std::count(lines.begin(), lines.end(),
+                 "contacts first, second wear the same boundary, track: depths there are what all of them have worn, "
+                 "areas and energy each one's own"),
+      1);
 }
 
-// One edge under two names must be refused where one of the contacts wears it: its wear is booked under one name alone. Where none
-// does, the two are as good as one.
+// One edge under two names must be refused where one of the contacts wears it: its wear is booked under one name alone.
+// Where none does, the two are as good as one.
 TEST(SharedWear, AnEdgeUnderTwoNamesIsRefused) {
   const auto geometry = text_of("two_pins.geo") + "Physical Curve(\"lane\") = {3};\n";
   const auto scene = with(text_of("scene.toml"), second_name, "[contact.second]\nsecondary = \"lane\"");
@@ -52,8 +53,9 @@ TEST(SharedWear, AnEdgeUnderTwoNamesIsRefused) {
     problem_of(geometry, scene);
     ADD_FAILURE() << "accepted";
   } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("contact.second.secondary = \"lane\": has edges in common with \"track\" of contact "
-                                             "\"first\", and what wears there is booked by boundary: give both contacts the same one"),
+    EXPECT_NE(std::string(error.what())
+                  .find("contact.second.secondary = \"lane\": has edges in common with \"track\" of contact "
+                        "\"first\", and what wears there is booked by boundary: give both contacts the same one"),
               std::string::npos)
         << error.what();
   }

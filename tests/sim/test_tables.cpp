@@ -12,7 +12,8 @@ using namespace reye;
 namespace {
 
 /// Half a disc of radius 1 on a block, off its middle.
-const char* const disc_on_block = R"(Point(1) = {-1, 1, 0}; Point(2) = {0, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+const char* const disc_on_block =
+    R"(Point(1) = {-1, 1, 0}; Point(2) = {0, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
 Circle(1) = {1, 4, 2}; Circle(2) = {2, 4, 3}; Line(3) = {3, 1};
 Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};
 Point(5) = {-1.3, -1, 0}; Point(6) = {1.7, -1, 0}; Point(7) = {1.7, 0, 0}; Point(8) = {-1.3, 0, 0};
@@ -29,14 +30,16 @@ E_MPa = 200e3
 nu = 0.3
 [body.disc]
 material = "steel"
-mesh = { far_size_mm = )" + disc_size + R"( }
+mesh = { far_size_mm = )" +
+         disc_size + R"( }
 [body.block]
 material = "steel"
 mesh = { far_size_mm = 0.06 }
 [contact.pad]
 secondary = "round"
 primary = ["face"]
-)" + contact + R"(
+)" + contact +
+         R"(
 [support.holder]
 edge = "top"
 x = { motion_mm = 0.01, history = "slide" }
@@ -76,7 +79,8 @@ Pressed pressed(const std::string& contact, const std::string& disc_size) {
   EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
   sim::Cache cache;
   const auto& system = sim::system_of(problem, state, cache);
-  result.tables = sim::surface_records(system.contacts[0], state.solution.contacts[0], state.shapes, problem.contacts[0]);
+  result.tables =
+      sim::surface_records(system.contacts[0], state.solution.contacts[0], state.shapes, problem.contacts[0]);
   result.summary = summary.contacts[0];
   return result;
 }

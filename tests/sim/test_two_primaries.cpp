@@ -84,7 +84,8 @@ double area_of(const body::ShapePtr& shape) { return mesh::area(shape->mesh); }
 
 }  // namespace
 
-// A primary side on two bodies must carry each body's own force, lose each body's own volume, and name its nodes by body.
+// A primary side on two bodies must carry each body's own force, lose each body's own volume, and name its nodes by
+// body.
 TEST(TwoPrimaries, EachBodyGetsItsOwn) {
   const auto problem = support::problem_from({{"blocks.geo", blocks}, {"scene.toml", pressed}});
   auto state = sim::initial_state(problem);
@@ -94,7 +95,8 @@ TEST(TwoPrimaries, EachBodyGetsItsOwn) {
   const auto summary = sim::run(problem, state, observer);
   ASSERT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
   EXPECT_GE(summary.counts.remeshes, 4);
-  EXPECT_LT(summary.contacts[0].ledger_relative_error.value(), 1e-10);  // strips of nanometres, measured on coordinates of millimetres
+  EXPECT_LT(summary.contacts[0].ledger_relative_error.value(),
+            1e-10);  // strips of nanometres, measured on coordinates of millimetres
   EXPECT_NEAR(summary.contacts[0].normal_force, 60.0, 0.02);
   for (const auto& row : rows) {
     base::Vec2 sum = base::Vec2::Zero();
@@ -143,5 +145,7 @@ TEST(TwoPrimaries, Frames) {
       for (std::size_t i = 0; i < surface.node.size(); ++i)
         EXPECT_LT(surface.node[i], frame.bodies[surface.body[i]].mesh->node_count());
   for (int b : {1, 2})
-    EXPECT_GT(*std::max_element(frames.back().bodies[b].wear_depth_mm.begin(), frames.back().bodies[b].wear_depth_mm.end()), 0.0);
+    EXPECT_GT(
+        *std::max_element(frames.back().bodies[b].wear_depth_mm.begin(), frames.back().bodies[b].wear_depth_mm.end()),
+        0.0);
 }

@@ -1,5 +1,5 @@
-#include "sim/warn_contact.hpp"
 #include "sim/run.hpp"
+#include "sim/warn_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -69,13 +69,16 @@ TEST(WarnContact, BesideTheFineZone) {
 
 // A contact that never touched must be told; nothing is said then of its wear.
 TEST(WarnContact, NeverClosed) {
-  EXPECT_EQ(blocks({{few, two_blocks}, {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}}, 0.01),
+  EXPECT_EQ(blocks({{few, two_blocks},
+                    {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}},
+                   0.01),
             Kinds{"never_closed, contact pad"});
 }
 
 // A contact that should wear but sticks throughout must be told, with the stroke that was asked for.
 TEST(WarnContact, NothingSlipped) {
-  auto problem = test::problem_of(test::with(test::block_scene, {{few, two_blocks}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
+  auto problem =
+      test::problem_of(test::with(test::block_scene, {{few, two_blocks}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
   const auto warnings = played(problem).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, "no_slip");

@@ -18,7 +18,9 @@ std::vector<std::string> kinds(const std::vector<sim::Warning>& warnings) {
 
 using Kinds = std::vector<std::string>;
 
-Kinds of_blocks(const Changes& changes) { return kinds(test::problem_of(test::with(test::block_scene, changes)).warnings); }
+Kinds of_blocks(const Changes& changes) {
+  return kinds(test::problem_of(test::with(test::block_scene, changes)).warnings);
+}
 
 std::string refusal(const std::string& scene) {
   try {
@@ -39,42 +41,53 @@ TEST(WarnSetup, NothingWithoutCause) {
   EXPECT_EQ(kinds(test::disc_problem().warnings), Kinds{});
 }
 
-// Supports that ask different things of one place must be refused with the line of the later one and the name of the other.
+// Supports that ask different things of one place must be refused with the line of the later one and the name of the
+// other.
 TEST(WarnSetup, SupportsThatContradict) {
-  const std::string again = "[support.again]\nedge = \"slider_top\"\nx = { motion_mm = 0.02, history = \"stroke\" }\n[history]";
+  const std::string again =
+      "[support.again]\nedge = \"slider_top\"\nx = { motion_mm = 0.02, history = \"stroke\" }\n[history]";
   const std::string told = refusal(test::with(test::block_scene, {{"[history]", again}}));
   EXPECT_NE(told.find(": support.again.x: the node at ("), std::string::npos) << told;
   EXPECT_NE(told.find("support \"holder\""), std::string::npos) << told;
-  const std::string normal = "[support.again]\nedge = \"base_bottom\"\nnormal = { motion_mm = 0.02, history = \"stroke\" }\n[history]";
+  const std::string normal =
+      "[support.again]\nedge = \"base_bottom\"\nnormal = { motion_mm = 0.02, history = \"stroke\" }\n[history]";
   const std::string along = refusal(test::with(test::block_scene, {{"[history]", normal}}));
   EXPECT_NE(along.find(": support.again.normal: "), std::string::npos) << along;
 }
 
 // A rigid ring moved or pushed along the radius must be refused by its support's name.
 TEST(WarnSetup, RigidRing) {
-  for (const std::string motion : {"{ motion_mm = -0.01, history = \"press\" }", "{ force_N = -1e4, history = \"press\" }"}) {
-    const std::string told = refusal(test::with("analysis = \"axisymmetric\"\n" + std::string(test::block_scene),
-                                                {{"[body.slider]\nmaterial = \"steel\"\nmesh     = { far_size_mm = 0.5 }", "[body.slider]\nrigid = true"},
-                                                 {"secondary = \"slider_bottom\"", "secondary = \"base_top\""},
-                                                 {"primary   = [\"base_top\"]", "primary   = [\"slider_bottom\"]"},
-                                                 {", primary_mm3_per_J = 2.0e-5", ""},
-                                                 {"{ motion_mm = 0.01, history = \"stroke\" }", motion},
-                                                 {"force_N_per_mm", "force_N"}}));
+  for (const std::string motion :
+       {"{ motion_mm = -0.01, history = \"press\" }", "{ force_N = -1e4, history = \"press\" }"}) {
+    const std::string told = refusal(test::with(
+        "analysis = \"axisymmetric\"\n" + std::string(test::block_scene),
+        {{"[body.slider]\nmaterial = \"steel\"\nmesh     = { far_size_mm = 0.5 }", "[body.slider]\nrigid = true"},
+         {"secondary = \"slider_bottom\"", "secondary = \"base_top\""},
+         {"primary   = [\"base_top\"]", "primary   = [\"slider_bottom\"]"},
+         {", primary_mm3_per_J = 2.0e-5", ""},
+         {"{ motion_mm = 0.01, history = \"stroke\" }", motion},
+         {"force_N_per_mm", "force_N"}}));
     EXPECT_NE(told.find(": support.holder.x: a rigid ring cannot move radially"), std::string::npos) << told;
   }
 }
 
-// Bodies in contact that no support holds along the load must be refused by their names, though each by itself has the other
-// one to lean on.
+// Bodies in contact that no support holds along the load must be refused by their names, though each by itself has the
+// other one to lean on.
 TEST(WarnSetup, HeldByNothing) {
-  const std::string told = refusal(test::with(test::block_scene, {{"y        = \"fixed\"\nrotation = \"fixed\"\n[history]", "rotation = \"fixed\"\n[history]"}}));
-  EXPECT_NE(told.find("translation along y of slider and base together is free: no support of any of them holds it"), std::string::npos) << told;
+  const std::string told = refusal(
+      test::with(test::block_scene,
+                 {{"y        = \"fixed\"\nrotation = \"fixed\"\n[history]", "rotation = \"fixed\"\n[history]"}}));
+  EXPECT_NE(told.find("translation along y of slider and base together is free: no support of any of them holds it"),
+            std::string::npos)
+      << told;
 }
 
 // A support that loses one corner to a rigid edge which is free there must be told, and the rest of it acts.
 TEST(WarnSetup, LostCorner) {
   const std::string side = "[support.side]\nedge = \"base_left\"\nx = \"fixed\"\n[history]";
-  auto scene = test::with(test::block_scene, {{"[history]", side}, {"edge     = \"base_bottom\"\nx        = \"fixed\"", "edge     = \"base_bottom\""}});
+  auto scene = test::with(
+      test::block_scene,
+      {{"[history]", side}, {"edge     = \"base_bottom\"\nx        = \"fixed\"", "edge     = \"base_bottom\""}});
   const auto problem = support::problem_from(
       {{"blocks.geo", test::two_blocks(0.0) + "Physical Curve(\"base_left\") = {8};\n"}, {"scene.toml", scene}});
   EXPECT_EQ(kinds(problem.warnings), Kinds{"support, support side"});
@@ -90,7 +103,8 @@ TEST(WarnSetup, StepWithoutCycles) {
 
 // Cycles that play no history which anything follows must be told.
 TEST(WarnSetup, CyclesThatPlayNothing) {
-  EXPECT_EQ(of_blocks({{"name = \"wear\"\nplay = [\"stroke\"]", "name = \"wear\""}, {"play = [\"press\"]", "play = [\"press\", \"stroke\"]"}}),
+  EXPECT_EQ(of_blocks({{"name = \"wear\"\nplay = [\"stroke\"]", "name = \"wear\""},
+                       {"play = [\"press\"]", "play = [\"press\", \"stroke\"]"}}),
             Kinds{"plays_nothing, step wear"});
 }
 
@@ -114,7 +128,8 @@ TEST(WarnSetup, ElementsAcrossByHertz) {
   EXPECT_NEAR(found[0].severity, 8.0 / 3.51, 0.1);
 }
 
-// Facets of a shaft in a bush, of a sagitta that the load does not press flat, must be told; those of order 2 lie on the arc.
+// Facets of a shaft in a bush, of a sagitta that the load does not press flat, must be told; those of order 2 lie on
+// the arc.
 TEST(WarnSetup, FacetsInABush) {
   const std::string geo = R"(SetFactory("OpenCASCADE");
 Disk(1) = {0, -0.05, 0, 10}; Disk(2) = {0, 0, 0, 13}; Disk(3) = {0, 0, 0, 10.05};

@@ -22,12 +22,13 @@ TEST(Warnings, TheMostSevereStays) {
   warn(state, observer, {"strain", "body block", "strain of 3 %", 0.03});
   ASSERT_EQ(state.warnings.size(), 3u);
   EXPECT_EQ(state.warnings[0].text, "strain of 4 %");
-  EXPECT_EQ(said, (std::vector<std::string>{"warning: strain, body pin: strain of 2 %", "warning: overlap: bodies overlap by 1 um",
+  EXPECT_EQ(said, (std::vector<std::string>{"warning: strain, body pin: strain of 2 %",
+                                            "warning: overlap: bodies overlap by 1 um",
                                             "warning: strain, body block: strain of 3 %"}));
 }
 
-// Plastic strain that grew in a cycle which stands for many must be told, with what is missing; none is missing where every
-// cycle is played, nor once the strain has settled.
+// Plastic strain that grew in a cycle which stands for many must be told, with what is missing; none is missing where
+// every cycle is played, nor once the strain has settled.
 TEST(Warnings, JumpedCyclesAddNoPlasticStrain) {
   const auto told = [](double before, double now, double cycles) {
     scene::Step step;

@@ -12,18 +12,29 @@ namespace {
 
 /// A pin with a ball end, R = 2, on a block, drawn whole or as the halves x >= 0 by hand.
 std::string drawn(bool whole) {
-  const std::string head = "SetFactory(\"Built-in\");\nPoint(1) = {0, 0, 0};\nPoint(2) = {2, 2, 0};\nPoint(3) = {2, 4, 0};\nPoint(9) = {0, 2, 0};\n"
-                           "Circle(1) = {1, 9, 2};\nLine(2) = {2, 3};\nPoint(12) = {4, -2, 0};\nPoint(13) = {4, 0, 0};\nLine(12) = {12, 13};\n";
-  const std::string rest = "Plane Surface(1) = {1};\nPlane Surface(2) = {2};\nPhysical Surface(\"pin\") = {1};\nPhysical Surface(\"block\") = {2};\n"
-                           "Physical Curve(\"face\") = {13};\nPhysical Curve(\"bottom\") = {11};\nPhysical Curve(\"top\") = {3};\n";
+  const std::string head =
+      "SetFactory(\"Built-in\");\nPoint(1) = {0, 0, 0};\nPoint(2) = {2, 2, 0};\nPoint(3) = {2, 4, 0};\nPoint(9) = {0, "
+      "2, 0};\n"
+      "Circle(1) = {1, 9, 2};\nLine(2) = {2, 3};\nPoint(12) = {4, -2, 0};\nPoint(13) = {4, 0, 0};\nLine(12) = {12, "
+      "13};\n";
+  const std::string rest =
+      "Plane Surface(1) = {1};\nPlane Surface(2) = {2};\nPhysical Surface(\"pin\") = {1};\nPhysical Surface(\"block\") "
+      "= {2};\n"
+      "Physical Curve(\"face\") = {13};\nPhysical Curve(\"bottom\") = {11};\nPhysical Curve(\"top\") = {3};\n";
   if (whole)
-    return head + "Point(5) = {-2, 4, 0};\nPoint(6) = {-2, 2, 0};\nLine(3) = {3, 5};\nLine(4) = {5, 6};\nCircle(5) = {6, 9, 1};\n"
-                  "Curve Loop(1) = {1, 2, 3, 4, 5};\nPoint(11) = {-4, -2, 0};\nPoint(14) = {-4, 0, 0};\nLine(11) = {11, 12};\nLine(13) = {13, 14};\n"
-                  "Line(14) = {14, 11};\nCurve Loop(2) = {11, 12, 13, 14};\n" + rest +
-                  "Physical Curve(\"ball\") = {1, 5};\nPhysical Curve(\"wall\") = {14};\n";
-  return head + "Point(4) = {0, 4, 0};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\nCurve Loop(1) = {1, 2, 3, 4};\nPoint(11) = {0, -2, 0};\n"
-                "Point(14) = {0, 0, 0};\nLine(11) = {11, 12};\nLine(13) = {13, 14};\nLine(14) = {14, 11};\nCurve Loop(2) = {11, 12, 13, 14};\n" + rest +
-                "Physical Curve(\"ball\") = {1};\n";
+    return head +
+           "Point(5) = {-2, 4, 0};\nPoint(6) = {-2, 2, 0};\nLine(3) = {3, 5};\nLine(4) = {5, 6};\nCircle(5) = {6, 9, "
+           "1};\n"
+           "Curve Loop(1) = {1, 2, 3, 4, 5};\nPoint(11) = {-4, -2, 0};\nPoint(14) = {-4, 0, 0};\nLine(11) = {11, "
+           "12};\nLine(13) = {13, 14};\n"
+           "Line(14) = {14, 11};\nCurve Loop(2) = {11, 12, 13, 14};\n" +
+           rest + "Physical Curve(\"ball\") = {1, 5};\nPhysical Curve(\"wall\") = {14};\n";
+  return head +
+         "Point(4) = {0, 4, 0};\nLine(3) = {3, 4};\nLine(4) = {4, 1};\nCurve Loop(1) = {1, 2, 3, 4};\nPoint(11) = {0, "
+         "-2, 0};\n"
+         "Point(14) = {0, 0, 0};\nLine(11) = {11, 12};\nLine(13) = {13, 14};\nLine(14) = {14, 11};\nCurve Loop(2) = "
+         "{11, 12, 13, 14};\n" +
+         rest + "Physical Curve(\"ball\") = {1};\n";
 }
 
 const char* const pin_scene = R"(analysis = "axisymmetric"
@@ -91,7 +102,11 @@ TEST(WholeSection, TellsOfCurvesThatAreCutAway) {
     problem_of(true, text);
     FAIL() << "the wall at x < 0 is no boundary";
   } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= 0 of "
-                                             "body \"block\" is taken"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what())
+                  .find("; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the "
+                        "half x >= 0 of "
+                        "body \"block\" is taken"),
+              std::string::npos)
+        << error.what();
   }
 }

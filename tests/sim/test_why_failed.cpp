@@ -38,7 +38,9 @@ TEST(WhyFailed, OutOfReach) {
   Begun begun({{"force_N_per_mm = -20.0", "motion_mm = -0.2"}}, 0.1);
   begun.system.contacts[0].search = 0.05;
   begun.attempt.reason = lost;
-  EXPECT_EQ(begun.why(), "the sides of contact pad are 0.1 mm apart, and facets are paired no farther than search_mm = 0.05; write search_mm = 0.15");
+  EXPECT_EQ(begun.why(),
+            "the sides of contact pad are 0.1 mm apart, and facets are paired no farther than search_mm = 0.05; write "
+            "search_mm = 0.15");
 }
 
 // A contact of two nodes must be told to be too coarse.
@@ -46,18 +48,23 @@ TEST(WhyFailed, TwoNodes) {
   Begun begun;
   auto& status = begun.state.solution.contacts[0].status;
   status[0] = status[1] = contact::ContactStatus::stick;
-  EXPECT_EQ(begun.why(), "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry it; make them shorter there, with a fine_zone");
+  EXPECT_EQ(begun.why(),
+            "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry it; make them shorter "
+            "there, with a fine_zone");
 }
 
 // A body that nothing but the lost contact held must be named with its motion.
 TEST(WhyFailed, CameAway) {
   Begun begun;
   begun.attempt.reason = lost;
-  EXPECT_EQ(begun.why(), "body slider has come away from contact pad, and no support holds its translation along y; check the direction of its loads, and "
-                         "that they press it on throughout the step");
+  EXPECT_EQ(begun.why(),
+            "body slider has come away from contact pad, and no support holds its translation along y; check the "
+            "direction of its loads, and "
+            "that they press it on throughout the step");
 }
 
-// Wear beyond the length of an element in one block must be named with its depth: 3e-8 mm^2/N x 1e4 cycles x 0.3 x 1e6 MPa x 0.04 mm.
+// Wear beyond the length of an element in one block must be named with its depth: 3e-8 mm^2/N x 1e4 cycles x 0.3 x 1e6
+// MPa x 0.04 mm.
 TEST(WhyFailed, WearsTooFast) {
   Begun begun;
   auto& contact = begun.state.solution.contacts[0];
@@ -65,6 +72,8 @@ TEST(WhyFailed, WearsTooFast) {
   contact.normal[2] = base::Vec2(0.0, -1.0);
   contact.lambda[2] = base::Vec2(0.0, -1e6);
   begun.attempt.jump = 1e4;
-  EXPECT_EQ(begun.why(), "contact pad would wear by some 3.6 mm in a block of 10000 cycles, more than its elements of 0.5 mm are long; check its wear "
-                         "coefficients, or write a smaller jump");
+  EXPECT_EQ(begun.why(),
+            "contact pad would wear by some 3.6 mm in a block of 10000 cycles, more than its elements of 0.5 mm are "
+            "long; check its wear "
+            "coefficients, or write a smaller jump");
 }

@@ -13,14 +13,17 @@ namespace {
 
 /// A yoke with two feet on a flat, round ones of radius 1 and 4 or flat ones, 6 apart.
 std::string yoke(bool round) {
-  const std::string feet = round ? "Circle(2) = {2, 20, 3};\nCircle(6) = {6, 21, 7};\n" : "Line(2) = {2, 3};\nLine(6) = {6, 7};\n";
-  const std::string ends = round ? "Point(2) = {-3.8, 0.4, 0};\nPoint(3) = {-2.2, 0.4, 0};\nPoint(20) = {-3, 1, 0};\n"
-                                   "Point(6) = {1.6, 0.25, 0};\nPoint(7) = {4.4, 0.25, 0};\nPoint(21) = {3, 4, 0};\n"
-                                 : "Point(2) = {-3.5, 0, 0};\nPoint(3) = {-2.5, 0, 0};\nPoint(6) = {2.5, 0, 0};\nPoint(7) = {3.5, 0, 0};\n";
+  const std::string feet =
+      round ? "Circle(2) = {2, 20, 3};\nCircle(6) = {6, 21, 7};\n" : "Line(2) = {2, 3};\nLine(6) = {6, 7};\n";
+  const std::string ends =
+      round ? "Point(2) = {-3.8, 0.4, 0};\nPoint(3) = {-2.2, 0.4, 0};\nPoint(20) = {-3, 1, 0};\n"
+              "Point(6) = {1.6, 0.25, 0};\nPoint(7) = {4.4, 0.25, 0};\nPoint(21) = {3, 4, 0};\n"
+            : "Point(2) = {-3.5, 0, 0};\nPoint(3) = {-2.5, 0, 0};\nPoint(6) = {2.5, 0, 0};\nPoint(7) = {3.5, 0, 0};\n";
   const std::string left = round ? "-3.8" : "-3.5", right = round ? "4.4" : "3.5";
-  return ends + "Point(1) = {" + left + ", 3, 0};\nPoint(4) = {-2.2, 1.5, 0};\nPoint(5) = {1.6, 1.5, 0};\nPoint(8) = {" + right +
-         ", 3, 0};\n" + feet +
-         "Line(1) = {1, 2};\nLine(3) = {3, 4};\nLine(4) = {4, 5};\nLine(5) = {5, 6};\nLine(7) = {7, 8};\nLine(8) = {8, 1};\n"
+  return ends + "Point(1) = {" + left +
+         ", 3, 0};\nPoint(4) = {-2.2, 1.5, 0};\nPoint(5) = {1.6, 1.5, 0};\nPoint(8) = {" + right + ", 3, 0};\n" + feet +
+         "Line(1) = {1, 2};\nLine(3) = {3, 4};\nLine(4) = {4, 5};\nLine(5) = {5, 6};\nLine(7) = {7, 8};\nLine(8) = {8, "
+         "1};\n"
          "Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7, 8};\nPlane Surface(1) = {1};\n"
          "Point(31) = {-6, -1, 0};\nPoint(32) = {6, -1, 0};\nPoint(33) = {6, 0, 0};\nPoint(34) = {-6, 0, 0};\n"
          "Line(31) = {31, 32};\nLine(32) = {32, 33};\nLine(33) = {33, 34};\nLine(34) = {34, 31};\n"
@@ -71,7 +74,9 @@ std::array<double, 2> spacing(const mesh::Mesh& mesh, const cad::FineZone& zone)
   for (const auto& chain : mesh.boundaries.at("feet"))
     for (std::size_t i = 1; i < chain.size(); ++i) {
       const auto &a = mesh.X[chain[i - 1]], &b = mesh.X[chain[i]];
-      if (std::max(std::abs(a.x() - zone.centre_mm.x()), std::abs(b.x() - zone.centre_mm.x())) > zone.half_width_mm + 1e-9) continue;
+      if (std::max(std::abs(a.x() - zone.centre_mm.x()), std::abs(b.x() - zone.centre_mm.x())) >
+          zone.half_width_mm + 1e-9)
+        continue;
       range = {std::min(range[0], (b - a).norm()), std::max(range[1], (b - a).norm())};
     }
   return range;
@@ -79,10 +84,13 @@ std::array<double, 2> spacing(const mesh::Mesh& mesh, const cad::FineZone& zone)
 
 }  // namespace
 
-// Of two fine zones of a contact the one that wear outruns must grow, and the other stay as the scene asks, its elements, too.
+// Of two fine zones of a contact the one that wear outruns must grow, and the other stay as the scene asks, its
+// elements, too.
 TEST(Zones, EachGrowsByItself) {
-  const auto problem = support::problem_from({{"yoke.geo", yoke(true)}, {"scene.toml", std::string(yoke_scene) +
-                                              "[[step]]\nplay = []\ncycles = 60\njump = { tolerance = 0.1, first = 1 }\n"}});
+  const auto problem = support::problem_from(
+      {{"yoke.geo", yoke(true)},
+       {"scene.toml",
+        std::string(yoke_scene) + "[[step]]\nplay = []\ncycles = 60\njump = { tolerance = 0.1, first = 1 }\n"}});
   auto state = sim::initial_state(problem);
   const auto summary = sim::run(problem, state, {});
   ASSERT_EQ(summary.status, sim::RunStatus::done) << summary.reason;

@@ -11,8 +11,8 @@ void PrintTo(const WornScene& scene, std::ostream* out) { *out << scene.name; }
 
 class CarriedGapScenes : public testing::TestWithParam<WornScene> {};
 
-// Whatever is worn to a conforming contact must keep its pressure over every remesh within 2 % (at each node within 0.9 of its
-// width 3 %), its largest depth within 0.5 % and its book of volumes to 1e-9.
+// Whatever is worn to a conforming contact must keep its pressure over every remesh within 2 % (at each node within 0.9
+// of its width 3 %), its largest depth within 0.5 % and its book of volumes to 1e-9.
 TEST_P(CarriedGapScenes, KeepPressureAndDepth) {
   const auto w = watched(scene_text(GetParam().name));
   EXPECT_GE(w.remeshes.size(), 2U);
@@ -25,6 +25,7 @@ TEST_P(CarriedGapScenes, KeepPressureAndDepth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Geo, CarriedGapScenes,
-                         testing::Values(WornScene{"pin_worn_flat"}, WornScene{"block_on_ring"}, WornScene{"fretting_deep"},
-                                         WornScene{"pin_in_hole"}, WornScene{"ball_worn_flat"}),
+                         testing::Values(WornScene{"pin_worn_flat"}, WornScene{"block_on_ring"},
+                                         WornScene{"fretting_deep"}, WornScene{"pin_in_hole"},
+                                         WornScene{"ball_worn_flat"}),
                          [](const auto& scene) { return std::string(scene.param.name); });

@@ -4,14 +4,18 @@
 
 using namespace reye;
 
-// A run of a hundred thousand blocks must need no more memory than one of a thousand, and less disk than its stated bound.
+// A run of a hundred thousand blocks must need no more memory than one of a thousand, and less disk than its stated
+// bound.
 TEST(Lives, HundredThousandBlocks) { test::expect_bounded(100000); }
 
-// A run with friction, wear, plastic flow and fresh meshes that is killed two hundred times must end as the unbroken one.
+// A run with friction, wear, plastic flow and fresh meshes that is killed two hundred times must end as the unbroken
+// one.
 TEST(Lives, TwoHundredKills) { test::expect_survival(200); }
 
-// The same run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the unbroken one.
+// The same run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the
+// unbroken one.
 TEST(Lives, TwoHundredPowerCuts) { test::expect_survival(200, true); }
 
-// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or gone on from.
+// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or gone on
+// from.
 TEST(Lives, TwoHundredAlteredCheckpoints) { test::expect_sentences(200); }

@@ -19,8 +19,10 @@ double limit_depth(double edge) {
 
 /// The scene without its last step.
 Replacements first_tenth() {
-  return {{"[[step]]\nname = \"to 25 mm^3 per J\"\nplay = [\"shear\"]\nincrements = 40\ncycles = 9000\n"
-           "jump = { tolerance = 0.01 }\n", ""}};
+  return {
+      {"[[step]]\nname = \"to 25 mm^3 per J\"\nplay = [\"shear\"]\nincrements = 40\ncycles = 9000\n"
+       "jump = { tolerance = 0.01 }\n",
+       ""}};
 }
 
 double edge_of_stick(const sim::SurfaceRecord& s) {
@@ -48,11 +50,14 @@ TEST(PartialSlipLife, AgainstTheHalfPlane) {
   EXPECT_NEAR(run.contact().secondary.worn_area / half_plane::area(grid, exact.depth), 1.0, 0.05);
 }
 
-// At Q = 0.5 mu P the depth must be 0.600 of the limit at alpha N = 2.5 mm^3/J within 2 %; at 25 the stick edge must lie within one
-// element of Cattaneo and Mindlin's, the depth within 8 % of the limit with that edge, the pressure in the middle within 3 %.
+// At Q = 0.5 mu P the depth must be 0.600 of the limit at alpha N = 2.5 mm^3/J within 2 %; at 25 the stick edge must
+// lie within one element of Cattaneo and Mindlin's, the depth within 8 % of the limit with that edge, the pressure in
+// the middle within 3 %.
 TEST(PartialSlipLife, TheLimitProfile) {
   const auto frames = frames_of(scene_text("partial_slip_life"));
-  const auto deepest = [](const sim::SurfaceRecord& s) { return *std::max_element(s.wear_depth_mm.begin(), s.wear_depth_mm.end()); };
+  const auto deepest = [](const sim::SurfaceRecord& s) {
+    return *std::max_element(s.wear_depth_mm.begin(), s.wear_depth_mm.end());
+  };
   EXPECT_NEAR(deepest(frames.at("to 2.5 mm^3 per J").surfaces.at(0)) / limit_depth(c), 0.600, 0.012);
   const auto& end = frames.at("to 25 mm^3 per J").surfaces.at(0);
   const double edge = edge_of_stick(end);

@@ -69,7 +69,8 @@ cycles = 4e6
 )";
 
 sim::SurfaceRecord end_of(const std::string& jump) {
-  const auto problem = support::problem_from({{"ball.geo", ball}, {"scene.toml", std::string(worn_ball) + "jump = " + jump + "\n"}});
+  const auto problem =
+      support::problem_from({{"ball.geo", ball}, {"scene.toml", std::string(worn_ball) + "jump = " + jump + "\n"}});
   auto state = sim::initial_state(problem);
   sim::Frame last;
   sim::Observer observer;
@@ -102,7 +103,8 @@ TEST(Tolerance, WornBallEndsWithLevelPressure) {
   EXPECT_NEAR(peak / expected, 1.0, 0.05);
 }
 
-// The estimated error must lie between a half and five times the true one, with increments that are cut as well as without.
+// The estimated error must lie between a half and five times the true one, with increments that are cut as well as
+// without.
 TEST(Tolerance, EstimateSurvivesCutBacks) {
   const auto run = [](const std::string& jump, const std::string& more) {
     const auto problem = verification::prepared(verification::scene_text("life_band", life(jump, more)));

@@ -12,8 +12,8 @@ TEST(Turning, TenRevolutionsRolled) { rolling::expect_rolling(10); }
 // A wheel of 20 mm that spins a thousand revolutions must neither fail nor drift.
 TEST(Turning, ThousandRevolutionsSpun) { rolling::expect_no_drift(120, 24000); }
 
-// A shaft that turns all round, whose fine zone is drawn for a place that it leaves at once, must wear its bush as a rigid one
-// does, on facets as fine as the zone asks wherever it touches.
+// A shaft that turns all round, whose fine zone is drawn for a place that it leaves at once, must wear its bush as a
+// rigid one does, on facets as fine as the zone asks wherever it touches.
 TEST(Turning, FullTurnsWearAsARigidShaftDoes) {
   Replacements turns{{"motion_rad = 0.5", "motion_rad = 6.283185307"},
                      {"swing = [[0, 0], [0.25, 1], [0.75, -1], [1, 0]]", "swing = [[0, 0], [1, 1]]"},
@@ -30,6 +30,7 @@ TEST(Turning, FullTurnsWearAsARigidShaftDoes) {
   const auto& journal = turned.problem.shapes[0]->mesh;
   double longest = 0.0;
   for (const auto& chain : journal.boundaries.at("journal"))
-    for (std::size_t k = 1; k < chain.size(); ++k) longest = std::max(longest, (journal.X[chain[k]] - journal.X[chain[k - 1]]).norm());
+    for (std::size_t k = 1; k < chain.size(); ++k)
+      longest = std::max(longest, (journal.X[chain[k]] - journal.X[chain[k - 1]]).norm());
   EXPECT_LT(longest, 0.31);
 }

@@ -9,12 +9,12 @@ namespace reye::support {
 struct BlocksOptions {
   double friction = 0.0;
   wear::Law wear = {};
-  double press = 0.03;       ///< mm that the upper block is pushed down
-  double drag = 0.0;         ///< and along the contact
-  double angle = 0.0;        ///< the whole scene is turned by this [rad]
-  double crown = 0.03;       ///< how far the ends of the lower block lie below its middle [mm]
+  double press = 0.03;  ///< mm that the upper block is pushed down
+  double drag = 0.0;    ///< and along the contact
+  double angle = 0.0;   ///< the whole scene is turned by this [rad]
+  double crown = 0.03;  ///< how far the ends of the lower block lie below its middle [mm]
   bool upper_rigid = false;
-  double rotation = 0.0;     ///< of a rigid upper block [rad]
+  double rotation = 0.0;  ///< of a rigid upper block [rad]
   bool upper_secondary = false;
   mesh::CellKind lower = mesh::CellKind::quad4, upper = mesh::CellKind::quad4;
   contact::DualOrder dual = contact::DualOrder::quadratic;
@@ -34,9 +34,9 @@ inline body::Support holder(const BlocksOptions& o) {
 /// The lower block [0, 2] x [0, 1] (6 facets) has a crowned top; the upper one lies on its middle (7 facets).
 inline Assembly blocks(const BlocksOptions& o) {
   Assembly a;
-  const auto crowned = mapped(rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3, .kind = o.lower}), [&](const base::Vec2& x) {
-    return base::Vec2(x.x(), x.y() * (1.0 - o.crown * (x.x() - 1.0) * (x.x() - 1.0)));
-  });
+  const auto crowned = mapped(
+      rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3, .kind = o.lower}),
+      [&](const base::Vec2& x) { return base::Vec2(x.x(), x.y() * (1.0 - o.crown * (x.x() - 1.0) * (x.x() - 1.0))); });
   a.meshes = {turned(crowned, o.angle),
               turned(rectangle({.corner = {0.1, 1}, .size = {1.7, 1}, .nx = 7, .ny = 3, .kind = o.upper}), o.angle)};
   a.inputs = {elastic(1000.0, 0.3), elastic(2000.0, 0.25)};

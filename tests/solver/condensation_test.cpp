@@ -155,8 +155,8 @@ Assembly wide_slider(double drag) {
   return a;
 }
 
-// A slide of more than a facet in one increment must converge, in as many steps and to the same state as with all nodes in
-// reach.
+// A slide of more than a facet in one increment must converge, in as many steps and to the same state as with all nodes
+// in reach.
 TEST(condensation, slides_past_the_rim_of_the_reach) {
   const auto system = support::system_of(wide_slider(0.0));
   solver::NewtonOptions all;
@@ -190,8 +190,8 @@ std::pair<double, base::Vec2> carried(const solver::System& system, const base::
   return {largest, sum};
 }
 
-// A body 10^6 times as stiff as what it slides on must be in balance however far it has moved, with nodes out of reach or
-// not.
+// A body 10^6 times as stiff as what it slides on must be in balance however far it has moved, with nodes out of reach
+// or not.
 TEST(condensation, stiff_body_balances_far_from_its_start) {
   for (bool limited : {true, false}) {
     auto a = wide_slider(0.0);

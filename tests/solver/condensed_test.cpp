@@ -57,8 +57,8 @@ TEST(condensed, where_nothing_holds) {
   Matrix S = -stiffness(9);
   for (int i = 0; i < 9; ++i) S(i, i) -= S.row(i).sum();
   const reye::solver::Condensed directly(shared(S), nullptr, near, far);
-  const reye::solver::Condensed inversely(shared(S), std::make_shared<const reye::algebra::Compliance>(S, std::vector<int>{3}),
-                                          near, far);
+  const reye::solver::Condensed inversely(
+      shared(S), std::make_shared<const reye::algebra::Compliance>(S, std::vector<int>{3}), near, far);
   EXPECT_LT((inversely.stiffness() - directly.stiffness()).norm(), 1e-13 * S.norm());
   EXPECT_LT((inversely.stiffness() * Vector::Ones(5)).norm(), 1e-13 * S.norm());
   const Vector f = Vector::LinSpaced(9, -1.0, 1.0);

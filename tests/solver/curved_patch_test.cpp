@@ -42,7 +42,9 @@ class FiniteRing {
   const double mu_ = material::shear_modulus(rubber), lambda_ = material::lame_lambda(rubber);
 
   /// P_i = (mu (l_i^2 - 1) + lambda ln J) / l_i.
-  double nominal(double own, double other) const { return (mu_ * (own * own - 1.0) + lambda_ * std::log(own * other)) / own; }
+  double nominal(double own, double other) const {
+    return (mu_ * (own * own - 1.0) + lambda_ * std::log(own * other)) / own;
+  }
 
   /// Stretch along the radius with the given nominal stress, by Newton.
   double radial(double P, double hoop) const {
@@ -69,8 +71,8 @@ class FiniteRing {
     const auto moved = [](const State& a, double t, const State& d) { return State{a[0] + t * d[0], a[1] + t * d[1]}; };
     for (int k = 0; k < steps; ++k) {
       const double at = 1.0 + k * h;
-      const State k1 = slope(at, s), k2 = slope(at + 0.5 * h, moved(s, 0.5 * h, k1)), k3 = slope(at + 0.5 * h, moved(s, 0.5 * h, k2)),
-                  k4 = slope(at + h, moved(s, h, k3));
+      const State k1 = slope(at, s), k2 = slope(at + 0.5 * h, moved(s, 0.5 * h, k1)),
+                  k3 = slope(at + 0.5 * h, moved(s, 0.5 * h, k2)), k4 = slope(at + h, moved(s, h, k3));
       for (int i : {0, 1}) s[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
     }
     return s;
@@ -127,8 +129,9 @@ void expect_rate(const Rings& s, double slope, double largest) {
   const int n = s.kinematics == Kinematics::small ? 6 : 4;
   const double coarse = error(s, n), fine = error(s, 2 * n);
   const auto kind = [](CellKind k) { return std::to_string(static_cast<int>(k)); };
-  SCOPED_TRACE(kind(s.inner) + " in " + kind(s.outer) + (s.inner_secondary ? ", inner" : ", outer") + " secondary, dual " +
-               std::to_string(static_cast<int>(s.dual)) + (s.kinematics == Kinematics::small ? ", small" : ", finite"));
+  SCOPED_TRACE(kind(s.inner) + " in " + kind(s.outer) + (s.inner_secondary ? ", inner" : ", outer") +
+               " secondary, dual " + std::to_string(static_cast<int>(s.dual)) +
+               (s.kinematics == Kinematics::small ? ", small" : ", finite"));
   EXPECT_GT(std::log2(coarse / fine), slope) << coarse << ' ' << fine;
   EXPECT_LT(fine, largest);
 }
@@ -141,12 +144,13 @@ TEST(curved_patch, first_order) {
   for (const auto kind : {CellKind::quad4, CellKind::tri3})
     for (const auto kinematics : {Kinematics::small, Kinematics::finite})
       for (const bool inner_secondary : {true, false})
-        expect_rate({.inner = kind, .outer = kind, .kinematics = kinematics, .inner_secondary = inner_secondary}, 0.9, 0.4);
+        expect_rate({.inner = kind, .outer = kind, .kinematics = kinematics, .inner_secondary = inner_secondary}, 0.9,
+                    0.4);
 }
 
-// Between rings of second order it must be a few hundred times better. A dual basis sees the normal turn over a facet as a
-// saw-tooth of shear on the primary side, of size p h / r: with the coarser ring secondary that bounds the slope to one
-// in the end, from far below; with the finer one secondary slope two is left.
+// Between rings of second order it must be a few hundred times better. A dual basis sees the normal turn over a facet
+// as a saw-tooth of shear on the primary side, of size p h / r: with the coarser ring secondary that bounds the slope
+// to one in the end, from far below; with the finer one secondary slope two is left.
 TEST(curved_patch, second_order) {
   for (const auto kind : {CellKind::quad8, CellKind::tri6})
     for (const auto kinematics : {Kinematics::small, Kinematics::finite})

@@ -12,7 +12,7 @@ using contact::ContactStatus;
 using support::Assembly;
 
 struct Joint {
-  double at = 1.0;   ///< where one upper block ends and the other begins; nodes of the lower one are 1/3 apart
+  double at = 1.0;  ///< where one upper block ends and the other begins; nodes of the lower one are 1/3 apart
   double crown = 0.0;
   double drag = 0.0;
   double nu = 0.0;
@@ -24,10 +24,9 @@ struct Joint {
 /// The lower block [0, 2] x [0, 1]; on its top two blocks side by side, each a contact of its own.
 Assembly side_by_side(const Joint& j) {
   Assembly a;
-  const auto crowned = support::mapped(support::rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3, .kind = j.lower}),
-                                       [&](const base::Vec2& x) {
-                                         return base::Vec2(x.x(), x.y() * (1.0 - j.crown * (x.x() - 1.0) * (x.x() - 1.0)));
-                                       });
+  const auto crowned = support::mapped(
+      support::rectangle({.corner = {0, 0}, .size = {2, 1}, .nx = 6, .ny = 3, .kind = j.lower}),
+      [&](const base::Vec2& x) { return base::Vec2(x.x(), x.y() * (1.0 - j.crown * (x.x() - 1.0) * (x.x() - 1.0))); });
   a.meshes = {crowned, support::rectangle({.corner = {0.0, 1}, .size = {j.at, 1}, .nx = 4, .ny = 3}),
               support::rectangle({.corner = {j.at, 1}, .size = {2.0 - j.at, 1}, .nx = 5, .ny = 3})};
   a.inputs = {support::elastic(1000.0, j.nu), support::elastic(2000.0, j.nu), support::elastic(2000.0, j.nu)};
@@ -58,7 +57,8 @@ base::Vec2 force_of(const contact::ContactState& state) {
 
 }  // namespace
 
-// Where one primary side ends at a node and another begins, one pressure must pass exactly, and no node carries two multipliers.
+// Where one primary side ends at a node and another begins, one pressure must pass exactly, and no node carries two
+// multipliers.
 TEST(division, uniform_pressure_across_a_joint_at_a_node) {
   for (const auto lower : {mesh::CellKind::quad4, mesh::CellKind::quad8})
     for (const auto dual : {contact::DualOrder::linear, contact::DualOrder::quadratic}) {
@@ -85,8 +85,8 @@ TEST(division, uniform_pressure_across_a_joint_at_a_node) {
     }
 }
 
-// With a joint anywhere, friction in one contact, another in the other, and wear on all sides, Newton's last step must square the
-// residual: the multipliers of both are eliminated in an order in which each node's balance is whole.
+// With a joint anywhere, friction in one contact, another in the other, and wear on all sides, Newton's last step must
+// square the residual: the multipliers of both are eliminated in an order in which each node's balance is whole.
 TEST(division, quadratic_across_a_joint_anywhere) {
   for (const double at : {0.9, 1.0, 1.1, 1.3, 4.0 / 3.0})
     for (const auto lower : {mesh::CellKind::quad4, mesh::CellKind::quad8})
@@ -107,7 +107,8 @@ TEST(division, quadratic_across_a_joint_anywhere) {
         const auto reactions = solver::reactions(system, result.state, support::controls_of(a, system));
         for (int c : {0, 1}) {
           base::Vec2 held = base::Vec2::Zero();
-          for (const auto& column : std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, system.bodies[c + 1]))
+          for (const auto& column : std::visit(
+                   [](const auto& o) -> const auto& { return o.support_columns(); }, system.bodies[c + 1]))
             held += reactions[system.offset[c + 1] + column.column] * column.direction;
           EXPECT_LT((force_of(result.state.contacts[c]) + held).norm(), 1e-7) << at << ' ' << c;
         }

@@ -22,7 +22,8 @@ const material::NeoHookean rubber{E, nu, material::Volumetric::log_squared};
 Tensor cauchy(const Tensor& F) {
   const double J = F.determinant();
   return (material::shear_modulus(rubber) * (F * F.transpose() - Tensor::Identity()) +
-          material::lame_lambda(rubber) * std::log(J) * Tensor::Identity()) / J;
+          material::lame_lambda(rubber) * std::log(J) * Tensor::Identity()) /
+         J;
 }
 
 /// Height shrinks to `height`, the sides are free: the width for which sigma_11 = 0, by Newton.
@@ -93,7 +94,9 @@ body::BodyInput upper_input(const Patch& s) {
 support::Assembly assembly(const Patch& s) {
   support::Assembly a;
   const auto block = [&](const Vec2& corner, double width, int nx, CellKind kind) {
-    return support::turned(support::rectangle({.corner = corner, .size = {width, 1}, .nx = nx, .ny = 2, .kind = kind, .distortion = 0.4}), s.angle);
+    return support::turned(
+        support::rectangle({.corner = corner, .size = {width, 1}, .nx = nx, .ny = 2, .kind = kind, .distortion = 0.4}),
+        s.angle);
   };
   a.meshes = {block({0, -1}, s.width, s.lower, s.lower_kind), block({s.a, 0}, s.b - s.a, s.upper, s.upper_kind)};
   a.inputs = {lower_input(s), upper_input(s)};
@@ -105,8 +108,8 @@ support::Assembly assembly(const Patch& s) {
 }
 
 /// Displacement and stress of a body must be those of F at each node.
-void expect_homogeneous(const Patch& s, const body::BodyInput& in, const mesh::Mesh& mesh, const body::NonlinearBody& body,
-                        const base::Vector& q, const body::Interior& interior) {
+void expect_homogeneous(const Patch& s, const body::BodyInput& in, const mesh::Mesh& mesh,
+                        const body::NonlinearBody& body, const base::Vector& q, const body::Interior& interior) {
   const auto u = body.recover(q, interior.y);
   base::Vector all(2 * static_cast<Eigen::Index>(u.size()));
   for (std::size_t i = 0; i < u.size(); ++i) {
@@ -152,8 +155,8 @@ int expect_patch(const Patch& s, ContactStatus status) {
   return active;
 }
 
-/// All four kinds of cells against each other, both kinds of multipliers on those of second order, both sides secondary,
-/// upright and turned; wholly and partly covered.
+/// All four kinds of cells against each other, both kinds of multipliers on those of second order, both sides
+/// secondary, upright and turned; wholly and partly covered.
 void every_way(Patch s, ContactStatus status) {
   const std::pair<CellKind, CellKind> kinds[] = {{CellKind::quad4, CellKind::quad4}, {CellKind::tri3, CellKind::quad4},
                                                  {CellKind::quad8, CellKind::quad8}, {CellKind::quad8, CellKind::tri6},
@@ -171,8 +174,9 @@ void every_way(Patch s, ContactStatus status) {
             if (mesh::order(upper_secondary ? upper : lower) == 1 && dual == contact::DualOrder::linear) continue;
             std::tie(s.a, s.b, s.width) = partly ? std::tuple{0.7, 2.23, 3.1} : std::tuple{0.0, 2.0, 2.0};
             SCOPED_TRACE(std::to_string(static_cast<int>(lower)) + " below " + std::to_string(static_cast<int>(upper)) +
-                         (partly ? ", partly covered, " : ", ") + (upper_secondary ? "upper" : "lower") + " secondary, " +
-                         std::to_string(s.degrees()) + " degrees, dual " + std::to_string(static_cast<int>(dual)));
+                         (partly ? ", partly covered, " : ", ") + (upper_secondary ? "upper" : "lower") +
+                         " secondary, " + std::to_string(s.degrees()) + " degrees, dual " +
+                         std::to_string(static_cast<int>(dual)));
             EXPECT_GE(expect_patch(s, status), 3);
           }
 }

@@ -13,8 +13,8 @@ constexpr double mu = 0.3, press_mm = 2e-6;
 
 /// A block [0.1, 1.8] x [1, 2], pressed on its top and dragged by its left side, on a flat one [0, 2] x [0, 1].
 struct Dragged {
-  double drag = 1e-5;        ///< mm that the side moves along x
-  double base_drag = 0.0;   ///< and the counter body, whose nodes all move so along x when it is not rigid
+  double drag = 1e-5;      ///< mm that the side moves along x
+  double base_drag = 0.0;  ///< and the counter body, whose nodes all move so along x when it is not rigid
   double friction = mu;
   bool rigid_base = false;
 };
@@ -54,7 +54,8 @@ Solved solve(const Assembly& a) {
   EXPECT_TRUE(s.result.report.converged) << s.result.report.reason;
   if (!s.result.report.converged) return s;
   const auto forces = solver::reactions(s.system, s.result.state, controls);
-  for (const auto& column : std::visit([](const auto& b) -> const auto& { return b.support_columns(); }, s.system.bodies[1]))
+  for (const auto& column : std::visit(
+           [](const auto& b) -> const auto& { return b.support_columns(); }, s.system.bodies[1]))
     (column.support == 1 ? s.drive : s.press) += forces[s.system.offset[1] + column.column];
   return s;
 }

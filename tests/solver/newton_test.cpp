@@ -20,7 +20,8 @@ double error(const solver::Iteration& row) { return std::max(row.force, row.cond
 std::string text(const std::vector<solver::Iteration>& table) {
   std::ostringstream s;
   s << std::scientific << std::setprecision(2);
-  for (const auto& row : table) s << "\n  force " << row.force << "  condition " << row.condition << "  changes " << row.changes;
+  for (const auto& row : table)
+    s << "\n  force " << row.force << "  condition " << row.condition << "  changes " << row.changes;
   return s.str();
 }
 
@@ -138,7 +139,8 @@ TEST(newton, chords_change_nothing_but_the_cost) {
 
 // So must tangents that nonlinear bodies keep, with fewer of them.
 TEST(newton, kept_tangents_change_nothing_but_the_cost) {
-  auto a = support::blocks({.friction = 0.3, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.03, .drag = 0.1, .angle = 0.4});
+  auto a = support::blocks(
+      {.friction = 0.3, .wear = {LawKind::energy, 1e-3, 2e-3}, .press = 0.03, .drag = 0.1, .angle = 0.4});
   for (auto& input : a.inputs) {
     input.kinematics = base::Kinematics::finite;
     input.material = material::NeoHookean{1000.0, 0.3, material::Volumetric::log_squared};
@@ -178,7 +180,8 @@ TEST(newton, a_singular_system_is_a_reason) {
   const auto system = support::system_of(a);
   const auto result = solver::Newton().solve(system, support::fresh(system), support::controls_of(a, system));
   EXPECT_FALSE(result.report.converged);
-  EXPECT_NE(result.report.reason.find("a body has lost the contact that holds it"), std::string::npos) << result.report.reason;
+  EXPECT_NE(result.report.reason.find("a body has lost the contact that holds it"), std::string::npos)
+      << result.report.reason;
 }
 
 /// Blocks in another unit of length, forces the same; the upper one hangs on an edge that may turn.
@@ -205,16 +208,15 @@ TEST(newton, residuals_know_no_unit) {
     const auto other = table(in_unit(length));
     ASSERT_EQ(plain.size(), other.size()) << length << text(plain) << text(other);
     for (std::size_t i = 0; i < plain.size(); ++i) {
-      EXPECT_NEAR(other[i].force, plain[i].force, 1e-3 * plain[i].force + 1e-12) << length << text(plain) << text(other);
+      EXPECT_NEAR(other[i].force, plain[i].force, 1e-3 * plain[i].force + 1e-12)
+          << length << text(plain) << text(other);
       EXPECT_NEAR(other[i].condition, plain[i].condition, 1e-3 * plain[i].condition + 1e-12) << length;
     }
   }
 }
 
 // Contacts in a chain must be eliminated before those whose secondary nodes they load.
-TEST(order, chain) {
-  EXPECT_EQ(support::system_of(support::chain(0.0)).elimination, (std::vector<int>{0, 2, 1}));
-}
+TEST(order, chain) { EXPECT_EQ(support::system_of(support::chain(0.0)).elimination, (std::vector<int>{0, 2, 1})); }
 
 // Contacts whose sides load each other in a ring must be refused as bad input.
 TEST(order, ring_is_refused) {

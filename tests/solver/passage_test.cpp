@@ -10,7 +10,8 @@ using namespace reye;
 /// The upper block 0.1 mm above the lower one, pushed down or aside in one increment.
 solver::SolveResult pushed(double down, double aside = 0.0, bool upper_secondary = true, double search = 0.0,
                            double inset = 0.0) {
-  auto a = support::blocks({.friction = 0.3, .press = down, .drag = aside, .crown = 0.0, .upper_secondary = upper_secondary});
+  auto a = support::blocks(
+      {.friction = 0.3, .press = down, .drag = aside, .crown = 0.0, .upper_secondary = upper_secondary});
   for (auto& x : a.meshes[1].X) x.y() += 0.1;
   a.touches[0].options.search_mm = search;
   const auto system = support::system_of(a);
@@ -24,7 +25,8 @@ TEST(passage, an_overlap_that_no_integral_saw_is_refused) {
   for (bool upper_secondary : {false, true}) {
     const auto result = pushed(0.6, 0.0, upper_secondary);
     EXPECT_FALSE(result.report.converged);
-    EXPECT_NE(result.report.reason.find("went through the other side of contact"), std::string::npos) << result.report.reason;
+    EXPECT_NE(result.report.reason.find("went through the other side of contact"), std::string::npos)
+        << result.report.reason;
   }
 }
 
@@ -46,7 +48,8 @@ TEST(passage, contact_and_free_motion_are_accepted) {
 TEST(passage, beyond_a_drawn_overlap) {
   const auto result = pushed(0.6, 0.0, true, 0.0, 0.05);
   EXPECT_FALSE(result.report.converged);
-  EXPECT_NE(result.report.reason.find("went through the other side of contact"), std::string::npos) << result.report.reason;
+  EXPECT_NE(result.report.reason.find("went through the other side of contact"), std::string::npos)
+      << result.report.reason;
 }
 
 // A slide far beyond the search along a closed contact must not be taken for a passage.

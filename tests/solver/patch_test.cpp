@@ -35,7 +35,9 @@ fem::BoundaryLoad load(const Patch& s, const std::string& edge, double x, double
 }
 
 /// Tractions of the uniform state sigma_yy = -p, sigma_xy = shear on the two sides of a block.
-std::vector<fem::BoundaryLoad> sides(const Patch& s) { return {load(s, "right", 0.0, s.shear), load(s, "left", 0.0, -s.shear)}; }
+std::vector<fem::BoundaryLoad> sides(const Patch& s) {
+  return {load(s, "right", 0.0, s.shear), load(s, "left", 0.0, -s.shear)};
+}
 
 body::BodyInput lower_input(const Patch& s) {
   auto in = support::elastic(E, nu);
@@ -67,8 +69,20 @@ body::BodyInput upper_input(const Patch& s) {
 Assembly assembly(const Patch& s) {
   const double angle = s.angle * std::numbers::pi / 180.0;
   Assembly a;
-  a.meshes = {support::turned(support::rectangle({.corner = {0, -1}, .size = {s.width, 1}, .nx = s.lower, .ny = 2, .kind = s.lower_kind, .distortion = 0.4}), angle),
-              support::turned(support::rectangle({.corner = {s.a, 0}, .size = {s.b - s.a, 1}, .nx = s.upper, .ny = 3, .kind = s.upper_kind, .distortion = 0.4}), angle)};
+  a.meshes = {support::turned(support::rectangle({.corner = {0, -1},
+                                                  .size = {s.width, 1},
+                                                  .nx = s.lower,
+                                                  .ny = 2,
+                                                  .kind = s.lower_kind,
+                                                  .distortion = 0.4}),
+                              angle),
+              support::turned(support::rectangle({.corner = {s.a, 0},
+                                                  .size = {s.b - s.a, 1},
+                                                  .nx = s.upper,
+                                                  .ny = 3,
+                                                  .kind = s.upper_kind,
+                                                  .distortion = 0.4}),
+                              angle)};
   a.inputs = {lower_input(s), upper_input(s)};
   contact::ContactOptions o;
   o.friction = s.friction;
@@ -105,7 +119,9 @@ int expect_uniform(const Patch& s, ContactStatus status) {
 std::vector<Patch> of_second_order(Patch s) {
   using mesh::CellKind;
   std::vector<Patch> all;
-  for (const auto& [lower, upper] : {std::pair{CellKind::quad8, CellKind::quad8}, {CellKind::tri6, CellKind::quad4}, {CellKind::quad4, CellKind::tri6}})
+  for (const auto& [lower, upper] : {std::pair{CellKind::quad8, CellKind::quad8},
+                                     {CellKind::tri6, CellKind::quad4},
+                                     {CellKind::quad4, CellKind::tri6}})
     for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear}) {
       s.lower_kind = lower;
       s.upper_kind = upper;
@@ -122,8 +138,8 @@ void every_way(Patch s, Check check) {
     for (double angle : {0.0, 30.0}) {
       s.upper_secondary = upper_secondary;
       s.angle = angle;
-      SCOPED_TRACE(std::to_string(s.upper) + " on " + std::to_string(s.lower) + ", " + (upper_secondary ? "upper" : "lower") +
-                   " secondary, " + std::to_string(angle) + " degrees");
+      SCOPED_TRACE(std::to_string(s.upper) + " on " + std::to_string(s.lower) + ", " +
+                   (upper_secondary ? "upper" : "lower") + " secondary, " + std::to_string(angle) + " degrees");
       check(s);
     }
 }
@@ -150,7 +166,8 @@ TEST(patch, stick) {
   for (const auto& [upper, lower] : meshes) {
     const auto check = [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::stick), 3); };
     every_way({.upper = upper, .lower = lower, .shear = 2.0, .friction = 0.3}, check);
-    every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = -2.0, .friction = 0.3}, check);
+    every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = -2.0, .friction = 0.3},
+              check);
   }
 }
 
@@ -159,7 +176,14 @@ TEST(patch, stick) {
 TEST(patch, slip) {
   for (const auto& [upper, lower] : meshes)
     for (double sign : {1.0, -1.0})
-      every_way({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = sign * 3.0, .friction = 0.3, .slide = sign * 0.01},
+      every_way({.upper = upper,
+                 .lower = lower,
+                 .a = 0.7,
+                 .b = 2.23,
+                 .width = 3.1,
+                 .shear = sign * 3.0,
+                 .friction = 0.3,
+                 .slide = sign * 0.01},
                 [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::slip), 3); });
 }
 
@@ -169,8 +193,10 @@ TEST(patch, second_order) {
   const auto shear = [](const Patch& s) { EXPECT_GE(expect_uniform(s, ContactStatus::stick), 3); };
   for (const auto& [upper, lower] : {std::pair{2, 3}, {7, 5}}) {
     for (const auto& s : of_second_order({.upper = upper, .lower = lower})) every_way(s, pressure);
-    for (const auto& s : of_second_order({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1})) every_way(s, pressure);
-    for (const auto& s : of_second_order({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = -2.0, .friction = 0.3}))
+    for (const auto& s : of_second_order({.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1}))
+      every_way(s, pressure);
+    for (const auto& s : of_second_order(
+             {.upper = upper, .lower = lower, .a = 0.7, .b = 2.23, .width = 3.1, .shear = -2.0, .friction = 0.3}))
       every_way(s, shear);
   }
 }

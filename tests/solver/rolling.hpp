@@ -40,7 +40,8 @@ inline mesh::Mesh wheel(int around, int across) {
   return m;
 }
 
-/// The wheel pressed by its hub on a rigid plate; the plate moves by `way`, and the hub turns by `angle` or, without one, freely.
+/// The wheel pressed by its hub on a rigid plate; the plate moves by `way`, and the hub turns by `angle` or, without
+/// one, freely.
 inline Assembly on_plate(int around, double friction, double way, std::optional<double> angle) {
   Assembly a;
   a.meshes = {wheel(around, 5), support::rectangle({.corner = {-20, -2}, .size = {800, 2}, .nx = 2, .ny = 1})};
@@ -70,7 +71,8 @@ inline Assembly on_plate(int around, double friction, double way, std::optional<
 
 inline Vec2 resultant(const solver::SolverState& s) {
   Vec2 sum{0, 0};
-  for (std::size_t j = 0; j < s.contacts[0].lambda.size(); ++j) sum += s.contacts[0].reference[j].carried() * s.contacts[0].lambda[j];
+  for (std::size_t j = 0; j < s.contacts[0].lambda.size(); ++j)
+    sum += s.contacts[0].reference[j].carried() * s.contacts[0].lambda[j];
   return sum;
 }
 
@@ -104,7 +106,8 @@ inline std::vector<Turned> rolled(int turns) {
     if (!solved.report.converged) return result;
     state = solved.state;
     const auto& wheel = std::get<body::LinearBody>(system.bodies[0]);
-    if (step % steps == 0 && step > 0) result.push_back({wheel.angle(system.part(state.q, 0)), peak(state), resultant(state)});
+    if (step % steps == 0 && step > 0)
+      result.push_back({wheel.angle(system.part(state.q, 0)), peak(state), resultant(state)});
   }
   return result;
 }
@@ -114,7 +117,8 @@ inline void expect_rolling(int turns) {
   ASSERT_EQ(states.size(), static_cast<std::size_t>(turns));
   const double turn = (states.back().angle - states[0].angle) / (turns - 1);
   EXPECT_NEAR(std::abs(turn) / (2.0 * pi), 1.0, 2e-2);
-  // A turn gains 0.7 of a facet on the plate's way, so turns end at other places of a facet, on which the angle depends.
+  // A turn gains 0.7 of a facet on the plate's way, so turns end at other places of a facet, on which the angle
+  // depends.
   constexpr double jitter = 0.05 * 2.0 * pi / 120;
   for (std::size_t k = 1; k < states.size(); ++k) {
     EXPECT_NEAR(states[k].angle - states[k - 1].angle, turn, jitter) << "turn " << k;

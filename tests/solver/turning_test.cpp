@@ -39,7 +39,8 @@ void expect_condensed_is_exact(const Assembly& a, const std::string& what) {
     const auto result = solver::Newton({.chords = false}).solve(system, state, controls);
     ASSERT_TRUE(result.report.converged) << what << ": " << result.report.reason;
     for (int i = 0; i < result.report.solves; ++i) oracle.step(i);
-    EXPECT_LT((result.state.q - oracle.q).lpNorm<Eigen::Infinity>(), 1e-10 * oracle.q.lpNorm<Eigen::Infinity>()) << what;
+    EXPECT_LT((result.state.q - oracle.q).lpNorm<Eigen::Infinity>(), 1e-10 * oracle.q.lpNorm<Eigen::Infinity>())
+        << what;
     const auto& t = result.report.table;
     ASSERT_GE(t.size(), 3u);
     const auto error = [](const solver::Iteration& row) { return std::max(row.force, row.condition); };
@@ -57,14 +58,15 @@ TEST(turning, newton_is_exact) {
     }
 }
 
-// However far a shaft turns in an increment, what its friction dissipates must be what its support works: nothing is lost between
-// the way that slides and its chord.
+// However far a shaft turns in an increment, what its friction dissipates must be what its support works: nothing is
+// lost between the way that slides and its chord.
 TEST(turning, friction_dissipates_what_the_support_works) {
   const auto states = rolling::spun(480, {0.01, 0.03, 0.07, 0.15, 0.3}, 3e4);
   ASSERT_EQ(states.size(), 5u);
   for (std::size_t k = 1; k < states.size(); ++k) {
     const double dissipated = states[k].friction_work - states[k - 1].friction_work;
-    EXPECT_NEAR(dissipated / (std::abs(states[k].moment) * (states[k].angle - states[k - 1].angle)), 1.0, 2e-3) << states[k].angle;
+    EXPECT_NEAR(dissipated / (std::abs(states[k].moment) * (states[k].angle - states[k - 1].angle)), 1.0, 2e-3)
+        << states[k].angle;
   }
 }
 
@@ -81,7 +83,8 @@ Assembly guided_by_contact() {
 TEST(turning, contact_alone_guides) {
   const Assembly a = guided_by_contact();
   const auto system = support::system_of(a);
-  const auto result = solver::Newton({.chords = false}).solve(system, support::fresh(system), support::controls_of(a, system));
+  const auto result =
+      solver::Newton({.chords = false}).solve(system, support::fresh(system), support::controls_of(a, system));
   ASSERT_TRUE(result.report.converged) << result.report.reason;
   const auto& upper = std::get<body::LinearBody>(system.bodies[1]);
   const base::Vector q = system.part(result.state.q, 1);

@@ -91,9 +91,11 @@ class Uncondensed {
     Matrix G = Matrix::Zero(dofs, system_.dofs);
     for (int k = 0; k < dofs / 2; ++k) {
       const auto& at = node(setup, k);
-      const auto p = std::visit([&](const auto& o) { return o.position(at.contact_node, Vector(system_.part(q, at.body))); },
-                                system_.bodies[at.body]);
-      for (int t = 0; t < p.count; ++t) G.block<2, 1>(2 * k, system_.offset[at.body] + p.terms[t].column) += p.terms[t].direction;
+      const auto p =
+          std::visit([&](const auto& o) { return o.position(at.contact_node, Vector(system_.part(q, at.body))); },
+                     system_.bodies[at.body]);
+      for (int t = 0; t < p.count; ++t)
+        G.block<2, 1>(2 * k, system_.offset[at.body] + p.terms[t].column) += p.terms[t].direction;
       if (!forces && p.angle >= 0) G.block<2, 1>(2 * k, system_.offset[at.body] + p.angle) += p.swing;
     }
     return G;
@@ -148,7 +150,8 @@ class Uncondensed {
       const auto p = linear->position(at.contact_node, system_.part(q, at.body));
       const int first = system_.offset[at.body];
       for (int t = p.turned; p.angle >= 0 && t < p.count; ++t)
-        A_(first + p.terms[t].column, first + p.angle) += force.dot(Vec2(-p.terms[t].direction.y(), p.terms[t].direction.x()));
+        A_(first + p.terms[t].column, first + p.angle) +=
+            force.dot(Vec2(-p.terms[t].direction.y(), p.terms[t].direction.x()));
     }
     const auto* rigid = std::get_if<body::RigidBody>(&system_.bodies[at.body]);
     if (!rigid) return;

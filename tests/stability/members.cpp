@@ -300,7 +300,10 @@ void noise(Table& t) {
 void remeshed(Table& t) {
   for (Member m : {flat("remesh", "flat_remeshed"), crowned("remesh", "crowned_remeshed")})
     t.push_back(m.set("remesh.every_blocks", "1").set("step[1].cycles", "60"));
-  t.push_back(rubber("remesh", "rubber_remeshed").set("remesh.every_blocks", "1").set("step[1].cycles", "3").set("history.draw", "[[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"));
+  t.push_back(rubber("remesh", "rubber_remeshed")
+                  .set("remesh.every_blocks", "1")
+                  .set("step[1].cycles", "3")
+                  .set("history.draw", "[[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"));
 }
 
 Table all() {

@@ -30,8 +30,8 @@ void tell(const test::Member& m, const test::Played& p, double difference) {
            "cpu_s,reason\n";
   out.precision(3);
   out << m.group << ',' << m.name << ',' << p.status << ',' << p.increments << ',' << p.newton << ',' << p.newton_most
-      << ',' << p.cutbacks << ',' << p.remeshes << ',' << p.ledger << ',' << p.balance << ','
-      << p.multiplier << ',' << difference << ',' << p.cpu_s << ",\"";
+      << ',' << p.cutbacks << ',' << p.remeshes << ',' << p.ledger << ',' << p.balance << ',' << p.multiplier << ','
+      << difference << ',' << p.cpu_s << ",\"";
   for (char c : p.reason) out << (c == '"' ? '\'' : c == '\n' ? ' ' : c);
   out << "\"\n";
 }

@@ -8,8 +8,8 @@
 #include "mesh/quality.hpp"
 #include "scene/read.hpp"
 #include "sim/measure.hpp"
-#include "sim/run.hpp"
 #include "sim/prepare.hpp"
+#include "sim/run.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace reye;

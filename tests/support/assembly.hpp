@@ -65,8 +65,10 @@ inline solver::System system_of(Assembly a) {
 inline solver::Controls controls_of(const Assembly& a, const solver::System& system, double factor = 1.0) {
   solver::Controls c;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const auto& columns = std::visit([](const auto& o) -> const auto& { return o.support_columns(); }, system.bodies[b]);
-    const auto& loads = std::visit([](const auto& o) -> const auto& { return o.loads(); }, system.bodies[b]);
+    const auto& columns = std::visit(
+        [](const auto& o) -> const auto& { return o.support_columns(); }, system.bodies[b]);
+    const auto& loads = std::visit(
+        [](const auto& o) -> const auto& { return o.loads(); }, system.bodies[b]);
     for (const auto& column : columns) {
       const auto& m = motion_of(a.inputs[b], column);
       const int at = system.offset[b] + column.column;
@@ -100,8 +102,8 @@ inline base::Vec2 traction(const contact::Setup& setup, const contact::ContactSt
 }
 
 /// A node-wise support of an edge that holds x or y, in axes turned by `angle_deg`.
-inline body::Support guide(const std::string& name, const std::string& edge, char axis, body::Motion motion = {body::Drive::fixed},
-                           double angle_deg = 0.0) {
+inline body::Support guide(const std::string& name, const std::string& edge, char axis,
+                           body::Motion motion = {body::Drive::fixed}, double angle_deg = 0.0) {
   body::Support s;
   s.name = name;
   s.edge = edge;

@@ -11,7 +11,7 @@ namespace reye::support {
 /// How a bore in a bush is drawn, and what is pressed into it.
 struct Bore {
   double seam_deg = 0.0;  ///< where its circle begins
-  bool arcs = false;    ///< drawn as three arcs, two of which meet there
+  bool arcs = false;      ///< drawn as three arcs, two of which meet there
   double size_mm = 0.5;
   int blocks = 6;
 };
@@ -24,12 +24,15 @@ inline sim::Problem bush(const Bore& bore) {
   };
   std::string geo = "SetFactory(\"OpenCASCADE\");\n" + circle(1, "13", "0", "2*Pi") +
                     (bore.arcs ? three_arcs(bore.seam_deg) : circle(2, "10", from, from + " + 2*Pi"));
-  geo += "Circle(4) = {0, -0.05, 0, 9.95, 0, 2*Pi};\nCircle(5) = {0, -0.05, 0, 4, 0, 2*Pi};\n"
-         "Curve Loop(1) = {1};\nCurve Loop(2) = {2" + std::string(bore.arcs ? ", 8, 9" : "") +
-         "};\nCurve Loop(3) = {4};\nCurve Loop(4) = {5};\nPlane Surface(1) = {1, 2};\nPlane Surface(2) = {3, 4};\n" +
-         "Physical Surface(\"bush\") = {1};\nPhysical Surface(\"shaft\") = {2};\nPhysical Curve(\"outside\") = {1};\n"
-         "Physical Curve(\"bore\") = {2" + std::string(bore.arcs ? ", 8, 9" : "") +
-         "};\nPhysical Curve(\"journal\") = {4};\nPhysical Curve(\"inner\") = {5};\n";
+  geo +=
+      "Circle(4) = {0, -0.05, 0, 9.95, 0, 2*Pi};\nCircle(5) = {0, -0.05, 0, 4, 0, 2*Pi};\n"
+      "Curve Loop(1) = {1};\nCurve Loop(2) = {2" +
+      std::string(bore.arcs ? ", 8, 9" : "") +
+      "};\nCurve Loop(3) = {4};\nCurve Loop(4) = {5};\nPlane Surface(1) = {1, 2};\nPlane Surface(2) = {3, 4};\n" +
+      "Physical Surface(\"bush\") = {1};\nPhysical Surface(\"shaft\") = {2};\nPhysical Curve(\"outside\") = {1};\n"
+      "Physical Curve(\"bore\") = {2" +
+      std::string(bore.arcs ? ", 8, 9" : "") +
+      "};\nPhysical Curve(\"journal\") = {4};\nPhysical Curve(\"inner\") = {5};\n";
   const std::string scene = R"(geometry = ["bush.geo"]
 [material.steel]
 E_MPa = 210e3
@@ -71,7 +74,8 @@ wear = false
 [[step]]
 name = "revolutions"
 cycles = 1e6
-jump = )" + std::to_string(1e6 / bore.blocks) + "\n";
+jump = )" + std::to_string(1e6 / bore.blocks) +
+                            "\n";
   return problem_from({{"bush.geo", geo}, {"scene.toml", scene}});
 }
 

@@ -15,16 +15,16 @@
 ///     sheared:  slip = drift - u[q] >= 0,  q <= mu p,  (mu p - q) slip = 0,  int q = Q                          (3)
 ///
 /// *Energy.* Between -Q and Q the change of q is bounded by 2 mu p, so that by (3), which is of first degree in
-/// (q, mu p, Q, slip), a point slips by twice the slip s of a first loading to Q, there and back: 4 s a cycle, against mu p.
-/// Reye's law takes alpha per work, of both bodies together:
+/// (q, mu p, Q, slip), a point slips by twice the slip s of a first loading to Q, there and back: 4 s a cycle, against
+/// mu p. Reye's law takes alpha per work, of both bodies together:
 ///     dw/dN = 4 alpha mu p s                                                                                    (4)
-/// *Slip.* With r = mu p - q, (3) is (2) for r / mu on the shape -u[p] at the load P - Q / mu; and where p > 0, (2) says
-/// -u[p] = shape - approach. Hence (Ciavarella 1998, Jaeger 1998) s = mu G, where G is the gap of the same worn shape
-/// pressed by P - Q / mu, and
+/// *Slip.* With r = mu p - q, (3) is (2) for r / mu on the shape -u[p] at the load P - Q / mu; and where p > 0, (2)
+/// says -u[p] = shape - approach. Hence (Ciavarella 1998, Jaeger 1998) s = mu G, where G is the gap of the same worn
+/// shape pressed by P - Q / mu, and
 ///     dw/dN = 4 alpha mu^2 p G                                                                                  (5)
-/// *Limit.* Where G = 0 nothing wears, so the pressure of P - Q / mu never changes: G = G_0 + w, and the stick zone is that of
-/// the unworn contact for ever. Wear ends when p G = 0: all of P within the stick zone, which is the limit profile of
-/// Ciavarella and Hills (1999).
+/// *Limit.* Where G = 0 nothing wears, so the pressure of P - Q / mu never changes: G = G_0 + w, and the stick zone is
+/// that of the unworn contact for ever. Wear ends when p G = 0: all of P within the stick zone, which is the limit
+/// profile of Ciavarella and Hills (1999).
 namespace reye::half_plane {
 
 using base::Matrix;
@@ -37,15 +37,16 @@ struct Grid {
   Matrix u;      ///< (1) of unit tractions at each point and its mirror image
 };
 
-/// The integral of hat and logarithm is exact: hat'' = (delta(-h) - 2 delta(0) + delta(h)) / h, and x^2 ln|x| / 2 - 3 x^2 / 4 is
-/// the second integral of ln|x|.
+/// The integral of hat and logarithm is exact: hat'' = (delta(-h) - 2 delta(0) + delta(h)) / h, and x^2 ln|x| / 2 - 3
+/// x^2 / 4 is the second integral of ln|x|.
 inline Grid make_grid(double half_width, int cells, double E_star) {
   const double h = half_width / cells;
   const auto twice = [](double x) { return x == 0.0 ? 0.0 : x * x * (0.5 * std::log(std::abs(x)) - 0.75); };
   const auto hat = [&](double x) {
     return -2.0 / (M_PI * E_star) * (twice(x + h) - 2.0 * twice(x) + twice(x - h)) / h;
   };
-  Grid grid{Vector::LinSpaced(cells + 1, 0.0, half_width), Vector::Constant(cells + 1, 2.0 * h), Matrix(cells + 1, cells + 1)};
+  Grid grid{Vector::LinSpaced(cells + 1, 0.0, half_width), Vector::Constant(cells + 1, 2.0 * h),
+            Matrix(cells + 1, cells + 1)};
   grid.width[0] = h;
   for (int i = 0; i <= cells; ++i)
     for (int j = 0; j <= cells; ++j)
@@ -54,12 +55,13 @@ inline Grid make_grid(double half_width, int cells, double E_star) {
 }
 
 struct Pressed {
-  Vector p;    ///< at the points
+  Vector p;  ///< at the points
   Vector gap;
   double approach = 0.0;
 };
 
-/// (2) with a layer in the gap whose thickness grows by `soft` times the pressure; only points where `may` is positive can touch.
+/// (2) with a layer in the gap whose thickness grows by `soft` times the pressure; only points where `may` is positive
+/// can touch.
 inline Pressed press(const Grid& grid, const Vector& shape, double load, const Vector& soft, const Vector& may) {
   const auto n = static_cast<int>(grid.x.size());
   std::vector<char> touches(n);
@@ -114,8 +116,8 @@ struct Load {
 };
 
 struct Worn {
-  Vector depth;      ///< of both bodies together
-  Vector p, slip;    ///< half way through the last step: pressure, and the amplitude s of the slip
+  Vector depth;    ///< of both bodies together
+  Vector p, slip;  ///< half way through the last step: pressure, and the amplitude s of the slip
 };
 
 /// The depth after `wear` = alpha N [mm^2/N], by the implicit midpoint rule in steps that grow linearly: (4) with the

@@ -100,8 +100,7 @@ struct RingOptions {
 
 inline Mesh ring(const RingOptions& o) {
   const RectangleOptions box{{o.inner, 0.0}, {o.outer - o.inner, o.angle}, o.across, o.around, o.kind, 0.0};
-  return mapped(rectangle(box),
-                [](const Vec2& p) { return Vec2{p.x() * std::cos(p.y()), p.x() * std::sin(p.y())}; });
+  return mapped(rectangle(box), [](const Vec2& p) { return Vec2{p.x() * std::cos(p.y()), p.x() * std::sin(p.y())}; });
 }
 
 /// The node nearest to a point.

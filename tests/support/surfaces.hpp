@@ -24,17 +24,17 @@ inline Vec2 turned(const Vec2& x, double angle) {
 
 /// The secondary side has its body below and runs from x = 3 to x = 1; the primary side lies above it.
 struct FacingOptions {
-  int secondary = 5;       ///< number of facets
+  int secondary = 5;  ///< number of facets
   int primary = 7;
   int secondary_order = 1;
   int primary_order = 1;
-  double bend = 0.1;       ///< height of the curve that both follow [mm]
-  double jitter = 0.25;    ///< nodes leave even spacing by this share of it
+  double bend = 0.1;     ///< height of the curve that both follow [mm]
+  double jitter = 0.25;  ///< nodes leave even spacing by this share of it
   double gap = 0.02;
-  double from = -0.1;      ///< ends of the primary side in units of the secondary one, 0 at x = 1
+  double from = -0.1;  ///< ends of the primary side in units of the secondary one, 0 at x = 1
   double to = 1.1;
-  double angle = 0.0;      ///< current positions are those on X, strained and then turned by this [rad]
-  double strain = 0.02;    ///< scatter of displacements [mm]
+  double angle = 0.0;    ///< current positions are those on X, strained and then turned by this [rad]
+  double strain = 0.02;  ///< scatter of displacements [mm]
   unsigned seed = 1;
   base::Analysis analysis = base::Analysis::plane_strain;
   base::Kinematics measure = base::Kinematics::small;
@@ -48,7 +48,8 @@ struct Facing {
 };
 
 /// With order 2 every second point is the middle of a curved facet.
-inline mortar::Surface polyline(const Points& X, base::Analysis analysis = base::Analysis::plane_strain, int order = 1) {
+inline mortar::Surface polyline(const Points& X, base::Analysis analysis = base::Analysis::plane_strain,
+                                int order = 1) {
   mesh::Chain chain;
   for (std::size_t i = 0; i < X.size(); ++i) chain.push_back(static_cast<int>(i));
   std::vector<int> nodes;
@@ -131,8 +132,8 @@ struct Sums {
 template <class Of>
 Sums added(const mortar::Placement& p, const std::vector<mortar::FacetRecord>& records, Of of) {
   const int ns = p.secondary->node_count(), nm = p.primary->node_count();
-  Sums s{Vector::Zero(ns), Vector::Zero(ns), Matrix::Zero(ns, ns), Matrix::Zero(ns, 2), Matrix::Zero(ns, 2),
-         Matrix::Zero(ns, nm), Matrix::Zero(ns, nm)};
+  Sums s{Vector::Zero(ns),    Vector::Zero(ns),     Matrix::Zero(ns, ns), Matrix::Zero(ns, 2),
+         Matrix::Zero(ns, 2), Matrix::Zero(ns, nm), Matrix::Zero(ns, nm)};
   for (const auto& r : records) {
     const auto v = of(r);
     const auto& facet = p.secondary->facets[r.facet];

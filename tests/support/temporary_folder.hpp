@@ -26,8 +26,8 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The folder of this process, with a slash at its end: tests that run side by side are processes of their own and must not
-/// share files.
+/// The folder of this process, with a slash at its end: tests that run side by side are processes of their own and must
+/// not share files.
 inline std::string temporary_folder() {
   static const TemporaryFolder folder;
   return folder.str() + "/";

@@ -13,7 +13,8 @@ inline std::string three_arcs(double from_deg) {
   for (int k = 0; k < 3; ++k) {
     const double angle = (from_deg + 120.0 * k) * std::numbers::pi / 180.0;
     char point[120];
-    std::snprintf(point, sizeof point, "Point(%d) = {%.17g, %.17g, 0};\n", 101 + k, 10.0 * std::cos(angle), 10.0 * std::sin(angle));
+    std::snprintf(point, sizeof point, "Point(%d) = {%.17g, %.17g, 0};\n", 101 + k, 10.0 * std::cos(angle),
+                  10.0 * std::sin(angle));
     text += point;
   }
   for (int k = 0; k < 3; ++k)

@@ -36,8 +36,8 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-// Hertz's pressure must be as good as was asked and not ten times better, in the mean over fine zones about half of it; the
-// run tells it within the factor three that its estimate is good for.
+// Hertz's pressure must be as good as was asked and not ten times better, in the mean over fine zones about half of it;
+// the run tells it within the factor three that its estimate is good for.
 TEST(Accuracy, Hertz) {
   double before = 1.0;
   for (const double accuracy : {0.02, 0.01}) {
@@ -58,18 +58,18 @@ TEST(Accuracy, Hertz) {
   }
 }
 
-// A line contact in gross slip at S = 1 (references B8) must have worn as deep as the universal curve says, within what was
-// asked; half as much must be asked of the blocks, and who asks for more gets a finer mesh.
+// A line contact in gross slip at S = 1 (references B8) must have worn as deep as the universal curve says, within what
+// was asked; half as much must be asked of the blocks, and who asks for more gets a finer mesh.
 TEST(Accuracy, Wear) {
   constexpr double a0 = 0.0358622, R = 6.0, exact = 0.8594;
   double before = 1.0;
   for (const double accuracy : {0.02, 0.005}) {
-    const auto text = scene_text("line_contact_gross_slip",
-                                 {{"half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018",
-                                   "half_width_mm = 0.08, depth_mm = 0.05"},
-                                  {"jump = 1\n", ""},
-                                  {"jump = 10\n", ""},
-                                  {"[[step]]\nname = \"to S = 10\"\ncycles = 4500\njump = 100\n", ""}});
+    const auto text =
+        scene_text("line_contact_gross_slip",
+                   {{"half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018", "half_width_mm = 0.08, depth_mm = 0.05"},
+                    {"jump = 1\n", ""},
+                    {"jump = 10\n", ""},
+                    {"[[step]]\nname = \"to S = 10\"\ncycles = 4500\njump = 100\n", ""}});
     const auto run = played("accuracy = " + std::to_string(accuracy) + "\n" + text);
     const auto& pad = run.contact();
     const double depth = (pad.secondary.max_depth_mm + pad.primary.max_depth_mm) * 2.0 * R / (a0 * a0);
@@ -104,7 +104,8 @@ TEST(Accuracy, Refusals) {
   const auto absurd = refusal(pressed("0.0002"));
   EXPECT_NE(absurd.find(".toml:1: accuracy = 0.0002: with 16 elements per half width"), std::string::npos) << absurd;
   EXPECT_NE(absurd.find(" elements suit the accuracy: pad 7"), std::string::npos) << absurd;
-  EXPECT_NE(absurd.find("more than 400 are not chosen; give the fine zones their size_mm"), std::string::npos) << absurd;
+  EXPECT_NE(absurd.find("more than 400 are not chosen; give the fine zones their size_mm"), std::string::npos)
+      << absurd;
   const std::string edge = "[\"lower_top\"]";
   const std::string more = "\nfine_zone = { centre_mm = [3.0, 6.0], half_width_mm = 1.0, depth_mm = 1.0 }";
   const auto meshed = refusal("accuracy = 0.01\n" + scene_text("patch", {{edge, edge + more}}));

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "mesh/measure.hpp"
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// An audit of finished runs: what a run reports about one thing in several places is one number.
 namespace reye::verification {
@@ -60,7 +60,8 @@ void expect_booked_volume_is_the_change_of_shape(const Played& run, const std::s
       EXPECT_EQ(booked, 0.0);
       continue;
     }
-    const double before = content(run.problem.shapes[b]->mesh, analysis), after = content(run.state.shapes[b]->mesh, analysis);
+    const double before = content(run.problem.shapes[b]->mesh, analysis),
+                 after = content(run.state.shapes[b]->mesh, analysis);
     EXPECT_NEAR(before - after, booked, 1e-9 * booked + 1e-13 * before) << "body " << run.problem.inputs[b].name;
   }
 }
@@ -75,8 +76,7 @@ void expect_supports_feel_the_contact(const Played& run, double tolerance) {
     const auto& input = run.problem.inputs[b];
     if (!input.boundary_loads.empty() || !input.point_loads.empty() || !input.body_forces.empty()) continue;
     const base::Vec2 felt = held_by_supports(run, b);
-    EXPECT_NEAR(ring ? std::abs(felt.y()) : felt.norm(), resultant, tolerance * resultant)
-        << "body " << input.name;
+    EXPECT_NEAR(ring ? std::abs(felt.y()) : felt.norm(), resultant, tolerance * resultant) << "body " << input.name;
   }
 }
 
@@ -101,7 +101,8 @@ struct Bounds {
   double table = 0.01;    ///< of the integral of the pressure table against the normal force
   double support = 1e-6;  ///< of the resultant against what supports feel
   bool shape = true;      ///< wear has gone from the bodies
-  std::string divided_arc{};  ///< body whose unworn arc a remesh divides into other chords: they change its content, too
+  std::string
+      divided_arc{};  ///< body whose unworn arc a remesh divides into other chords: they change its content, too
 };
 
 void audit(const Played& run, const Bounds& bounds = {}) {
@@ -124,13 +125,15 @@ void audit(const Played& run, const Bounds& bounds = {}) {
 
 }  // namespace
 
-/// Every place in which a run reports a force, an energy, a volume or a depth reports the same one, whatever kind it is of.
+/// Every place in which a run reports a force, an energy, a volume or a depth reports the same one, whatever kind it is
+/// of.
 TEST(Audit, BlockUnderImposedSliding) { audit(played(scene_text("sliding_block"))); }
 
 TEST(Audit, ColumnThatKeepsItsShape) { audit(played(scene_text("column")), {.shape = false}); }
 
 TEST(Audit, GrossSlipByEnergy) {
-  audit(played(scene_text("life_band", {{"cycles = 2000", "cycles = 200"}, {"depth_mm    = 1e-3", "depth_mm    = 1e-2"}})));
+  audit(played(
+      scene_text("life_band", {{"cycles = 2000", "cycles = 200"}, {"depth_mm    = 1e-3", "depth_mm    = 1e-2"}})));
 }
 
 TEST(Audit, GrossSlipUnderATolerance) {
@@ -139,7 +142,8 @@ TEST(Audit, GrossSlipUnderATolerance) {
 }
 
 TEST(Audit, PartialSlip) {
-  audit(played(scene_text("life_band", {{"motion_mm = 0.02", "motion_mm = 0.001"}, {"cycles = 2000", "cycles = 400"}})));
+  audit(
+      played(scene_text("life_band", {{"motion_mm = 0.02", "motion_mm = 0.001"}, {"cycles = 2000", "cycles = 400"}})));
 }
 
 TEST(Audit, PinWornWithRemeshes) {
@@ -150,7 +154,8 @@ TEST(Audit, PinWornWithRemeshes) {
 }
 
 TEST(Audit, RingsByArchard) {
-  audit(played(scene_text("ring_on_ring_axisymmetric", {{"cycles = 300", "cycles = 30"}, {"size_mm = 1.0", "size_mm = 2.5"}})));
+  audit(played(
+      scene_text("ring_on_ring_axisymmetric", {{"cycles = 300", "cycles = 30"}, {"size_mm = 1.0", "size_mm = 2.5"}})));
 }
 
 TEST(Audit, HertzWithoutWear) { audit(played(scene_text("hertz_block", {{"size_mm = 0.035", "size_mm = 0.07"}}))); }
@@ -161,7 +166,9 @@ TEST(Audit, RubberThatWears) {
 }
 
 TEST(Audit, PlasticFretting) {
-  audit(played(scene_text("plastic_fretting", {{"cycles = 400", "cycles = 20"}, {"size_mm = 0.012", "size_mm = 0.04"}, {"increments = 40\nwear", "increments = 8\nwear"},
+  audit(played(scene_text("plastic_fretting", {{"cycles = 400", "cycles = 20"},
+                                               {"size_mm = 0.012", "size_mm = 0.04"},
+                                               {"increments = 40\nwear", "increments = 8\nwear"},
                                                {"increments = 40\ncycles", "increments = 8\ncycles"}})));
 }
 

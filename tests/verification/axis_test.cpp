@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// Contacts that reach the axis of axisymmetry, and sliding about it.
 namespace reye::verification {
@@ -108,11 +108,13 @@ Played on_plate(const Replacements& changes = {}) {
   return played(replaced(pressed, changes));
 }
 
-const Replacements swapped{{"secondary = \"plate\"\nprimary   = [\"round\"]", "secondary = \"round\"\nprimary   = [\"plate\"]"}};
+const Replacements swapped{
+    {"secondary = \"plate\"\nprimary   = [\"round\"]", "secondary = \"round\"\nprimary   = [\"plate\"]"}};
 
 }  // namespace
 
-/// A pin that spins under even pressure dissipates mu p times the way of every ring, and wears so: dV = alpha mu p angle r dA.
+/// A pin that spins under even pressure dissipates mu p times the way of every ring, and wears so: dV = alpha mu p
+/// angle r dA.
 TEST(Axis, SpinningPin) {
   const Played run = spun();
   const double work = mu * p * angle * 2.0 * std::numbers::pi * std::pow(R, 3) / 3.0;
@@ -131,12 +133,15 @@ TEST(Axis, SlidingOutOfThePlaneByEitherLaw) {
   const Replacements archard{{"friction  = 0.3\n", ""},
                              {"law = \"energy\", secondary_mm3_per_J = 1.0e-9, primary_mm3_per_J = 2.0e-9",
                               "law = \"archard\", secondary_per_MPa = 1.0e-12"}};
-  EXPECT_NEAR(spun(archard).contact().secondary.worn_area / (1e-12 * p * angle * 2.0 * std::numbers::pi * std::pow(R, 3) / 3.0), 1.0, 1e-4);
+  EXPECT_NEAR(
+      spun(archard).contact().secondary.worn_area / (1e-12 * p * angle * 2.0 * std::numbers::pi * std::pow(R, 3) / 3.0),
+      1.0, 1e-4);
   const Played run = spun({{"imposed_turn_rad = 0.5", "imposed_out_of_plane_mm = 3.0"}});
   EXPECT_NEAR(run.contact().dissipated_energy / (mu * p * 3.0 * std::numbers::pi * R * R), 1.0, 1e-4);
 }
 
-/// A frictionless contact has no shear and dissipates nothing, at the node on the axis as elsewhere, whichever side carries it.
+/// A frictionless contact has no shear and dissipates nothing, at the node on the axis as elsewhere, whichever side
+/// carries it.
 TEST(Axis, FrictionlessHasNoShear) {
   for (const auto& roles : {Replacements{}, swapped}) {
     const Played run = on_plate(roles);
@@ -155,14 +160,15 @@ TEST(Axis, FrictionLeavesNoShearOnIt) {
 }
 
 /// The half width of a contact that reaches the axis goes from there to its edge: Hertz' 0.5 mm.
-TEST(Axis, HalfWidthFromTheAxis) {
-  EXPECT_NEAR(on_plate().contact().contact_half_width_mm.value() / 0.5, 1.0, 0.02);
-}
+TEST(Axis, HalfWidthFromTheAxis) { EXPECT_NEAR(on_plate().contact().contact_half_width_mm.value() / 0.5, 1.0, 0.02); }
 
 /// Wear by imposed sliding leaves no peak on the axis.
 TEST(Axis, WornByImposedSliding) {
-  const Played run = on_plate({{"friction  = 0.0", "friction = 0.1\nimposed_sliding_mm = 10.0\nwear = { law = \"energy\", secondary_mm3_per_J = 1.0e-4 }"},
-                               {"increments = 4\nwear = false\n", "increments = 4\nwear = false\n[[step]]\nname = \"rub\"\ncycles = 200\njump = 20\n"}});
+  const Played run = on_plate(
+      {{"friction  = 0.0",
+        "friction = 0.1\nimposed_sliding_mm = 10.0\nwear = { law = \"energy\", secondary_mm3_per_J = 1.0e-4 }"},
+       {"increments = 4\nwear = false\n",
+        "increments = 4\nwear = false\n[[step]]\nname = \"rub\"\ncycles = 200\njump = 20\n"}});
   const auto& p = run.surface(sim::Side::secondary).pressure_MPa;
   EXPECT_NEAR(p[0] / p[2], 1.0, 0.1);
   EXPECT_NEAR(p[1] / p[2], 1.0, 0.1);

@@ -24,28 +24,29 @@ void expect_carried(const Watched& w) {
 
 }  // namespace
 
-// A pin worn flat, conforming to its plate within the elastic approach, must keep its pressure over every remesh of both
-// bodies, its depth and its book of volumes.
+// A pin worn flat, conforming to its plate within the elastic approach, must keep its pressure over every remesh of
+// both bodies, its depth and its book of volumes.
 TEST(CarriedGap, WornPin) { expect_carried(watched(worn_pin())); }
 
 // The same in second order.
-TEST(CarriedGap, SecondOrder) {
-  expect_carried(watched(worn_pin({{"mesh     = {", "order    = 2\nmesh     = {"}})));
-}
+TEST(CarriedGap, SecondOrder) { expect_carried(watched(worn_pin({{"mesh     = {", "order    = 2\nmesh     = {"}}))); }
 
 // The same on triangles.
-TEST(CarriedGap, Triangles) { expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, element = \"tri\""}}))); }
+TEST(CarriedGap, Triangles) {
+  expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, element = \"tri\""}})));
+}
 
 // The same where only the primary wears and takes it all, with facets of its own size.
 TEST(CarriedGap, PrimaryAlone) {
-  expect_carried(watched(worn_pin({{"secondary = \"round\"", "secondary = \"face\""},
-                                   {"primary   = [\"face\"]", "primary   = [\"round\"]"},
-                                   {"secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 1.0e-5", "primary_mm3_per_J = 1.0e-4"},
-                                   {"half_width_mm = 0.15", "half_width_mm = 0.3"}})));
+  expect_carried(
+      watched(worn_pin({{"secondary = \"round\"", "secondary = \"face\""},
+                        {"primary   = [\"face\"]", "primary   = [\"round\"]"},
+                        {"secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 1.0e-5", "primary_mm3_per_J = 1.0e-4"},
+                        {"half_width_mm = 0.15", "half_width_mm = 0.3"}})));
 }
 
-// A ball worn into its cup, where the motion that costs no pressure is along the axis alone and goes far beside the elastic
-// approach, must keep its pressure, too.
+// A ball worn into its cup, where the motion that costs no pressure is along the axis alone and goes far beside the
+// elastic approach, must keep its pressure, too.
 TEST(CarriedGap, BallInCup) {
   const auto w = watched(scene_text("ball_in_cup"));
   EXPECT_GE(w.remeshes.size(), 3U);

@@ -3,8 +3,8 @@
 using namespace reye;
 using namespace reye::verification;
 
-// Two pressed blocks (references C5): small strain must lie below the published multipliers by the factor between strain
-// and log strain, -ln(1 - e) / e = 1.044 at e = 1/12, at mid-height within 0.2 %, less towards the free ends.
+// Two pressed blocks (references C5): small strain must lie below the published multipliers by the factor between
+// strain and log strain, -ln(1 - e) / e = 1.044 at e = 1/12, at mid-height within 0.2 %, less towards the free ends.
 TEST(ContactBlocks, DualMultipliers) {
   const auto run = played(scene_text("two_blocks_dual"));
   const auto& s = run.surface(sim::Side::secondary);

@@ -12,11 +12,13 @@ constexpr double low_a = 0.2, low_p0 = 109.89011;
 double low_load_error(double size) {
   double sum = 0.0;
   for (const double shift : {0.0, 0.4}) {
-    const auto run = played(scene_text("hertz_halfplane", {{"centre_mm = [0.0, 0.0]", "centre_mm = [" + std::to_string(shift * size) + ", 0.0]"},
-                                                          {"size_mm = 0.010", "size_mm = " + std::to_string(size)},
-                                                          {"increments = 5", "increments = 1"}}));
+    const auto run = played(scene_text(
+        "hertz_halfplane", {{"centre_mm = [0.0, 0.0]", "centre_mm = [" + std::to_string(shift * size) + ", 0.0]"},
+                            {"size_mm = 0.010", "size_mm = " + std::to_string(size)},
+                            {"increments = 5", "increments = 1"}}));
     const auto& s = run.surface(sim::Side::secondary);
-    const double e = l2_error(profile(s, s.pressure_MPa), 2.0 * low_a, [](double x) { return hertz(x, low_a, low_p0); });
+    const double e =
+        l2_error(profile(s, s.pressure_MPa), 2.0 * low_a, [](double x) { return hertz(x, low_a, low_p0); });
     sum += 0.5 * e * e;
   }
   return std::sqrt(sum);
@@ -50,7 +52,7 @@ TEST(ContactLine, HertzOnTriangles) {
 // With the sides exchanged (the cylinder carries the multipliers) p0 must stay within 0.2 %, a within 0.5 %.
 TEST(ContactLine, LowLoadSidesSwapped) {
   const auto run = played(scene_text("hertz_halfplane", {{"secondary = \"face\"", "secondary = \"round\""},
-                                                        {"primary   = [\"round\"]", "primary   = [\"face\"]"}}));
+                                                         {"primary   = [\"round\"]", "primary   = [\"face\"]"}}));
   EXPECT_NEAR(run.contact().peak_pressure_MPa.value(), low_p0, 2e-3 * low_p0);
   EXPECT_NEAR(run.contact().contact_half_width_mm.value(), low_a, 5e-3 * low_a);
 }
@@ -67,7 +69,8 @@ TEST(ContactLine, PressureConverges) {
 TEST(ContactLine, LowLoadInside) {
   const auto run = played(scene_text("hertz_halfplane"));
   const auto& s = run.surface(sim::Side::secondary);
-  EXPECT_LT(largest_error(profile(s, s.pressure_MPa), 0.8 * low_a, [](double x) { return hertz(x, low_a, low_p0); }), 2e-3 * low_p0);
+  EXPECT_LT(largest_error(profile(s, s.pressure_MPa), 0.8 * low_a, [](double x) { return hertz(x, low_a, low_p0); }),
+            2e-3 * low_p0);
   EXPECT_NEAR(run.contact().contact_half_width_mm.value(), low_a, 5e-3 * low_a);
 }
 

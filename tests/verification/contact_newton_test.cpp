@@ -31,7 +31,8 @@ std::vector<Row> newton_rows(const std::string& text) {
     const auto held = state.factors;
     for (const double to : sim::increment_ends(problem.scene, step)) {
       state.factors = sim::factors_at(problem.scene, step, to, held);
-      auto result = cache.newton.solve(system, state.solution, sim::controls_at(problem, system, state.factors, step, from, to, 1.0));
+      auto result = cache.newton.solve(system, state.solution,
+                                       sim::controls_at(problem, system, state.factors, step, from, to, 1.0));
       EXPECT_TRUE(result.report.converged) << result.report.reason;
       int iteration = 0;
       for (const auto& at : result.report.table) rows.push_back({step.name, to, iteration++, at});
@@ -49,17 +50,19 @@ void write_rows(const std::string& name, const std::vector<Row>& rows) {
   std::ofstream out(std::string(folder) + "/" + name + ".csv");
   out << "step,progress,iteration,force,condition,changes\n";
   for (const auto& r : rows)
-    out << r.step << ',' << r.progress << ',' << r.iteration << ',' << r.at.force << ',' << r.at.condition << ',' << r.at.changes << '\n';
+    out << r.step << ',' << r.progress << ',' << r.iteration << ',' << r.at.force << ',' << r.at.condition << ','
+        << r.at.changes << '\n';
 }
 
 double worse(const solver::Iteration& i) { return std::max(i.force, i.condition); }
 
-/// log(r_k+1) / log(r_k) over the tails, smallest first: no status change, r_k from largest / 1000 to largest. Each must
-/// exceed 1.
+/// log(r_k+1) / log(r_k) over the tails, smallest first: no status change, r_k from largest / 1000 to largest. Each
+/// must exceed 1.
 std::vector<double> orders(const std::vector<Row>& rows, double largest = 1e-2) {
   std::vector<double> found;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    if (rows[i + 1].iteration != rows[i].iteration + 1 || rows[i].at.changes != 0 || rows[i + 1].at.changes != 0) continue;
+    if (rows[i + 1].iteration != rows[i].iteration + 1 || rows[i].at.changes != 0 || rows[i + 1].at.changes != 0)
+      continue;
     const double now = worse(rows[i].at), next = std::max(worse(rows[i + 1].at), 1e-13);
     if (now > largest || now < 1e-3 * largest) continue;
     found.push_back(std::log(next) / std::log(now));
@@ -73,7 +76,8 @@ std::vector<double> orders(const std::vector<Row>& rows, double largest = 1e-2) 
 // Once the active set has settled the residual must fall quadratically: r_k+1 < r_k^1.5 at the least.
 TEST(ContactNewton, QuadraticTail) {
   for (const std::string name : {"hertz", "cattaneo_mindlin"}) {
-    const auto rows = newton_rows(scene_text(name, name == "hertz" ? Replacements{} : Replacements{{"increments = 20", "increments = 5"}}));
+    const auto rows = newton_rows(
+        scene_text(name, name == "hertz" ? Replacements{} : Replacements{{"increments = 20", "increments = 5"}}));
     write_rows(name, rows);
     const auto found = orders(rows);
     ASSERT_GE(found.size(), 2U) << name;
@@ -118,10 +122,11 @@ TEST(ContactNewton, PlasticIroning) {
 
 // The same with wear whose rate depends on pressure and speed, so that every increment is nonlinear in its pressure.
 TEST(ContactNewton, QuadraticTailWithRates) {
-  const auto rows = newton_rows(scene_text(
-      "column", {{"secondary_per_MPa = 1.0e-7", "secondary_per_MPa = 1.0e-6, pressure_exponent = 0.8, pressure_ref_MPa = 50, "
-                                                "speed_exponent = -0.5, speed_ref_mm_per_s = 1000"},
-                 {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
+  const auto rows =
+      newton_rows(scene_text("column", {{"secondary_per_MPa = 1.0e-7",
+                                         "secondary_per_MPa = 1.0e-6, pressure_exponent = 0.8, pressure_ref_MPa = 50, "
+                                         "speed_exponent = -0.5, speed_ref_mm_per_s = 1000"},
+                                        {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
   const auto found = orders(rows);
   ASSERT_GE(found.size(), 2U);
   EXPECT_GT(found.front(), 1.5);

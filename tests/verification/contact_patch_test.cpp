@@ -15,9 +15,11 @@ using base::Vec2;
 std::string turned_patch(double degrees, const Replacements& more = {}) {
   const auto at = [&](double x, double y) { return pair_text(turned({x, y}, degrees)); };
   const std::string angle = "\nangle_deg = " + std::to_string(degrees);
-  Replacements all{{"edge = \"lower_bottom\"", "edge = \"lower_bottom\"" + angle}, {"[0.0, -100.0]", at(0.0, -100.0)},
+  Replacements all{{"edge = \"lower_bottom\"", "edge = \"lower_bottom\"" + angle},
+                   {"[0.0, -100.0]", at(0.0, -100.0)},
                    {"at_mm = [9.0, 10.0]", "at_mm = " + at(9.0, 10.0)}};
-  for (const auto& [x, y, text] : {std::tuple{3.0, 0.0, "[3.0, 0.0]"}, {3.0, 6.0, "[3.0, 6.0]"}, {3.0, 10.0, "[3.0, 10.0]"}})
+  for (const auto& [x, y, text] :
+       {std::tuple{3.0, 0.0, "[3.0, 0.0]"}, {3.0, 6.0, "[3.0, 6.0]"}, {3.0, 10.0, "[3.0, 10.0]"}})
     all.push_back({std::string("point_mm = ") + text, "point_mm = " + at(x, y) + angle});
   all.insert(all.end(), more.begin(), more.end());
   return replaced(read_text(std::string(REYE_SOURCE_DIR) + "/geo/patch/scene.toml"), [&] {
@@ -46,7 +48,8 @@ double stress_error(const sim::Frame& frame, double degrees, double p) {
   return error;
 }
 
-const Replacements swapped{{"\"upper_bottom\"", "\"SWAP\""}, {"\"lower_top\"]", "\"upper_bottom\"]"}, {"\"SWAP\"", "\"lower_top\""}};
+const Replacements swapped{
+    {"\"upper_bottom\"", "\"SWAP\""}, {"\"lower_top\"]", "\"upper_bottom\"]"}, {"\"SWAP\"", "\"lower_top\""}};
 
 /// Two blocks 10 x 5, one on the other along y = 0, turned; their meshes have the given elements along the contact.
 std::string blocks_geo(double degrees) {
@@ -65,10 +68,12 @@ std::string blocks_geo(double degrees) {
     const char* sides[4] = {"bottom", "right", "top", "left"};
     for (int i = 0; i < 4; ++i) {
       const auto id = std::to_string(k + i + 1);
-      text += "Line(" + id + ") = {" + id + ", " + std::to_string(k + (i + 1) % 4 + 1) + "};\nPhysical Curve(\"" + names[b] + "_" + sides[i] + "\") = {" + id + "};\n";
+      text += "Line(" + id + ") = {" + id + ", " + std::to_string(k + (i + 1) % 4 + 1) + "};\nPhysical Curve(\"" +
+              names[b] + "_" + sides[i] + "\") = {" + id + "};\n";
     }
     const auto s = std::to_string(b + 1);
-    text += "Curve Loop(" + s + ") = {" + std::to_string(k + 1) + ":" + std::to_string(k + 4) + "};\nPlane Surface(" + s + ") = {" + s + "};\nPhysical Surface(\"" + names[b] + "\") = {" + s + "};\n";
+    text += "Curve Loop(" + s + ") = {" + std::to_string(k + 1) + ":" + std::to_string(k + 4) + "};\nPlane Surface(" +
+            s + ") = {" + s + "};\nPhysical Surface(\"" + names[b] + "\") = {" + s + "};\n";
   }
   const std::string path = support::temporary_folder() + "blocks_" + std::to_string(static_cast<int>(degrees)) + ".geo";
   std::ofstream(path, std::ios::binary) << text;
@@ -77,25 +82,31 @@ std::string blocks_geo(double degrees) {
 
 struct Shear {
   double degrees = 0.0;
-  int slider = 2, base = 3;    ///< elements along the contact
-  double shear_MPa = 2.0;      ///< on all four free sides
-  std::string drive;           ///< x of the slider's top
+  int slider = 2, base = 3;  ///< elements along the contact
+  double shear_MPa = 2.0;    ///< on all four free sides
+  std::string drive;         ///< x of the slider's top
   std::string secondary = "slider_bottom", primary = "base_top";
 };
 
 /// Pressure 10 and uniform shear, nu = 0: both are the same in every cell.
 std::string shear_scene(const Shear& c) {
   const std::string angle = "angle_deg = " + std::to_string(c.degrees) + "\n";
-  std::string text = "analysis = \"plane_strain\"\ngeometry = [\"" + blocks_geo(c.degrees) + "\"]\n[material.m]\nE_MPa = 200e3\nnu = 0.0\n";
-  text += "[body.slider]\nmaterial = \"m\"\nmesh = { element = \"quad\", far_size_mm = " + std::to_string(10.0 / c.slider) + " }\n";
-  text += "[body.base]\nmaterial = \"m\"\nmesh = { element = \"quad\", far_size_mm = " + std::to_string(10.0 / c.base) + " }\n";
+  std::string text = "analysis = \"plane_strain\"\ngeometry = [\"" + blocks_geo(c.degrees) +
+                     "\"]\n[material.m]\nE_MPa = 200e3\nnu = 0.0\n";
+  text +=
+      "[body.slider]\nmaterial = \"m\"\nmesh = { element = \"quad\", far_size_mm = " + std::to_string(10.0 / c.slider) +
+      " }\n";
+  text += "[body.base]\nmaterial = \"m\"\nmesh = { element = \"quad\", far_size_mm = " + std::to_string(10.0 / c.base) +
+          " }\n";
   text += "[contact.pad]\nsecondary = \"" + c.secondary + "\"\nprimary = [\"" + c.primary + "\"]\nfriction = 0.3\n";
-  text += "[support.top]\nedge = \"slider_top\"\n" + angle + "rotation = \"fixed\"\ny = { force_N_per_mm = -100.0, history = \"h\" }\nx = " + c.drive + "\n";
+  text += "[support.top]\nedge = \"slider_top\"\n" + angle +
+          "rotation = \"fixed\"\ny = { force_N_per_mm = -100.0, history = \"h\" }\nx = " + c.drive + "\n";
   text += "[support.bottom]\nedge = \"base_bottom\"\n" + angle + "x = \"fixed\"\ny = \"fixed\"\nrotation = \"fixed\"\n";
   for (const std::string body : {"slider", "base"})
     for (const double side : {1.0, -1.0})
-      text += "[load." + body + (side > 0.0 ? "_right" : "_left") + "]\nedge = \"" + body + (side > 0.0 ? "_right" : "_left") + "\"\ntraction_MPa = " +
-              pair_text(turned({0.0, side * c.shear_MPa}, c.degrees)) + "\nhistory = \"h\"\n";
+      text += "[load." + body + (side > 0.0 ? "_right" : "_left") + "]\nedge = \"" + body +
+              (side > 0.0 ? "_right" : "_left") +
+              "\"\ntraction_MPa = " + pair_text(turned({0.0, side * c.shear_MPa}, c.degrees)) + "\nhistory = \"h\"\n";
   return text + "[history]\nh = [[0.0, 0.0], [1.0, 1.0]]\n[[step]]\nname = \"press\"\nplay = [\"h\"]\nincrements = 2\n";
 }
 
@@ -137,8 +148,8 @@ TEST(ContactPatch, StickUniform) {
   }
 }
 
-// The same blocks driven a little beyond mu p must slip everywhere at uniform shear mu p; a longer way would uncover their
-// ends: blocks of 3e-4 mm shear stay in line.
+// The same blocks driven a little beyond mu p must slip everywhere at uniform shear mu p; a longer way would uncover
+// their ends: blocks of 3e-4 mm shear stay in line.
 TEST(ContactPatch, SlipUniform) {
   for (const double degrees : {0.0, 30.0}) {
     expect_uniform({degrees, 2, 3, 3.0, motion}, 3.0, 2);

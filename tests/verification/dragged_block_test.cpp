@@ -1,10 +1,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
-/// A block pressed on its top and dragged to and fro by its side, over a base: the node at the side slides as all others.
+/// A block pressed on its top and dragged to and fro by its side, over a base: the node at the side slides as all
+/// others.
 namespace reye::verification {
 
 namespace {
@@ -73,9 +74,11 @@ double along(const sim::IncrementRecord& r) { return r.support_forces[0].x(); }
 
 }  // namespace
 
-/// Of a block so stiff that its foot stays flat the drive is mu N to the last digit, either way, and each step of it dissipates mu N times its length.
+/// Of a block so stiff that its foot stays flat the drive is mu N to the last digit, either way, and each step of it
+/// dissipates mu N times its length.
 TEST(DraggedBlock, FeelsAllOfFriction) {
-  const Played run = rubbed({{"E_MPa = 200e3", "E_MPa = 200e9"}, {"wear      = { law = \"energy\", secondary_mm3_per_J = 1.0e-6 }", ""}});
+  const Played run = rubbed(
+      {{"E_MPa = 200e3", "E_MPa = 200e9"}, {"wear      = { law = \"energy\", secondary_mm3_per_J = 1.0e-6 }", ""}});
   ASSERT_EQ(run.records.size(), 9U);
   for (std::size_t i : {2U, 4U, 5U, 6U, 8U}) {
     const double way = i > 2 && i < 7 ? -1.0 : 1.0;

@@ -26,15 +26,16 @@ std::string turned_blocks(double degrees, double friction) {
 /// One step of equal increments: the upper of two blocks is pressed down, drawn back and forth a little, and then both
 /// holders turn about the origin. Every motion is a history in mm or rad, exact at the end of each increment.
 struct Turning {
-  std::vector<Vec2> upper;     ///< of the upper block's top after each increment
-  std::vector<double> angle;   ///< of both [rad]
+  std::vector<Vec2> upper;    ///< of the upper block's top after each increment
+  std::vector<double> angle;  ///< of both [rad]
 
   static constexpr int increments = 14;
   const Vec2 top{2.5, 3.0}, bottom{2.0, 0.0};  ///< middles of the two edges
 
   explicit Turning(double end) {
     for (int k = 0; k <= increments; ++k) {
-      const double press = std::min(k, 4) / 4.0, draw = k <= 4 ? 0.0 : std::min(k - 4, 3) - 0.7 * std::clamp(k - 7, 0, 1);
+      const double press = std::min(k, 4) / 4.0,
+                   draw = k <= 4 ? 0.0 : std::min(k - 4, 3) - 0.7 * std::clamp(k - 7, 0, 1);
       angle.push_back(end * std::max(k - 8, 0) / (increments - 8));
       upper.push_back(base::Vec2(0.02 * draw, -0.15 * press));
     }
@@ -42,7 +43,8 @@ struct Turning {
 
   std::string history(const std::string& name, const std::function<double(int)>& at) const {
     std::string text = name + " = [";
-    for (int k = 0; k <= increments; ++k) text += (k ? ", " : "") + pair_text({static_cast<double>(k) / increments, at(k)});
+    for (int k = 0; k <= increments; ++k)
+      text += (k ? ", " : "") + pair_text({static_cast<double>(k) / increments, at(k)});
     return text + "]\n";
   }
 
@@ -60,14 +62,17 @@ struct Turning {
 
 std::string turning_scene(double angle, const std::string& order) {
   const auto support = [](const std::string& edge, const std::string& name) {
-    return "[support." + name + "]\nedge = \"" + edge + "\"\nx = { motion_mm = 1.0, history = \"" + name + "_x\" }\ny = { motion_mm = 1.0, history = \"" +
-           name + "_y\" }\nrotation = { motion_rad = 1.0, history = \"turn\" }\n";
+    return "[support." + name + "]\nedge = \"" + edge + "\"\nx = { motion_mm = 1.0, history = \"" + name +
+           "_x\" }\ny = { motion_mm = 1.0, history = \"" + name +
+           "_y\" }\nrotation = { motion_rad = 1.0, history = \"turn\" }\n";
   };
-  std::string text = scene_text("two_blocks_finite", {{"far_size_mm = 0.15", "far_size_mm = 0.3"},
-                                                      {"far_size_mm = 0.125", "far_size_mm = 0.25"},
-                                                      {"kinematics = \"finite\"", "kinematics = \"finite\"\n" + order}});
+  std::string text =
+      scene_text("two_blocks_finite", {{"far_size_mm = 0.15", "far_size_mm = 0.3"},
+                                       {"far_size_mm = 0.125", "far_size_mm = 0.25"},
+                                       {"kinematics = \"finite\"", "kinematics = \"finite\"\n" + order}});
   text.resize(text.find("[support.bottom]"));
-  return text + support("upper_top", "up") + support("lower_bottom", "low") + "[history]\n" + Turning(angle).histories() +
+  return text + support("upper_top", "up") + support("lower_bottom", "low") + "[history]\n" +
+         Turning(angle).histories() +
          "[[step]]\nname = \"all\"\nplay = [\"up_x\", \"up_y\", \"low_x\", \"low_y\", \"turn\"]\nincrements = " +
          std::to_string(Turning::increments) + "\n";
 }
@@ -80,7 +85,8 @@ std::map<double, double> by_height(const sim::SurfaceRecord& s, const std::vecto
 
 double largest_jump(const std::vector<double>& v, std::size_t from, std::size_t to) {
   double largest = 0.0;
-  for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::abs(v[i] - 0.5 * (v[i - 1] + v[i + 1])) / std::abs(v[i]));
+  for (std::size_t i = from; i < to; ++i)
+    largest = std::max(largest, std::abs(v[i] - 0.5 * (v[i - 1] + v[i + 1])) / std::abs(v[i]));
   return largest;
 }
 
@@ -89,7 +95,8 @@ double largest_jump(const std::vector<double>& v, std::size_t from, std::size_t 
 // Finite strain: a scene turned by 30 degrees under load has the same pressures, and its forces turn with it.
 TEST(FiniteStrain, SceneTurnedUnderLoad) {
   const auto upright = played(turned_blocks(0.0, 0.3)), turned_by_30 = played(turned_blocks(30.0, 0.3));
-  const auto &p = upright.surface(sim::Side::secondary).pressure_MPa, &q = turned_by_30.surface(sim::Side::secondary).pressure_MPa;
+  const auto &p = upright.surface(sim::Side::secondary).pressure_MPa,
+             &q = turned_by_30.surface(sim::Side::secondary).pressure_MPa;
   const double largest = *std::max_element(p.begin(), p.end());
   ASSERT_EQ(p.size(), q.size());
   for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(p[i], q[i], 1e-10 * largest);
@@ -97,12 +104,13 @@ TEST(FiniteStrain, SceneTurnedUnderLoad) {
   for (std::size_t k = 0; k < f.size(); ++k) EXPECT_LT((turned(f[k], 30.0) - g[k]).norm(), 1e-10 * f[k].norm());
 }
 
-// A loaded scene that turns under load by a right angle: pressure, shear and slip stay what they are, partly in stick and
-// partly in slip, and the forces turn with it.
+// A loaded scene that turns under load by a right angle: pressure, shear and slip stay what they are, partly in stick
+// and partly in slip, and the forces turn with it.
 TEST(FiniteStrain, LoadedSceneTurns) {
   for (const std::string order : {"", "order = 2"}) {
     const double angle = 90.0;
-    const auto rest = played(turning_scene(0.0, order)), turning = played(turning_scene(angle * std::numbers::pi / 180.0, order));
+    const auto rest = played(turning_scene(0.0, order)),
+               turning = played(turning_scene(angle * std::numbers::pi / 180.0, order));
     const auto &p = rest.surface(sim::Side::secondary), &q = turning.surface(sim::Side::secondary);
     const double largest = *std::max_element(p.pressure_MPa.begin(), p.pressure_MPa.end());
     EXPECT_GT(std::count(p.status.begin(), p.status.end(), 1), 2);
@@ -126,24 +134,31 @@ TEST(FiniteStrain, DualMultipliers) {
   const double pressure[4] = {86628.75, 101873.31, 112298.40, 112799.85};
   int k = 0;
   for (const auto& [y, p] : by_height(s, s.pressure_MPa))
-    if (k < 4) { EXPECT_NEAR(p / pressure[k++], 1.0, 0.002) << "y " << y; }
+    if (k < 4) {
+      EXPECT_NEAR(p / pressure[k++], 1.0, 0.002) << "y " << y;
+    }
 
-  const std::string soft = "[material.elastic]\nlaw = \"hencky\"\nE_MPa = ", hard = "[material.hard]\nlaw = \"hencky\"\nE_MPa = 1.0e8\nnu = 0.3\n\n";
-  const auto stuck = played(replaced(turned_blocks(0.0, 1.0), {{soft + "1.0e6", hard + soft + "1.0e4"},
-                                                               {"[body.right]\nmaterial = \"elastic\"", "[body.right]\nmaterial = \"hard\""},
-                                                               cauchy.front()}));
+  const std::string soft = "[material.elastic]\nlaw = \"hencky\"\nE_MPa = ",
+                    hard = "[material.hard]\nlaw = \"hencky\"\nE_MPa = 1.0e8\nnu = 0.3\n\n";
+  const auto stuck = played(
+      replaced(turned_blocks(0.0, 1.0), {{soft + "1.0e6", hard + soft + "1.0e4"},
+                                         {"[body.right]\nmaterial = \"elastic\"", "[body.right]\nmaterial = \"hard\""},
+                                         cauchy.front()}));
   const auto& q = stuck.surface(sim::Side::secondary);
   const double shear[4] = {794.326, 284.924, 69.965, 0.0};
   k = 0;
   for (const auto& [y, value] : by_height(q, q.shear_MPa))
-    if (k < 4) { EXPECT_NEAR(value, shear[k++], 0.005 * shear[0]) << "y " << y; }
+    if (k < 4) {
+      EXPECT_NEAR(value, shear[k++], 0.005 * shear[0]) << "y " << y;
+    }
 }
 
 // Ironing onset (references C6): at t = 0.1 the lowest node alone carries 47.731 and the shear is friction times that.
 TEST(FiniteStrain, IroningOnset) {
-  const auto run = played(scene_text("ironing", {{"[[0.0, 0.0], [0.125, 1.0], [1.0, 1.0]]", "[[0.0, 0.0], [1.0, 0.1]]"},
-                                                 {"draw  = [[0.0, 0.0], [1.0, 1.0]]", "draw  = [[0.0, 0.0], [1.0, 0.0125]]"},
-                                                 {"increments = 80 ", "increments = 1 "}}));
+  const auto run =
+      played(scene_text("ironing", {{"[[0.0, 0.0], [0.125, 1.0], [1.0, 1.0]]", "[[0.0, 0.0], [1.0, 0.1]]"},
+                                    {"draw  = [[0.0, 0.0], [1.0, 1.0]]", "draw  = [[0.0, 0.0], [1.0, 0.0125]]"},
+                                    {"increments = 80 ", "increments = 1 "}}));
   const auto& s = run.surface(sim::Side::secondary);
   int loaded = 0;
   for (double p : s.pressure_MPa) loaded += p > 0.0;
@@ -167,7 +182,8 @@ TEST(FiniteStrain, IroningLongStroke) {
   EXPECT_LT(largest_jump(y, 15, 75), 0.02);
 }
 
-// A rolling ring moves along by what its tread measures there: its hub turns by 1.5, and nothing holds it along the road.
+// A rolling ring moves along by what its tread measures there: its hub turns by 1.5, and nothing holds it along the
+// road.
 TEST(FiniteStrain, RollingRing) {
   const auto run = played(scene_text("rolling_ring"));
   EXPECT_EQ(run.summary.counts.cutbacks, 0);
@@ -208,7 +224,8 @@ TEST(FiniteStrain, RubberPinLedger) {
 TEST(FiniteStrain, PressedRing) {
   const auto run = played(scene_text("pressed_ring_plastic"));
   EXPECT_LE(run.summary.counts.cutbacks, 2);
-  for (const auto& r : run.records) EXPECT_LE(r.newton, 50) << "progress " << r.progress;  // steps on kept matrices and tangents count, too
+  for (const auto& r : run.records)
+    EXPECT_LE(r.newton, 50) << "progress " << r.progress;  // steps on kept matrices and tangents count, too
   const auto& s = run.surface(sim::Side::secondary);
   const auto peak = std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end()) - s.pressure_MPa.begin();
   EXPECT_GT(s.x_mm[peak], 1.0);

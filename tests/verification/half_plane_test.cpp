@@ -27,12 +27,15 @@ Vector values(const Grid& grid, const std::function<double(double)>& f) {
   return grid.x.unaryExpr([&](double x) { return f(x); });
 }
 
-double rms(const Grid& grid, const Vector& error) { return std::sqrt(grid.width.dot(error.cwiseAbs2()) / grid.width.sum()); }
+double rms(const Grid& grid, const Vector& error) {
+  return std::sqrt(grid.width.dot(error.cwiseAbs2()) / grid.width.sum());
+}
 
 /// The error on so many cells: root of the mean square over eight positions of the contact's edge between the points.
 double error_on(int cells, const std::function<double(const Grid&)>& error) {
   double sum = 0.0;
-  for (int k = 0; k < 8; ++k) sum += std::pow(error(half_plane::make_grid(0.12 * (1.0 + k / (8.0 * cells)), cells, E_star)), 2);
+  for (int k = 0; k < 8; ++k)
+    sum += std::pow(error(half_plane::make_grid(0.12 * (1.0 + k / (8.0 * cells)), cells, E_star)), 2);
   return std::sqrt(sum / 8.0);
 }
 
@@ -65,7 +68,9 @@ const Grid& fine() {
 // The reference's pressure must converge to Hertz's with h, and its approach to Hertz's parabola in the contact.
 TEST(HalfPlane, Hertz) {
   const auto error = [](const Grid& grid) {
-    return rms(grid, half_plane::press(grid, round(grid), P).p - values(grid, [](double x) { return hertz(x, a, p0); })) / p0;
+    return rms(grid,
+               half_plane::press(grid, round(grid), P).p - values(grid, [](double x) { return hertz(x, a, p0); })) /
+           p0;
   };
   EXPECT_GT(rate(40, error), 0.9);
   EXPECT_LT(error(fine()), 3e-3);
@@ -90,7 +95,8 @@ TEST(HalfPlane, CattaneoMindlin) {
     EXPECT_GT(rate(40, slip), 1.0) << share;
     EXPECT_LT(slip(fine()), 1e-3) << share;
   }
-  const std::pair<double, double> energies[] = {{0.25, 1.79499e-4}, {0.5, 1.70741e-3}, {0.75, 7.33844e-3}};  // references B3
+  const std::pair<double, double> energies[] = {
+      {0.25, 1.79499e-4}, {0.5, 1.70741e-3}, {0.75, 7.33844e-3}};  // references B3
   for (const auto& [share, E_c] : energies) {
     const auto p = half_plane::press(fine(), round(fine()), P).p;
     const auto s = half_plane::shear(fine(), mu * p, share * mu * P).slip;
@@ -98,8 +104,9 @@ TEST(HalfPlane, CattaneoMindlin) {
   }
 }
 
-// There and back between -Q and Q a point must slip by twice the slip of a first loading, and that slip must be mu times the
-// gap of the same shape pressed by P - Q / mu, worn or not: dw/dN = 4 alpha mu^2 p G. The gap must grow as the depth.
+// There and back between -Q and Q a point must slip by twice the slip of a first loading, and that slip must be mu
+// times the gap of the same shape pressed by P - Q / mu, worn or not: dw/dN = 4 alpha mu^2 p G. The gap must grow as
+// the depth.
 TEST(HalfPlane, SlipIsTheGapOfLessLoad) {
   const auto& grid = fine();
   const double Q = 0.6 * mu * P;
@@ -117,8 +124,8 @@ TEST(HalfPlane, SlipIsTheGapOfLessLoad) {
   EXPECT_LT((gap(round(grid) + depth) - unworn - depth).cwiseAbs().maxCoeff(), 1e-9 * depth.maxCoeff());
 }
 
-// The stick zone must stay, and wear end at Ciavarella and Hills' profile, nearer with h; on the way it must pass the shares
-// 0.600, 0.977 and 0.999 of that depth (references B4), of second order in the steps.
+// The stick zone must stay, and wear end at Ciavarella and Hills' profile, nearer with h; on the way it must pass the
+// shares 0.600, 0.977 and 0.999 of that depth (references B4), of second order in the steps.
 TEST(HalfPlane, WearsToTheLimitProfile) {
   const double c = stick(0.5), x = std::sqrt(0.5 * (a * a + c * c)), deepest = limit(x, c);
   const auto error = [&](const Grid& g) {

@@ -32,13 +32,13 @@ Case disc(double share) {
 
 /// A rubber pin pressed on a rigid plate and drawn to one side.
 Case pin(double share) {
-  return {"pin", scene_text("rubber_pin_wear", {{"kinematics = \"finite\"", "KINEMATICS"},
-                                                {"= -0.4", "= " + number(-0.4 * share)},
-                                                {"= 1.5,", "= " + number(1.5 * share) + ","},
-                                                {"[0.25, 1.0], [0.75, -1.0], [1.0, 0.0]", "[1.0, 1.0]"},
-                                                {"increments = 40\ncycles = 200\njump = 10",
-                                                 "increments = 10\nwear = false"},
-                                                {"every_cycles = 10", "every_increment = true"}})};
+  return {"pin",
+          scene_text("rubber_pin_wear", {{"kinematics = \"finite\"", "KINEMATICS"},
+                                         {"= -0.4", "= " + number(-0.4 * share)},
+                                         {"= 1.5,", "= " + number(1.5 * share) + ","},
+                                         {"[0.25, 1.0], [0.75, -1.0], [1.0, 0.0]", "[1.0, 1.0]"},
+                                         {"increments = 40\ncycles = 200\njump = 10", "increments = 10\nwear = false"},
+                                         {"every_cycles = 10", "every_increment = true"}})};
 }
 
 /// A block pressed on a wider one and drawn along it.
@@ -84,8 +84,10 @@ rotation = "fixed"
 [support.head]
 edge     = "column_top"
 rotation = "fixed"
-x        = { motion_mm = )" + number(0.5 * share) + R"(, history = "side" }
-y        = { motion_mm = )" + number(-0.3 * share) + R"(, history = "press" }
+x        = { motion_mm = )" +
+                        number(0.5 * share) + R"(, history = "side" }
+y        = { motion_mm = )" +
+                        number(-0.3 * share) + R"(, history = "press" }
 [history]
 side  = [[0.0, 0.0], [1.0, 1.0]]
 press = [[0.0, 0.0], [1.0, 1.0]]
@@ -165,7 +167,8 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
     for (std::size_t b = 0; b < told.kinematics.size(); ++b)
       if (!told.rigid[b]) told.kinematics[b].emplace();
     sim::Cache cache;
-    const double estimate = sim::small_strain_error(told, small.state, sim::system_of(told, small.state, cache)).value();
+    const double estimate =
+        sim::small_strain_error(told, small.state, sim::system_of(told, small.state, cache)).value();
     const double error = apart(small, finite);
     EXPECT_GT(estimate, 0.5 * sim::small_strain_bound) << c.name;
     EXPECT_LT(estimate, 2.0 * sim::small_strain_bound) << c.name;
@@ -174,15 +177,16 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
   }
 }
 
-// A linear elastic body that needs finite strain must get the Hencky law of the same constants, and the plan say so; one
-// whose small strain is good enough must stay as it is.
+// A linear elastic body that needs finite strain must get the Hencky law of the same constants, and the plan say so;
+// one whose small strain is good enough must stay as it is.
 TEST(Kinematics, LinearElasticBecomesHencky) {
   const auto linear = replaced(strained(disc(1.0).text, "auto"), {{"law = \"hencky\"\n", ""}});
   const auto problem = prepared(linear);
   ASSERT_TRUE(std::holds_alternative<material::Hencky>(problem.inputs[0].material));
   EXPECT_EQ(std::get<material::Hencky>(problem.inputs[0].material).E_MPa, 200.0);
   EXPECT_NE(problem.plan.lines[0].find("Hencky, finite strain"), std::string::npos) << problem.plan.lines[0];
-  EXPECT_EQ(problem.plan.lines[1].find("  kinematics auto: finite strain, for the estimated error of small strain is "), 0U)
+  EXPECT_EQ(problem.plan.lines[1].find("  kinematics auto: finite strain, for the estimated error of small strain is "),
+            0U)
       << problem.plan.lines[1];
   const auto weak = prepared(replaced(linear, {{"-0.625", "-0.03"}}));
   EXPECT_TRUE(std::holds_alternative<material::LinearElastic>(weak.inputs[0].material));
@@ -193,8 +197,8 @@ TEST(Kinematics, LinearElasticBecomesHencky) {
 // A run whose small strain turns out not to be good enough, for what comes is more than the trial met, must say so once
 // and tell the larger estimate.
 TEST(Kinematics, RunWarnsWhenTheEstimatePassesTheBound) {
-  auto problem = prepared(replaced(strained(disc(0.1).text, "auto"),
-                                   {{"increments = 10", "increments = 2\ncycles = 3\nwear = false"}}));
+  auto problem = prepared(
+      replaced(strained(disc(0.1).text, "auto"), {{"increments = 10", "increments = 2\ncycles = 3\nwear = false"}}));
   problem.scene.histories.at("press").back()[1] = 10.0;
   auto state = sim::initial_state(problem);
   const double trial = state.small_strain_error.value();

@@ -61,8 +61,8 @@ struct Bench {
 };
 
 /// Root of the integral of the squared difference over the root of that of the first, both linear between nodes.
-double profile_change(const sim::SurfaceRecord& before, const sim::SurfaceRecord& after, const std::vector<double>& old_values,
-                      const std::vector<double>& new_values) {
+double profile_change(const sim::SurfaceRecord& before, const sim::SurfaceRecord& after,
+                      const std::vector<double>& old_values, const std::vector<double>& new_values) {
   const auto at = [](const sim::SurfaceRecord& s, const std::vector<double>& v, double x) {
     std::size_t k = 1;
     while (k + 1 < s.x_mm.size() && s.x_mm[k] < x) ++k;
@@ -103,10 +103,11 @@ const std::vector<sim::RemeshReason> both_kept{{"asked for", false}, {"asked for
 
 }  // namespace
 
-// Without wear, a hundred fresh meshes in a row, each second one with facets a tenth longer, must leave the pressure of a
-// line contact where it was.
+// Without wear, a hundred fresh meshes in a row, each second one with facets a tenth longer, must leave the pressure of
+// a line contact where it was.
 TEST(Remesh, PressureDoesNotDrift) {
-  Bench bench(scene_text("hertz", {{"size_mm = 0.0045", "size_mm = 0.009"}, {"far_size_mm = 0.8", "far_size_mm = 1.5"}}));
+  Bench bench(
+      scene_text("hertz", {{"size_mm = 0.0045", "size_mm = 0.009"}, {"far_size_mm = 0.8", "far_size_mm = 1.5"}}));
   bench.play(0);
   const auto before = bench.secondary();
   for (int n = 0; n < 100; ++n) {
@@ -118,8 +119,8 @@ TEST(Remesh, PressureDoesNotDrift) {
   EXPECT_LT(profile_change(before, after, before.pressure_MPa, after.pressure_MPa), 0.01);
 }
 
-// Stopped at full tangential load, a contact in partial slip that is meshed anew twenty times must keep its shear, within
-// 2 % of mu p0, and its stick width.
+// Stopped at full tangential load, a contact in partial slip that is meshed anew twenty times must keep its shear,
+// within 2 % of mu p0, and its stick width.
 TEST(Remesh, ShearIsHistory) {
   Bench bench(scene_text("cattaneo_mindlin"));
   bench.play(0);
@@ -132,8 +133,8 @@ TEST(Remesh, ShearIsHistory) {
   EXPECT_NEAR(sim::stick_half_width(after, mu).value(), width, 0.01 * width);
 }
 
-// Divided into other facets and back, it must keep its shear as well as facets can tell: next to stick and contact edge it
-// has an infinite slope, and a node half an element off reads another value; elsewhere within 1 % of mu p0.
+// Divided into other facets and back, it must keep its shear as well as facets can tell: next to stick and contact edge
+// it has an infinite slope, and a node half an element off reads another value; elsewhere within 1 % of mu p0.
 TEST(Remesh, ShearOnOtherFacets) {
   constexpr double stick = 0.0645843, h = 0.0045;  // references B2
   Bench bench(scene_text("cattaneo_mindlin"));
@@ -162,7 +163,8 @@ struct Indented {
   /// Meshed anew ten times, with other elements each time.
   void renew() {
     const double start = plastic_strain(bench);
-    for (double factor : {1.13, 0.91 / 1.13, 1.06 / 0.91, 0.95 / 1.06, 1.0 / 0.95, 1.1, 0.9 / 1.1, 1.13 / 0.9, 0.91 / 1.13, 1.06 / 0.91}) {
+    for (double factor : {1.13, 0.91 / 1.13, 1.06 / 0.91, 0.95 / 1.06, 1.0 / 0.95, 1.1, 0.9 / 1.1, 1.13 / 0.9,
+                          0.91 / 1.13, 1.06 / 0.91}) {
       const auto shape = bench.state.shapes[1];
       bench.scale_zones(factor);
       bench.renew(0, both_kept);
@@ -180,7 +182,8 @@ struct Indented {
   }
 
   static Replacements all(Replacements words) {
-    words.push_back({"half_width_mm = 0.4, depth_mm = 0.15, size_mm = 0.012", "half_width_mm = 0.8, depth_mm = 0.3, size_mm = 0.04"});
+    words.push_back({"half_width_mm = 0.4, depth_mm = 0.15, size_mm = 0.012",
+                     "half_width_mm = 0.8, depth_mm = 0.3, size_mm = 0.04"});
     return words;
   }
 };
@@ -210,7 +213,8 @@ TEST(Remesh, PlasticStrainHeld) {
 
 // Released to a fifth of the force that indented them, they must keep it to round-off of the transfer: nothing yields.
 TEST(Remesh, PlasticStrainReleased) {
-  Indented bodies({{"-120.0", "-600.0"}, {"press  = [[0.0, 0.0], [1.0, 1.0]]", "press  = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.2]]"}});
+  Indented bodies(
+      {{"-120.0", "-600.0"}, {"press  = [[0.0, 0.0], [1.0, 1.0]]", "press  = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.2]]"}});
   bodies.renew();
   EXPECT_LT(std::abs(bodies.change), 1e-4);
   expect_quiet(bodies.bench.records);
@@ -230,6 +234,7 @@ TEST(Remesh, OneBodyAlone) {
 
 // Without wear a fine zone is the user's: a contact that fills it is no reason for another mesh.
 TEST(Remesh, NoneWithoutWear) {
-  const auto p = played(scene_text("hertz", {{"half_width_mm = 0.13", "half_width_mm = 0.095"}, {"size_mm = 0.0045", "size_mm = 0.009"}}));
+  const auto p = played(scene_text(
+      "hertz", {{"half_width_mm = 0.13", "half_width_mm = 0.095"}, {"size_mm = 0.0045", "size_mm = 0.009"}}));
   EXPECT_EQ(p.summary.counts.remeshes, 0);
 }

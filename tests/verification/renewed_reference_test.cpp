@@ -59,10 +59,11 @@ TEST(RenewedReference, UpsettingForce) {
   EXPECT_EQ(run.state.solution.interiors[0].F0.size(), run.state.solution.interiors[0].history.size());
 }
 
-// Probes and frames must count from the start whatever was renewed on the way: a point of the barrel moves as in a run on one
-// mesh within 1 %, and what a frame shows as unstressed is the billet as it was drawn.
+// Probes and frames must count from the start whatever was renewed on the way: a point of the barrel moves as in a run
+// on one mesh within 1 %, and what a frame shows as unstressed is the billet as it was drawn.
 TEST(RenewedReference, ProbesCountFromTheStart) {
-  const std::pair<std::string, std::string> probes{"[output]", "[output]\nprobes = { barrel = { body = \"billet\", at_mm = [10.0, 3.0] } }"};
+  const std::pair<std::string, std::string> probes{
+      "[output]", "[output]\nprobes = { barrel = { body = \"billet\", at_mm = [10.0, 3.0] } }"};
   const auto run = played(scene_text("upsetting_remesh", {probes}));
   const auto plain = played(scene_text("upsetting_remesh", {probes, {"[remesh]", "[remesh]\nautomatic = false"}}));
   EXPECT_GE(run.summary.counts.remeshes, 2);
@@ -77,8 +78,8 @@ TEST(RenewedReference, ProbesCountFromTheStart) {
   EXPECT_NEAR(high - low, 15.0, 0.02);
 }
 
-// A support that moves the renewed body itself must go on from where it was: the billet pushed against a fixed die needs
-// the force of the die pushed against the billet.
+// A support that moves the renewed body itself must go on from where it was: the billet pushed against a fixed die
+// needs the force of the die pushed against the billet.
 TEST(RenewedReference, MovedSupportsGoOn) {
   const auto die = played(scene_text("upsetting_remesh"));
   const auto billet = played(scene_text(

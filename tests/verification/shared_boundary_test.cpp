@@ -4,26 +4,28 @@
 
 #include "mesh/measure.hpp"
 #include "output/state_archive.hpp"
-#include "support/problem.hpp"
-#include "wear_scene.hpp"
 #include "sim/observer.hpp"
 #include "sim/run.hpp"
+#include "support/problem.hpp"
+#include "wear_scene.hpp"
 
 /// A boundary that two contacts wear: geo/two_pins, and a shaft between two pads.
 namespace reye::verification {
 
 namespace {
 
-constexpr double way = 4.0, first_rate = 1e-6 * 0.2 * 20.0, second_rate = 3e-6 * 0.1 * 10.0;  ///< alpha mu F [mm^2 per mm of way]
+constexpr double way = 4.0, first_rate = 1e-6 * 0.2 * 20.0,
+                 second_rate = 3e-6 * 0.1 * 10.0;  ///< alpha mu F [mm^2 per mm of way]
 
 const Replacements shorter{{"cycles     = 100", "cycles     = 40"}, {"jump       = 20", "jump       = 10"}};
 constexpr double cycles = 40.0;
 
 /// The pins deform and carry the multipliers, the flat is the primary side of both contacts.
-const Replacements exchanged{{"secondary = \"track\"\nprimary   = [\"first_foot\"]", "secondary = \"first_foot\"\nprimary   = [\"track\"]"},
-                             {"secondary = \"track\"\nprimary   = [\"second_foot\"]", "secondary = \"second_foot\"\nprimary   = [\"track\"]"},
-                             {"rigid = true\nmesh  = { far_size_mm = 0.05 }", "material = \"polymer\"\nmesh  = { far_size_mm = 0.045 }"},
-                             {"secondary_mm3_per_J", "primary_mm3_per_J"}};
+const Replacements exchanged{
+    {"secondary = \"track\"\nprimary   = [\"first_foot\"]", "secondary = \"first_foot\"\nprimary   = [\"track\"]"},
+    {"secondary = \"track\"\nprimary   = [\"second_foot\"]", "secondary = \"second_foot\"\nprimary   = [\"track\"]"},
+    {"rigid = true\nmesh  = { far_size_mm = 0.05 }", "material = \"polymer\"\nmesh  = { far_size_mm = 0.045 }"},
+    {"secondary_mm3_per_J", "primary_mm3_per_J"}};
 
 Replacements operator+(Replacements a, const Replacements& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -72,14 +74,15 @@ void expect_two_tracks(const Played& run, sim::Side side, double tolerance) {
     for (const auto& force : row.support_forces) sum += force;
     EXPECT_LT(sum.norm(), 1e-8);
     for (std::size_t c : {0U, 1U})
-      EXPECT_NEAR(std::hypot(row.contacts[c].normal_force, row.contacts[c].tangential_force), row.support_forces[c + 1].norm(),
-                  1e-8);
+      EXPECT_NEAR(std::hypot(row.contacts[c].normal_force, row.contacts[c].tangential_force),
+                  row.support_forces[c + 1].norm(), 1e-8);
   }
 }
 
 }  // namespace
 
-/// Two pins that run over one track must each wear it by their own work, and its depth must be the sum, whichever is looked at.
+/// Two pins that run over one track must each wear it by their own work, and its depth must be the sum, whichever is
+/// looked at.
 TEST(SharedBoundary, TwoPinsOnASecondaryTrack) {
   expect_two_tracks(played(scene_text("two_pins", shorter)), sim::Side::secondary, 0.01);
 }
@@ -93,7 +96,8 @@ TEST(SharedBoundary, TwoPinsOnAPrimaryTrack) {
 TEST(SharedBoundary, AcrossRemeshes) {
   const Replacements remesh{{"[history]", "[remesh]\nevery_blocks = 2\n\n[history]"}};
   for (const auto side : {sim::Side::secondary, sim::Side::primary}) {
-    const auto run = played(scene_text("two_pins", shorter + remesh + (side == sim::Side::secondary ? Replacements{} : exchanged)));
+    const auto run =
+        played(scene_text("two_pins", shorter + remesh + (side == sim::Side::secondary ? Replacements{} : exchanged)));
     EXPECT_GE(run.summary.counts.remeshes, 1);
     expect_two_tracks(run, side, 0.02);
   }
@@ -102,20 +106,25 @@ TEST(SharedBoundary, AcrossRemeshes) {
 /// A limit of depth must watch what all have worn, whichever contact it names.
 TEST(SharedBoundary, ALimitWatchesTheSum) {
   const double half = 0.5 * cycles * 2.0 * (first_rate + second_rate);
-  const Replacements limit{{"[history]", "[limit.deep]\ncontact = \"second\"\ndepth_mm = " + std::to_string(half) + "\n\n[history]"}};
+  const Replacements limit{
+      {"[history]", "[limit.deep]\ncontact = \"second\"\ndepth_mm = " + std::to_string(half) + "\n\n[history]"}};
   const auto run = played(scene_text("two_pins", shorter + limit));
   ASSERT_TRUE(run.summary.life_cycles.at("deep").has_value());
   EXPECT_NEAR(*run.summary.life_cycles.at("deep"), 0.5 * cycles, 0.6);
 }
 
-/// What one pin has left in the gap the other must find gone: with all wear waiting there a pin sinks as far as into a worn shape.
+/// What one pin has left in the gap the other must find gone: with all wear waiting there a pin sinks as far as into a
+/// worn shape.
 TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
-  const Replacements deep{{"mm3_per_J = 1e-3", "mm3_per_J = 2e-2"}, {"mm3_per_J = 3e-3", "mm3_per_J = 6e-2"},
+  const Replacements deep{{"mm3_per_J = 1e-3", "mm3_per_J = 2e-2"},
+                          {"mm3_per_J = 3e-3", "mm3_per_J = 6e-2"},
                           {"[history]", "[output.probes]\nhead = { body = \"first\", at_mm = [2.4, 1] }\n\n[history]"}};
   const Replacements in_gap{{"title ", "shape = \"off\"\ntitle "}};
   // Where the run ends both pins stand on what both have worn.
-  const Replacements halfway{{"stroke = [[0, 0], [0.5, 1], [1, 0]]", "stroke = [[0, 0], [0.25, 0.5], [0.75, -0.5], [1, 0]]"},
-                             {"motion_mm = 2.0", "motion_mm = 3.0"}, {"increments = 80", "increments = 120"}};
+  const Replacements halfway{
+      {"stroke = [[0, 0], [0.5, 1], [1, 0]]", "stroke = [[0, 0], [0.25, 0.5], [0.75, -0.5], [1, 0]]"},
+      {"motion_mm = 2.0", "motion_mm = 3.0"},
+      {"increments = 80", "increments = 120"}};
   for (const auto side : {sim::Side::secondary, sim::Side::primary}) {
     const auto roles = side == sim::Side::secondary ? Replacements{} : exchanged;
     const auto shaped = played(scene_text("two_pins", shorter + roles + deep + halfway));
@@ -124,20 +133,25 @@ TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
     EXPECT_GT(worn, 4e-3);
     EXPECT_NEAR(waiting.summary.probes.at("head").y(), shaped.summary.probes.at("head").y(), 0.05 * worn)
         << name_of(side);
-    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.02 * worn) << name_of(side);
+    EXPECT_NEAR(waiting.contact().secondary.max_depth_mm + waiting.contact().primary.max_depth_mm, worn, 0.02 * worn)
+        << name_of(side);
   }
 }
 
 /// A jump that is chosen by its error must book each contact's wear once.
 TEST(SharedBoundary, UnderATolerance) {
-  const Replacements chosen{{"jump       = 20", "jump       = { tolerance = 0.1 }"}, {"increments = 80", "increments = 40"},
+  const Replacements chosen{{"jump       = 20", "jump       = { tolerance = 0.1 }"},
+                            {"increments = 80", "increments = 40"},
                             {"cycles     = 100", "cycles     = 40"}};
   expect_two_tracks(played(scene_text("two_pins", chosen)), sim::Side::secondary, 0.05);
 }
 
 /// One contact may be without friction and wear, and one only.
 TEST(SharedBoundary, OneWithoutFriction) {
-  const auto run = played(scene_text("two_pins", shorter + Replacements{{"friction  = 0.1\nwear      = { law = \"energy\", secondary_mm3_per_J = 3e-3 }", "friction  = 0.0"}}));
+  const auto run = played(scene_text(
+      "two_pins",
+      shorter + Replacements{{"friction  = 0.1\nwear      = { law = \"energy\", secondary_mm3_per_J = 3e-3 }",
+                              "friction  = 0.0"}}));
   const auto& all = run.summary.contacts;
   EXPECT_NEAR(all[0].secondary.worn_area / (cycles * first_rate * way), 1.0, 0.02);
   EXPECT_EQ(all[1].secondary.worn_area, 0.0);
@@ -147,11 +161,15 @@ TEST(SharedBoundary, OneWithoutFriction) {
 
 /// At finite strain each contact must balance its pin and book its work, too.
 TEST(SharedBoundary, AtFiniteStrain) {
-  const Replacements finite{{"material = \"polymer\"\nmesh     = { far_size_mm = 0.5 }", "material = \"polymer\"\nkinematics = \"finite\"\nmesh     = { far_size_mm = 0.7 }"},
-                            {"nu    = 0.4", "nu    = 0.4\nlaw = \"neo_hookean\""},
-                            {"half_width_mm = 3, depth_mm = 0.2, size_mm = 0.05", "half_width_mm = 2, depth_mm = 0.1, size_mm = 0.1"},
-                            {"increments = 80", "increments = 10"}, {"motion_mm = 2.0", "motion_mm = 0.5"},
-                            {"cycles     = 100", "cycles     = 20"}, {"jump       = 20", "jump       = 10"}};
+  const Replacements finite{
+      {"material = \"polymer\"\nmesh     = { far_size_mm = 0.5 }",
+       "material = \"polymer\"\nkinematics = \"finite\"\nmesh     = { far_size_mm = 0.7 }"},
+      {"nu    = 0.4", "nu    = 0.4\nlaw = \"neo_hookean\""},
+      {"half_width_mm = 3, depth_mm = 0.2, size_mm = 0.05", "half_width_mm = 2, depth_mm = 0.1, size_mm = 0.1"},
+      {"increments = 80", "increments = 10"},
+      {"motion_mm = 2.0", "motion_mm = 0.5"},
+      {"cycles     = 100", "cycles     = 20"},
+      {"jump       = 20", "jump       = 10"}};
   const auto run = played(scene_text("two_pins", finite));
   const double alpha[] = {1e-6, 3e-6};
   for (std::size_t c : {0U, 1U}) {
@@ -159,7 +177,8 @@ TEST(SharedBoundary, AtFiniteStrain) {
     EXPECT_GT(contact.dissipated_energy, 0.0);
     EXPECT_NEAR(contact.secondary.worn_area / (alpha[c] * contact.dissipated_energy), 1.0, 1e-10);
     for (const auto& row : run.records)
-      EXPECT_NEAR(std::hypot(row.contacts[c].normal_force, row.contacts[c].tangential_force), row.support_forces[c + 1].norm(), 1e-6);
+      EXPECT_NEAR(std::hypot(row.contacts[c].normal_force, row.contacts[c].tangential_force),
+                  row.support_forces[c + 1].norm(), 1e-6);
   }
 }
 
@@ -260,21 +279,24 @@ jump = 1
   return p;
 }
 
-std::string pad(const std::string& name, const std::string& edge, double friction, bool journal_is_secondary, double k) {
+std::string pad(const std::string& name, const std::string& edge, double friction, bool journal_is_secondary,
+                double k) {
   const std::string journal = "\"journal\"", other = '"' + edge + '"';
   return "[contact." + name + "]\nsecondary = " + (journal_is_secondary ? journal : other) + "\nprimary = [" +
-         (journal_is_secondary ? other : journal) + "]\nfriction = " + std::to_string(friction) + "\nwear = { law = \"archard\", " +
-         (journal_is_secondary ? "secondary" : "primary") + "_per_MPa = " + std::to_string(k) + " }\n";
+         (journal_is_secondary ? other : journal) + "]\nfriction = " + std::to_string(friction) +
+         "\nwear = { law = \"archard\", " + (journal_is_secondary ? "secondary" : "primary") +
+         "_per_MPa = " + std::to_string(k) + " }\n";
 }
 
 }  // namespace
 
-/// Every place of a shaft that turns comes under both pads in turn, on either side of the contacts: each wears coefficient x load
-/// x way, and the shape loses the sum.
+/// Every place of a shaft that turns comes under both pads in turn, on either side of the contacts: each wears
+/// coefficient x load x way, and the shape loses the sum.
 TEST(SharedBoundary, AShaftTurningUnderTwoPads) {
   const double k[] = {1e-5, 3e-5}, sliding = 4.0 * 2.0 * std::numbers::pi * 10.0;
   for (const bool secondary : {true, false}) {
-    const auto run = between_pads(pad("low", "low_top", 0.2, secondary, k[0]), pad("high", "high_foot", 0.1, secondary, k[1]));
+    const auto run =
+        between_pads(pad("low", "low_top", 0.2, secondary, k[0]), pad("high", "high_foot", 0.1, secondary, k[1]));
     double sum = 0.0;
     for (std::size_t c : {0U, 1U}) {
       const auto& contact = run.summary.contacts.at(c);

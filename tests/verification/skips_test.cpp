@@ -130,10 +130,10 @@ TEST(Skips, MatricesAreKept) {
     EXPECT_TRUE(expect_unseen(text, name, [](Player& p) { p.options.chords = false; }));
 }
 
-// What the solver keeps from one increment to the next (its extrapolated start and its reach), and a new solver for each.
-// At small strain: a finitely strained surface may meet all equations in two neighbouring states (of the pin, at one
-// increment, with the same nodes in contact and without friction, too; 2e-6 of the peak pressure apart), and the start
-// then chooses.
+// What the solver keeps from one increment to the next (its extrapolated start and its reach), and a new solver for
+// each. At small strain: a finitely strained surface may meet all equations in two neighbouring states (of the pin, at
+// one increment, with the same nodes in contact and without friction, too; 2e-6 of the peak pressure apart), and the
+// start then chooses.
 TEST(Skips, SolverIsKept) {
   EXPECT_TRUE(expect_unseen(fretting(), "fretting", [](Player& p) {
     p.observer.increment = [&p](const sim::IncrementRecord&) { p.cache.newton = solver::Newton(p.options); };

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// Sliding that is imposed with sign and history: what slides forth and back wears as what slides forth alone.
 namespace reye::verification {
@@ -14,22 +14,26 @@ const std::string rub = "press = [[0.0, 0.0], [1.0, 1.0]]\nrub = [[0.0, 0.0], [0
 
 /// geo/column slid by 100 mm in each of ten increments of ten, in one play.
 Played column(const std::string& sliding) {
-  return played(scene_text("column", {{"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = " + sliding},
-                                      {"press = [[0.0, 0.0], [1.0, 1.0]]", rub + "\nhalf = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"},
-                                      {"increments = 10\n", "increments = 10\nplay = [\"half\"]\n"}}));
+  return played(
+      scene_text("column", {{"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = " + sliding},
+                            {"press = [[0.0, 0.0], [1.0, 1.0]]", rub + "\nhalf = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"},
+                            {"increments = 10\n", "increments = 10\nplay = [\"half\"]\n"}}));
 }
 
-/// geo/sliding_block of ordinary steel, all sides free, slid forth and back with the given sign; ten cycles in one block.
+/// geo/sliding_block of ordinary steel, all sides free, slid forth and back with the given sign; ten cycles in one
+/// block.
 Played block(const std::string& value, const std::string& law) {
-  return played(scene_text("sliding_block", {{"imposed_sliding_mm = 100.0", "imposed_sliding_mm = { value = " + value + ", history = \"rub\" }"},
-                                             {"E_MPa = 200e6", "E_MPa = 200e3"},
-                                             {"traction_MPa = [0.0, 3.0]", "traction_MPa = [0.0, 0.0]"},
-                                             {"traction_MPa = [0.0, -3.0]", "traction_MPa = [0.0, 0.0]"},
-                                             {"motion_mm = 3.0e-7", "motion_mm = 0.0"},
-                                             {"far_size_mm = 0.7", "far_size_mm = 0.5"},
-                                             {"press = [[0.0, 0.0], [1.0, 1.0]]", rub},
-                                             {"law = \"energy\", secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4", law},
-                                             {"cycles = 10", "cycles = 10\njump = 10\nplay = [\"rub\"]\nincrements = 8"}}));
+  return played(
+      scene_text("sliding_block",
+                 {{"imposed_sliding_mm = 100.0", "imposed_sliding_mm = { value = " + value + ", history = \"rub\" }"},
+                  {"E_MPa = 200e6", "E_MPa = 200e3"},
+                  {"traction_MPa = [0.0, 3.0]", "traction_MPa = [0.0, 0.0]"},
+                  {"traction_MPa = [0.0, -3.0]", "traction_MPa = [0.0, 0.0]"},
+                  {"motion_mm = 3.0e-7", "motion_mm = 0.0"},
+                  {"far_size_mm = 0.7", "far_size_mm = 0.5"},
+                  {"press = [[0.0, 0.0], [1.0, 1.0]]", rub},
+                  {"law = \"energy\", secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4", law},
+                  {"cycles = 10", "cycles = 10\njump = 10\nplay = [\"rub\"]\nincrements = 8"}}));
 }
 
 const std::string energy = "law = \"energy\", secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4";
@@ -37,12 +41,14 @@ const std::string archard = "law = \"archard\", secondary_per_MPa = 0.3e-7, prim
 
 }  // namespace
 
-/// A column that is slid forth and back wears by the same backward Euler values as one that is slid forth alone: p0 / (1 + k K ds)^n.
+/// A column that is slid forth and back wears by the same backward Euler values as one that is slid forth alone: p0 /
+/// (1 + k K ds)^n.
 TEST(SlidingHistory, ForthAndBackAsForthAlone) {
   const double p = K * compression / std::pow(1.0 + k * K * 100.0, 10.0);
   int newton = 0;
-  for (const char* sliding : {"1000.0", "{ value = 500.0, history = \"half\" }", "{ value = -500.0, history = \"half\" }",
-                              "[{ value = 200.0, history = \"half\" }, { value = 300.0, history = \"half\" }]"}) {
+  for (const char* sliding :
+       {"1000.0", "{ value = 500.0, history = \"half\" }", "{ value = -500.0, history = \"half\" }",
+        "[{ value = 200.0, history = \"half\" }, { value = 300.0, history = \"half\" }]"}) {
     const Played run = column(sliding);
     EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, p), 1e-9) << sliding;
     EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, compression - p / K), 1e-9) << sliding;
@@ -59,13 +65,15 @@ TEST(SlidingHistory, EitherSignWearsTheMirrorImage) {
   for (const auto& law : {energy, archard}) {
     const Played forth = block("25.0", law), back = block("-25.0", law);
     for (const auto* run : {&forth, &back}) {
-      EXPECT_NEAR(run->contact().secondary.worn_area / 3e-3, 1.0, 2e-5);  // alpha mu P s, s = 4 x 25 mm x 10 cycles; the surfaces lean
+      EXPECT_NEAR(run->contact().secondary.worn_area / 3e-3, 1.0,
+                  2e-5);  // alpha mu P s, s = 4 x 25 mm x 10 cycles; the surfaces lean
       EXPECT_NEAR(run->contact().primary.worn_area / 1.5e-3, 1.0, 2e-5);
       EXPECT_NEAR(run->contact().dissipated_energy / 30000.0, 1.0, 2e-5);
     }
     EXPECT_NEAR(back.contact().secondary.worn_area, forth.contact().secondary.worn_area, 1e-9);
     ASSERT_EQ(back.records.size(), forth.records.size());
-    EXPECT_EQ(forth.summary.counts.cutbacks + back.summary.counts.cutbacks, 0) << "a reversal costs no smaller increments";
+    EXPECT_EQ(forth.summary.counts.cutbacks + back.summary.counts.cutbacks, 0)
+        << "a reversal costs no smaller increments";
     for (std::size_t i = 0; i < forth.records.size(); ++i) {
       EXPECT_NEAR(back.records[i].newton, forth.records[i].newton, 1) << i;  // which end opens first is rounding
       EXPECT_NEAR(back.records[i].support_forces[0].x(), -forth.records[i].support_forces[0].x(), 1e-6) << i;

@@ -12,12 +12,12 @@ namespace {
 /// geo/partial_slip_life, coarse, over two blocks.
 Played coarse(Replacements words) {
   words.insert(words.begin(), {{"size_mm = 0.0045", "size_mm = 0.012"},
-                             {"half_width_mm = 0.13, depth_mm = 0.1", "half_width_mm = 0.12, depth_mm = 0.05"},
-                             {"far_size_mm = 0.8", "far_size_mm = 2.0"},
-                             {"increments = 10", "increments = 4"},
-                             {"increments = 40", "increments = 8"},
-                             {"cycles = 1000\njump = { tolerance = 0.01 }", "cycles = 20\njump = 10"},
-                             {"cycles = 9000\njump = { tolerance = 0.01 }", "cycles = 10\njump = 10"}});
+                               {"half_width_mm = 0.13, depth_mm = 0.1", "half_width_mm = 0.12, depth_mm = 0.05"},
+                               {"far_size_mm = 0.8", "far_size_mm = 2.0"},
+                               {"increments = 10", "increments = 4"},
+                               {"increments = 40", "increments = 8"},
+                               {"cycles = 1000\njump = { tolerance = 0.01 }", "cycles = 20\njump = 10"},
+                               {"cycles = 9000\njump = { tolerance = 0.01 }", "cycles = 10\njump = 10"}});
   return played(scene_text("partial_slip_life", words));
 }
 
@@ -29,7 +29,8 @@ const sim::Warning* stick_warning(const Played& run) {
   return found == all.end() ? nullptr : &*found;
 }
 
-const std::pair<std::string, std::string> first_order{"material = \"steel\"\nmesh", "material = \"steel\"\norder = 1\nmesh"};
+const std::pair<std::string, std::string> first_order{"material = \"steel\"\nmesh",
+                                                      "material = \"steel\"\norder = 1\nmesh"};
 
 Replacements moved(const std::string& mm) {
   return {{"x        = { force_N_per_mm = 36.0", "x        = { motion_mm = " + mm}};
@@ -37,8 +38,8 @@ Replacements moved(const std::string& mm) {
 
 }  // namespace
 
-// A contact that only forces drive must get second order and linear multipliers where the scene leaves them open; the plan
-// must say so, and the run has nothing to warn of.
+// A contact that only forces drive must get second order and linear multipliers where the scene leaves them open; the
+// plan must say so, and the run has nothing to warn of.
 TEST(StickEdge, SecondOrderWhereForcesDrive) {
   const auto run = coarse({});
   for (const auto& shape : run.problem.shapes) EXPECT_EQ(shape->mesh.kind, mesh::CellKind::quad8);
@@ -51,8 +52,8 @@ TEST(StickEdge, SecondOrderWhereForcesDrive) {
   EXPECT_EQ(stick_warning(run), nullptr);
 }
 
-// On elements of first order a run must warn of a stick zone that stays through a block in which the rest wears, whether
-// the scene asked for them or the contact's body is moved by a given way.
+// On elements of first order a run must warn of a stick zone that stays through a block in which the rest wears,
+// whether the scene asked for them or the contact's body is moved by a given way.
 TEST(StickEdge, FirstOrderIsWarnedOf) {
   const auto asked = coarse({first_order});
   for (const auto& shape : asked.problem.shapes) EXPECT_EQ(shape->mesh.kind, mesh::CellKind::quad4);
@@ -70,8 +71,8 @@ TEST(StickEdge, GrossSlidingStaysAsItIs) {
   EXPECT_EQ(stick_warning(run), nullptr);
 }
 
-// The estimate must be that of the punches: at Q = mu P / 2 the edge goes from 0.707 to 0.66 a, and the depth is that of the
-// limit profile, 0.2255 a^2 / 2R (references B4); a stick zone that the ratio leaves nothing of vanishes.
+// The estimate must be that of the punches: at Q = mu P / 2 the edge goes from 0.707 to 0.66 a, and the depth is that
+// of the limit profile, 0.2255 a^2 / 2R (references B4); a stick zone that the ratio leaves nothing of vanishes.
 TEST(StickEdge, Estimate) {
   EXPECT_NEAR(sim::receded(std::sqrt(0.5)), std::sqrt(1.0 - 0.5 * 1.13), 1e-12);
   EXPECT_NEAR(sim::limit_depth(std::sqrt(0.5)), 0.225466, 1e-6);

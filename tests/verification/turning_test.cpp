@@ -20,8 +20,9 @@ TEST(Turning, ShaftWearsAsARigidOne) {
 // A shaft that spins by whole turns must wear coefficient x load x way, however few increments a turn is asked in.
 TEST(Turning, WholeTurnsWearTheWay) {
   for (const int increments : {4, 24}) {
-    const auto spun = played(scene_text("spinning_shaft", {{"cycles     = 1000", "cycles     = 2"},
-                                                           {"increments = 24", "increments = " + std::to_string(increments)}}));
+    const auto spun =
+        played(scene_text("spinning_shaft", {{"cycles     = 1000", "cycles     = 2"},
+                                             {"increments = 24", "increments = " + std::to_string(increments)}}));
     const double way = 2.0 * 2.0 * std::numbers::pi * 10.0, load = 40.0, coefficient = 1e-9;
     EXPECT_NEAR(spun.contact().secondary.worn_area / (coefficient * load * way), 1.0, 1e-3) << increments;
   }

@@ -36,12 +36,15 @@ inline Watched watched(const std::string& text) {
     for (std::size_t c = 0; c < p.problem.contacts.size(); ++c) {
       const auto& placed = p.problem.contacts[c];
       const auto& contact = s.solution.contacts[c];
-      const auto surface = [&](const contact::BoundaryRef& ref) { return sim::surface_of(ref, p.problem.scene.analysis, s.shapes); };
+      const auto surface = [&](const contact::BoundaryRef& ref) {
+        return sim::surface_of(ref, p.problem.scene.analysis, s.shapes);
+      };
       secondary = std::max(secondary, sim::deepest(surface(placed.secondary), contact.removed_secondary));
       primary = std::max(primary, sim::deepest(surface(placed.primary.at(0)), contact.removed_primary));
     }
     const auto& before = p.records.back();
-    for (const auto& [now, then] : {std::pair{secondary, before.depth_max_secondary_mm}, {primary, before.depth_max_primary_mm}})
+    for (const auto& [now, then] :
+         {std::pair{secondary, before.depth_max_secondary_mm}, {primary, before.depth_max_primary_mm}})
       if (then > 0.0) w.depth_step = std::max(w.depth_step, std::abs(now / then - 1.0));
   };
   p.summary = sim::run(p.problem, p.state, watch);

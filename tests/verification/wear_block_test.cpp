@@ -62,7 +62,8 @@ double end_effect(const sim::SurfaceRecord& s) {
 
 /// The wider body wears, softly held so that the shallow ends of its scar are pressed flat.
 double end_effect_of_wider(const Replacements& roles, Side side, const std::string& size) {
-  const Replacements mesh{{"far_size_mm = 0.5", "far_size_mm = " + size}, {"far_size_mm = 0.7", "far_size_mm = " + size}};
+  const Replacements mesh{{"far_size_mm = 0.5", "far_size_mm = " + size},
+                          {"far_size_mm = 0.7", "far_size_mm = " + size}};
   const Played run = played(scene_text("sliding_block", wider("2e3", "0.03") + roles + mesh));
   const auto& worn = side == Side::secondary ? run.contact().secondary : run.contact().primary;
   EXPECT_LT(run.contact().ledger_relative_error.value(), 1e-10);
@@ -84,8 +85,8 @@ TEST(WearBlock, BothWearRolesExchanged) {
 }
 
 TEST(WearBlock, OnlyOneWears) {
-  const Played run = played(
-      scene_text("sliding_block", {{coefficients, "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.0"}}));
+  const Played run =
+      played(scene_text("sliding_block", {{coefficients, "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.0"}}));
   expect_book(run, 3e-4, 0.0);
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, 3e-4), 1e-10);
 }
@@ -110,13 +111,16 @@ TEST(WearBlock, ArchardAgreesWithEnergy) {
 
 /// A wider counter body that does not wear leaves the depth of the narrower exact, in either role.
 TEST(WearBlock, NarrowerWearsAsSecondary) {
-  const Played run = played(scene_text("sliding_block", wider("200e6", "3.0e-7") + Replacements{{", primary_mm3_per_J = 0.5e-4", ""}}));
+  const Played run = played(
+      scene_text("sliding_block", wider("200e6", "3.0e-7") + Replacements{{", primary_mm3_per_J = 0.5e-4", ""}}));
   expect_book(run, 3e-4, 0.0);
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, 3e-4), 1e-10);
 }
 
 TEST(WearBlock, NarrowerWearsAsPrimary) {
-  const Played run = played(scene_text("sliding_block", wider("200e6", "3.0e-7") + Replacements{{sides, swapped_sides}, {coefficients, "primary_mm3_per_J = 1.0e-4"}}));
+  const Played run = played(scene_text(
+      "sliding_block",
+      wider("200e6", "3.0e-7") + Replacements{{sides, swapped_sides}, {coefficients, "primary_mm3_per_J = 1.0e-4"}}));
   expect_book(run, 0.0, 3e-4);
   EXPECT_LT(worst(run.surface(Side::primary).wear_depth_mm, 3e-4), 1e-10);
 }
@@ -124,14 +128,16 @@ TEST(WearBlock, NarrowerWearsAsPrimary) {
 /// Where the wider body wears, what is wrong at the ends of its scar falls with the element size.
 TEST(WearBlock, WiderWearsAsSecondary) {
   const Replacements roles{{sides, swapped_sides}, {coefficients, "secondary_mm3_per_J = 1.0e-4"}};
-  const double coarse = end_effect_of_wider(roles, Side::secondary, "0.6"), fine = end_effect_of_wider(roles, Side::secondary, "0.15");
+  const double coarse = end_effect_of_wider(roles, Side::secondary, "0.6"),
+               fine = end_effect_of_wider(roles, Side::secondary, "0.15");
   EXPECT_LT(coarse, 0.08);
   EXPECT_GT(std::log(coarse / fine) / std::log(4.0), 0.8);
 }
 
 TEST(WearBlock, WiderWearsAsPrimary) {
   const Replacements roles{{coefficients, "primary_mm3_per_J = 1.0e-4"}};
-  const double coarse = end_effect_of_wider(roles, Side::primary, "0.6"), fine = end_effect_of_wider(roles, Side::primary, "0.15");
+  const double coarse = end_effect_of_wider(roles, Side::primary, "0.6"),
+               fine = end_effect_of_wider(roles, Side::primary, "0.15");
   EXPECT_LT(coarse, 0.08);
   EXPECT_GT(std::log(coarse / fine) / std::log(4.0), 0.8);
 }
@@ -139,12 +145,14 @@ TEST(WearBlock, WiderWearsAsPrimary) {
 /// A node that its neighbours' wear opens lets go: would it pull, more work than mu P s would be booked (seen: 1.5 %).
 TEST(WearBlock, OpenedByNeighbours) {
   const Replacements mesh{{"far_size_mm = 0.5", "far_size_mm = 0.125"}, {"far_size_mm = 0.7", "far_size_mm = 0.175"}};
-  const Played run = played(scene_text("sliding_block", wider("200e3", "3.0e-4") + mesh + Replacements{{coefficients, "primary_mm3_per_J = 1.0e-4"}}));
+  const Played run = played(scene_text(
+      "sliding_block", wider("200e3", "3.0e-4") + mesh + Replacements{{coefficients, "primary_mm3_per_J = 1.0e-4"}}));
   EXPECT_NEAR(run.contact().dissipated_energy / 30000.0, 1.0, 1e-6);
   for (double p : run.surface(Side::secondary).pressure_MPa) EXPECT_GE(p, 0.0);
 }
 
-/// Wear that moves from the gap into the shape of flat blocks under force leaves the multipliers alone (references B11).
+/// Wear that moves from the gap into the shape of flat blocks under force leaves the multipliers alone (references
+/// B11).
 TEST(WearBlock, ShapeStepLeavesPressureAlone) {
   const Replacements ten_times_softer{{"E_MPa = 200e6", "E_MPa = 20e6"}, {"motion_mm = 3.0e-7", "motion_mm = 3.0e-6"}};
   const auto problem = prepared(scene_text("sliding_block", ten_times_softer));

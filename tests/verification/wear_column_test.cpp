@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// References B6: a confined column under fixed compression, K = M / H, wear kept in the gap.
 namespace reye::verification {
@@ -21,8 +21,9 @@ std::string shown(double v) {
 
 /// One wear increment of kappa = k K ds: p = p0 / (1 + kappa), whatever the complementarity factor.
 void expect_one_step(double kappa, const std::string& c0) {
-  const Played run = column({{"increments = 10", "increments = 1"},
-                             {"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = " + shown(kappa / (k * K)) + "\nc_normal = " + c0}});
+  const Played run = column(
+      {{"increments = 10", "increments = 1"},
+       {"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = " + shown(kappa / (k * K)) + "\nc_normal = " + c0}});
   const double p = K * compression / (1.0 + kappa);
   EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, p), 1e-9) << "kappa " << kappa << ", c0 " << c0;
   EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, kappa * p / K), 1e-9);
@@ -32,7 +33,8 @@ void expect_one_step(double kappa, const std::string& c0) {
 
 /// Cycle at which half of the compression is worn away, jumps of `jump` cycles of 1 mm.
 double half_life(const std::string& jump) {
-  const Played run = column({{"increments = 10\ncycles = 1", "cycles = 1000\njump = " + jump + "\n[limit.half]\ncontact = \"foot\"\ndepth_mm = 0.005"},
+  const Played run = column({{"increments = 10\ncycles = 1",
+                              "cycles = 1000\njump = " + jump + "\n[limit.half]\ncontact = \"foot\"\ndepth_mm = 0.005"},
                              {"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = 1.0"}});
   return run.summary.life_cycles.at("half").value();
 }
@@ -74,7 +76,8 @@ TEST(WearColumn, LifeFallsToTheExactOneWithTheJump) {
 
 /// A limit that is never reached has no number.
 TEST(WearColumn, LimitOutOfReach) {
-  const Played run = column({{"[[step]]\nname = \"press\"", "[limit.all]\ncontact = \"foot\"\ndepth_mm = 0.0101\n\n[[step]]\nname = \"press\""}});
+  const Played run = column({{"[[step]]\nname = \"press\"",
+                              "[limit.all]\ncontact = \"foot\"\ndepth_mm = 0.0101\n\n[[step]]\nname = \"press\""}});
   EXPECT_FALSE(run.summary.life_cycles.at("all").has_value());
 }
 

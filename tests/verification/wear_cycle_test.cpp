@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// A fretting cycle of elastic bodies in gross slip: where the energy comes from and where it goes.
 namespace reye::verification {
@@ -10,14 +10,18 @@ namespace {
 
 /// The published fretting contact on a coarser mesh: pressed, run in for one cycle, then one more.
 Replacements short_fretting(int increments, const std::string& last_step) {
-  return {{"half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010", "half_width_mm = 0.1, depth_mm = 0.1, size_mm = 0.008"},
-          {"increments = 40", "increments = " + std::to_string(increments)},
-          {"cycles = 18000\njump = 100", last_step}};
+  return {
+      {"half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010", "half_width_mm = 0.1, depth_mm = 0.1, size_mm = 0.008"},
+      {"increments = 40", "increments = " + std::to_string(increments)},
+      {"cycles = 18000\njump = 100", last_step}};
 }
 
-const std::string law = "wear      = { law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5 }";
-const std::string limit = "[limit.life]                                 # the first cycle at which it is reached; the run goes on unless stop = true\n"
-                          "contact  = \"pad\"\nside     = \"secondary\"\ndepth_mm = 0.0025\n";
+const std::string law =
+    "wear      = { law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5 }";
+const std::string limit =
+    "[limit.life]                                 # the first cycle at which it is reached; the run goes on unless "
+    "stop = true\n"
+    "contact  = \"pad\"\nside     = \"secondary\"\ndepth_mm = 0.0025\n";
 
 Played without_wear(int increments) {
   auto r = short_fretting(increments, "");
@@ -43,7 +47,8 @@ double work_of_supports(const Played& run) {
   double work = 0.0;
   for (std::size_t i = 1; i < cycle.size(); ++i) {
     const double from = i == 1 ? 0.0 : cycle[i - 1].progress;
-    work += 0.5 * (cycle[i].support_forces[1].x() + cycle[i - 1].support_forces[1].x()) * (stroke(cycle[i].progress) - stroke(from));
+    work += 0.5 * (cycle[i].support_forces[1].x() + cycle[i - 1].support_forces[1].x()) *
+            (stroke(cycle[i].progress) - stroke(from));
   }
   return work;
 }
@@ -83,9 +88,12 @@ TEST(WearCycle, EnergyCloses) {
 TEST(WearCycle, VanishingWear) {
   auto r = short_fretting(20, "cycles = 2");
   r.push_back({limit, ""});
-  r.push_back({"secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5", "secondary_mm3_per_J = 1e-18, primary_mm3_per_J = 1e-18"});
+  r.push_back({"secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5",
+               "secondary_mm3_per_J = 1e-18, primary_mm3_per_J = 1e-18"});
   const Played faint = played(scene_text("fretting_mccoll", r));
-  const Played none = played(replaced(scene_text("fretting_mccoll", r), {{"wear      = { law = \"energy\", secondary_mm3_per_J = 1e-18, primary_mm3_per_J = 1e-18 }", ""}}));
+  const Played none = played(
+      replaced(scene_text("fretting_mccoll", r),
+               {{"wear      = { law = \"energy\", secondary_mm3_per_J = 1e-18, primary_mm3_per_J = 1e-18 }", ""}}));
   EXPECT_LT(difference(faint, none), 1e-8);
 }
 

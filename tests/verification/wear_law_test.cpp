@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// Rates that depend on pressure, speed and history: the block of references B5 and the column of B6 with closed forms.
 namespace reye::verification {
@@ -43,23 +43,25 @@ Played column(double m, double n) {
   std::ostringstream law;
   law << "secondary_per_MPa = 1.0e-7, pressure_exponent = " << m << ", pressure_ref_MPa = 50, speed_exponent = " << n
       << ", speed_ref_mm_per_s = 500";
-  return played(scene_text("column", {{"secondary_per_MPa = 1.0e-7", law.str()},
-                                      {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
+  return played(scene_text(
+      "column", {{"secondary_per_MPa = 1.0e-7", law.str()}, {"increments = 10", "increments = 10\nperiod_s = 4.0"}}));
 }
 
 }  // namespace
 
 /// Depth = alpha mu p s (p / p_ref)^m (v / v_ref)^n under uniform pressure.
 TEST(WearLaw, BlockWithExponents) {
-  const Played run = block(", pressure_exponent = 0.4, pressure_ref_MPa = 5, speed_exponent = -0.3, speed_ref_mm_per_s = 20",
-                           cycles + "\nperiod_s = 2.0");
+  const Played run =
+      block(", pressure_exponent = 0.4, pressure_ref_MPa = 5, speed_exponent = -0.3, speed_ref_mm_per_s = 20",
+            cycles + "\nperiod_s = 2.0");
   expect_depth(run, alpha * mu * p * 1000.0 * std::pow(p / 5.0, 0.4) * std::pow(50.0 / 20.0, -0.3));
   EXPECT_NEAR(run.contact().dissipated_energy / 30000.0, 1.0, 1e-10);
 }
 
 /// Exponents of zero leave every bit of the run as it is.
 TEST(WearLaw, ExponentsOfZeroChangeNoBit) {
-  const Played with = block(", pressure_exponent = 0, pressure_ref_MPa = 5, speed_exponent = 0, threshold_mJ_per_mm2 = 0", cycles);
+  const Played with =
+      block(", pressure_exponent = 0, pressure_ref_MPa = 5, speed_exponent = 0, threshold_mJ_per_mm2 = 0", cycles);
   const Played without = block("", cycles);
   for (const auto side : {Side::secondary, Side::primary}) {
     EXPECT_EQ(with.surface(side).wear_depth_mm, without.surface(side).wear_depth_mm);
@@ -67,7 +69,8 @@ TEST(WearLaw, ExponentsOfZeroChangeNoBit) {
   }
 }
 
-/// Ten implicit steps solve p_n = p_n-1 - K k s (p_n / p_ref)^m p_n (v / v_ref)^n, rates rising and falling with pressure.
+/// Ten implicit steps solve p_n = p_n-1 - K k s (p_n / p_ref)^m p_n (v / v_ref)^n, rates rising and falling with
+/// pressure.
 TEST(WearLaw, ColumnWithExponents) {
   for (const double m : {0.7, -0.6}) {
     constexpr double n = 0.5;
@@ -105,8 +108,9 @@ TEST(WearLaw, ThresholdWithExponent) {
 /// Where the shear beside the contact is not that within, the surface leans by up to 3 MPa / E = 1.5e-8, and takes
 /// mu times that of the normal force.
 TEST(WearLaw, FrictionOverCycles) {
-  const Played run = played(scene_text(
-      "sliding_block", {{"friction  = 0.3", "friction = { cycles = [0, 4, 8], value = [0.1, 0.5, 0.3] }"}, {cycles, "cycles = 10\njump = 2"}}));
+  const Played run = played(
+      scene_text("sliding_block", {{"friction  = 0.3", "friction = { cycles = [0, 4, 8], value = [0.1, 0.5, 0.3] }"},
+                                   {cycles, "cycles = 10\njump = 2"}}));
   const double sum = 2.0 * (0.1 + 0.3 + 0.5 + 0.4 + 0.3);
   EXPECT_NEAR(run.contact().dissipated_energy / (sum * 100.0 * 100.0), 1.0, 0.5 * 1.5e-8);
   EXPECT_NEAR(run.contact().secondary.worn_area / (alpha * sum * 100.0 * 100.0), 1.0, 0.5 * 1.5e-8);
@@ -116,10 +120,14 @@ TEST(WearLaw, FrictionOverCycles) {
 
 /// A line contact, whose pressure falls to zero at its ends, wears by either sign of the exponent without cut-backs.
 TEST(WearLaw, LineContactWithExponents) {
-  const std::string text = scene_text("line_contact_gross_slip", {{"half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018", "half_width_mm = 0.06, depth_mm = 0.05, size_mm = 0.0036"}});
+  const std::string text =
+      scene_text("line_contact_gross_slip", {{"half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018",
+                                              "half_width_mm = 0.06, depth_mm = 0.05, size_mm = 0.0036"}});
   const std::string short_run = text.substr(0, text.find("[[step]]\nname = \"to S = 1\""));
   const auto depth = [&](const std::string& exponent) {
-    const Played run = played(replaced(short_run, {{"primary_per_MPa = 1.0e-8", "primary_per_MPa = 1.0e-8, pressure_ref_MPa = 300, pressure_exponent = " + exponent}}));
+    const Played run = played(
+        replaced(short_run, {{"primary_per_MPa = 1.0e-8",
+                              "primary_per_MPa = 1.0e-8, pressure_ref_MPa = 300, pressure_exponent = " + exponent}}));
     EXPECT_LT(run.contact().ledger_relative_error.value(), 1e-9) << exponent;
     EXPECT_EQ(run.summary.counts.cutbacks, 0) << exponent;
     return run.contact().secondary.max_depth_mm;

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "wear_scene.hpp"
 #include "sim/records.hpp"
+#include "wear_scene.hpp"
 
 /// References B8: a line contact in gross slip, S = k E* s / a0; universal curve of an implicit half-plane solution.
 namespace reye::verification {
@@ -92,7 +92,8 @@ TEST(WearLine, SidesExchanged) {
                    {rigid_holder, pressed_holder}};
     if (exchanged) {
       r.push_back({sides, "secondary = \"round\"\nprimary   = [\"face\"]"});
-      r.push_back({"secondary_per_MPa = 2.0e-8, primary_per_MPa = 1.0e-8", "secondary_per_MPa = 1.0e-8, primary_per_MPa = 2.0e-8"});
+      r.push_back({"secondary_per_MPa = 2.0e-8, primary_per_MPa = 1.0e-8",
+                   "secondary_per_MPa = 1.0e-8, primary_per_MPa = 2.0e-8"});
     }
     // On one mesh: with seven elements across, a fresh one would move the depth in the middle by some 9 %, and warn.
     return played(up_to("to S = 1", r) + "\n[remesh]\nautomatic = false\n");

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/read.hpp"
-#include "sim/run.hpp"
 #include "sim/prepare.hpp"
+#include "sim/run.hpp"
 #include "support/temporary_folder.hpp"
 
 /// Scenes of geo/ with a few words replaced, played through the whole program but for its output.
@@ -27,7 +27,9 @@ struct Played {
   sim::Frame frame;  ///< the last one
 
   const sim::ContactSummary& contact() const { return summary.contacts.at(0); }
-  const sim::SurfaceRecord& surface(sim::Side side) const { return frame.surfaces.at(side == sim::Side::secondary ? 0 : 1); }
+  const sim::SurfaceRecord& surface(sim::Side side) const {
+    return frame.surfaces.at(side == sim::Side::secondary ? 0 : 1);
+  }
 };
 
 inline std::string read_text(const std::string& path) {

@@ -28,8 +28,8 @@ TEST(law, work) {
 TEST(law, archard_and_energy_agree_in_full_slip) {
   const double mu = 0.3, k = 2e-8, p = 120.0, slip = 0.7;
   const Law energy{LawKind::energy, k / mu, 0.0}, archard{LawKind::archard, k, 0.0};
-  EXPECT_NEAR(energy.secondary * wear::work(energy, p, mu * p, slip), archard.secondary * wear::work(archard, p, mu * p, slip),
-              1e-22);
+  EXPECT_NEAR(energy.secondary * wear::work(energy, p, mu * p, slip),
+              archard.secondary * wear::work(archard, p, mu * p, slip), 1e-22);
 }
 
 // The derivative of the work must carry the sign of the product.
@@ -69,7 +69,9 @@ TEST(law, factors_of_pressure_and_speed) {
 TEST(law, threshold) {
   const Law law{.kind = LawKind::energy, .secondary = 1.0, .threshold = 20.0};
   const Sliding<double> s{10.0, 3.0, 0.5, 0.2};  // work 1.5
-  const auto work = [&](double energy) { return wear::work(law, s, {.jump = 4.0, .duration_s = 0.0, .energy = energy, .area = 0.5}); };
+  const auto work = [&](double energy) {
+    return wear::work(law, s, {.jump = 4.0, .duration_s = 0.0, .energy = energy, .area = 0.5});
+  };
   EXPECT_EQ(work(0.0), 0.0);
   EXPECT_EQ(work(10.0 - 4.0 * 1.5), 0.0);
   EXPECT_NEAR(work(10.0 - 4.0 * 0.5), 1.0, 1e-15);
@@ -79,7 +81,10 @@ TEST(law, threshold) {
 
 /// The work and its derivatives by pressure, shear, slip and covered length.
 Four differentiated(const Law& law, const std::array<double, 4>& x, const Start& start) {
-  return wear::work(law, Sliding<Four>{Four::variable(x[0], 0), Four::variable(x[1], 1), Four::variable(x[2], 2), Four::variable(x[3], 3)}, start);
+  return wear::work(
+      law,
+      Sliding<Four>{Four::variable(x[0], 0), Four::variable(x[1], 1), Four::variable(x[2], 2), Four::variable(x[3], 3)},
+      start);
 }
 
 // The derivative of the whole law must be met by central differences at second order, above and across the threshold.
@@ -89,7 +94,8 @@ TEST(law, derivative_with_factors_and_threshold) {
   for (const double energy : {7.0, 12.0}) {
     const Start start{3.0, 0.25, energy, 0.5};
     const auto at = [&](double h) {
-      return wear::work(law, Sliding<double>{x[0] + h * way[0], x[1] + h * way[1], x[2] + h * way[2], x[3] + h * way[3]}, start);
+      return wear::work(
+          law, Sliding<double>{x[0] + h * way[0], x[1] + h * way[1], x[2] + h * way[2], x[3] + h * way[3]}, start);
     };
     const auto w = differentiated(law, x, start);
     EXPECT_EQ(w.v, at(0.0));
@@ -100,7 +106,8 @@ TEST(law, derivative_with_factors_and_threshold) {
   }
 }
 
-// Where pressure or slip vanishes, work must vanish with it and keep a finite slope, whatever the signs of the exponents.
+// Where pressure or slip vanishes, work must vanish with it and keep a finite slope, whatever the signs of the
+// exponents.
 TEST(law, vanishes_with_the_traction) {
   for (const double m : {-0.9, -0.5, 0.5, 2.0})
     for (const double n : {-0.9, 0.5}) {
@@ -109,7 +116,8 @@ TEST(law, vanishes_with_the_traction) {
       EXPECT_EQ(differentiated(law, {0.0, 0.0, 0.1, 0.2}, start).v, 0.0);
       EXPECT_EQ(differentiated(law, {5.0, 0.0, 0.0, 0.2}, start).v, 0.0);
       for (const double p : {-1.0, 0.0, 1e-7})
-        for (const double d : differentiated(law, {p, 0.0, 0.0, 0.2}, start).d) EXPECT_TRUE(std::isfinite(d)) << m << ' ' << n;
+        for (const double d : differentiated(law, {p, 0.0, 0.0, 0.2}, start).d)
+          EXPECT_TRUE(std::isfinite(d)) << m << ' ' << n;
     }
 }
 

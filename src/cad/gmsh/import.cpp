@@ -48,10 +48,10 @@ void check_content(const std::string& path, Format format, bool cut) {
   gmsh::vectorpair faces;
   gmsh::model::getEntities(faces, 2);
   if (faces.empty()) refuse(path, "holds no face");
-  if (has_solids() && format == Format::mesh) refuse(path, "holds a mesh of a solid, which a plane scene has no use for");
+  if (has_solids() && format == Format::mesh)
+    refuse(path, "holds a mesh of a solid, which a plane scene has no use for");
   if (has_solids() && !cut)
-    refuse(path,
-           "holds a solid; bodies are planar faces: cut it by section = { point_mm = [...], normal = [...] }");
+    refuse(path, "holds a solid; bodies are planar faces: cut it by section = { point_mm = [...], normal = [...] }");
   if (has_solids() && !can_be_cut())
     refuse(path, "holds a solid of gmsh's own kernel; only those of SetFactory(\"OpenCASCADE\") can be cut");
   if (format != Format::mesh) return;

@@ -11,8 +11,8 @@ namespace reye::cad {
 
 namespace {
 
-/// gmsh initialised from the first session to the end of the program: each new start costs time and leaves memory behind,
-/// and a run may make a thousand meshes.
+/// gmsh initialised from the first session to the end of the program: each new start costs time and leaves memory
+/// behind, and a run may make a thousand meshes.
 struct Library {
   Library() { gmsh::initialize(0, nullptr, false); }
   ~Library() {

@@ -23,11 +23,16 @@ namespace {
 
 std::optional<mesh::CellKind> kind_of(int vtk_type) {
   switch (vtk_type) {
-    case VTK_TRIANGLE: return mesh::CellKind::tri3;
-    case VTK_QUAD: return mesh::CellKind::quad4;
-    case VTK_QUADRATIC_TRIANGLE: return mesh::CellKind::tri6;
-    case VTK_QUADRATIC_QUAD: return mesh::CellKind::quad8;
-    default: return {};
+    case VTK_TRIANGLE:
+      return mesh::CellKind::tri3;
+    case VTK_QUAD:
+      return mesh::CellKind::quad4;
+    case VTK_QUADRATIC_TRIANGLE:
+      return mesh::CellKind::tri6;
+    case VTK_QUADRATIC_QUAD:
+      return mesh::CellKind::quad8;
+    default:
+      return {};
   }
 }
 
@@ -60,7 +65,8 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
     refuse(path, "the offsets do not fit the cells");
   for (vtkIdType c = 0; c < count; ++c)
     if (!(offset(c + 1) > offset(c))) refuse(path, "cell " + std::to_string(c) + " has no points, by its offset");
-  if (offset(count) != static_cast<double>(all.GetNumberOfConnectivityIds())) refuse(path, "the offsets do not fit the connectivity");
+  if (offset(count) != static_cast<double>(all.GetNumberOfConnectivityIds()))
+    refuse(path, "the offsets do not fit the connectivity");
   std::vector<std::vector<int>> cells;
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < count; ++c) {
@@ -71,7 +77,8 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
         refuse(path, "cell " + std::to_string(c) + " names point " + std::to_string(node) + ", which there is not");
       nodes.push_back(static_cast<int>(node));
     }
-    if (const auto kind = kind_of(grid.GetCellType(c)); kind && static_cast<int>(nodes.size()) != mesh::nodes_per_cell(*kind))
+    if (const auto kind = kind_of(grid.GetCellType(c));
+        kind && static_cast<int>(nodes.size()) != mesh::nodes_per_cell(*kind))
       refuse(path, "cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) + " points, its kind " +
                        std::to_string(mesh::nodes_per_cell(*kind)));
   }
@@ -134,7 +141,8 @@ std::vector<RawPart> read_vtu(const std::string& path) {
   vtkDataArray& positions = positions_in(grid, path);
   std::map<int, BodyBeingRead> bodies;
   for (std::size_t c = 0; c < cells.size(); ++c)
-    if (const auto kind = kind_of(grid.GetCellType(static_cast<vtkIdType>(c)))) add_cell(bodies[body[c]], *kind, cells[c], path);
+    if (const auto kind = kind_of(grid.GetCellType(static_cast<vtkIdType>(c))))
+      add_cell(bodies[body[c]], *kind, cells[c], path);
   std::vector<RawPart> parts;
   for (auto& [index, reading] : bodies) {
     place_nodes(reading, positions);
