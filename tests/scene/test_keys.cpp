@@ -7,6 +7,7 @@
 #include "example.hpp"
 #include "folder.hpp"
 #include "scene/keys.hpp"
+#include "scene/spec.hpp"
 #include "scene/read.hpp"
 #include "scene/sha256.hpp"
 

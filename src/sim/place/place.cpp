@@ -19,6 +19,7 @@
 #include "sim/place/held.hpp"
 #include "sim/place/points.hpp"
 #include "sim/place/profiles.hpp"
+#include "sim/place/resolver.hpp"
 #include "sim/place/warn_setup.hpp"
 #include "sim/place/widen_zones.hpp"
 #include "sim/problem/timer.hpp"
@@ -31,65 +32,6 @@ namespace {
 using base::Issue;
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
-
-/// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
-class Resolver {
- public:
-  Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes,
-           const std::vector<cad::BodyFacts>& facts)
-      : scene_(scene), shapes_(shapes), facts_(facts) {}
-
-  std::vector<Issue> issues;
-
-  /// -1 in `body` when nothing fits; an issue is noted under `key`.
-  contact::BoundaryRef boundary(const std::string& name, const std::string& key) {
-    std::vector<contact::BoundaryRef> found;
-    std::string known;
-    for (int b = 0; b < static_cast<int>(shapes_.size()); ++b)
-      for (const auto& [own, chains] : shapes_[b]->mesh.boundaries) {
-        const std::string full = scene_.geometry.bodies[b].name + "." + own;
-        if (own == name || full == name) found.push_back({b, own});
-        known += (known.empty() ? "" : ", ") + full;
-      }
-    if (found.size() == 1) return found.front();
-    issues.push_back({key, quoted(name),
-                      found.empty()
-                          ? "no boundary has this name; there are " + (known.empty() ? "none" : known) + cut_off(name)
-                          : "more than one body has a boundary of this name; write body.name"});
-    return {-1, name};
-  }
-
-  /// The body whose node lies nearest to a point, or the one named.
-  int body_at(const std::string& named, const Vec2& point) const {
-    int best = -1;
-    double distance = 0.0;
-    for (int b = 0; b < static_cast<int>(shapes_.size()); ++b) {
-      if (!named.empty() && scene_.geometry.bodies[b].name != named) continue;
-      for (const auto& X : shapes_[b]->mesh.X)
-        if (const double d = (X - point).norm(); best < 0 || d < distance) {
-          best = b;
-          distance = d;
-        }
-    }
-    return best;
-  }
-
- private:
-  /// Why a curve of this name is no boundary.
-  std::string cut_off(const std::string& name) const {
-    for (const auto& facts : facts_)
-      for (const auto& own : facts.cut_off)
-        if (own == name || facts.name + "." + own == name)
-          return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= "
-                 "0 of body " +
-                 quoted(facts.name) + " is taken";
-    return {};
-  }
-
-  const scene::Scene& scene_;
-  const std::vector<body::ShapePtr>& shapes_;
-  const std::vector<cad::BodyFacts>& facts_;
-};
 
 void place_supports(Problem& p, Resolver& resolve) {
   for (const auto& support : p.scene.supports) {
@@ -126,7 +68,7 @@ double modulus(const Problem& p, int body) {
   return std::visit([](const auto& m) { return m.E_MPa; }, p.inputs[body].material);
 }
 
-/// Stiffness scale of a pair: harmonic mean of the deformable sides, the softer one rules.
+/// Stiffness scale of a pair: the smallest modulus of its deformable sides.
 double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary,
                     const std::vector<contact::BoundaryRef>& primary) {
   double softest = modulus(p, secondary.body);
@@ -162,9 +104,11 @@ void retain_sides(Problem& p, const PlacedContact& joint) {
   for (const auto& ref : joint.primary) retain(ref);
 }
 
-void place_contacts(Problem& p, Resolver& resolve) {
-  for (const auto& options : p.scene.contacts) {
-    const std::string key = "contact." + options.name;
+/// The contacts or the bonds of a scene, `kind` being their table: `joints` takes those whose sides are found.
+void place_joints(Problem& p, const std::string& kind, const std::vector<contact::ContactOptions>& named,
+                  Resolver& resolve, std::vector<PlacedContact>& joints) {
+  for (const auto& options : named) {
+    const std::string key = kind + "." + options.name;
     PlacedContact placed;
     placed.options = options;
     placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
@@ -175,24 +119,7 @@ void place_contacts(Problem& p, Resolver& resolve) {
     check_sides(p, placed, key, resolve.issues);
     placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
     retain_sides(p, placed);
-    p.contacts.push_back(std::move(placed));
-  }
-}
-
-void place_bonds(Problem& p, Resolver& resolve) {
-  for (const auto& options : p.scene.bonds) {
-    const std::string key = "bond." + options.name;
-    PlacedContact placed;
-    placed.options = options;
-    placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
-    for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
-    const bool found = placed.secondary.body >= 0 && std::all_of(placed.primary.begin(), placed.primary.end(),
-                                                                 [](const auto& r) { return r.body >= 0; });
-    if (!found) continue;
-    check_sides(p, placed, key, resolve.issues);
-    placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
-    retain_sides(p, placed);
-    p.bonds.push_back(std::move(placed));
+    joints.push_back(std::move(placed));
   }
 }
 
@@ -287,8 +214,8 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   Resolver resolve(scene, p.shapes, geometry.facts);
   place_supports(p, resolve);
   place_loads(p, resolve);
-  place_contacts(p, resolve);
-  place_bonds(p, resolve);
+  place_joints(p, "contact", scene.contacts, resolve, p.contacts);
+  place_joints(p, "bond", scene.bonds, resolve, p.bonds);
   for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
   refuse(resolve.issues);
   keep_directions(p);
