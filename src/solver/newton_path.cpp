@@ -20,6 +20,8 @@ constexpr double far_out = 0.01;         ///< where that is more of the forces t
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
+constexpr double same = 0.1;             ///< of the force out of balance: a renewal has not changed it
+constexpr int standing = 3;              ///< such renewals in a row, of contact that has not settled: it never will
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step that kept a matrix: Newton's own falls far below them
 
@@ -70,11 +72,11 @@ void NewtonPath::iterate() {
   increment_.place(system_, q_);
   decide();
   extend();
-  if (!finite() || astray()) return;
+  if (!finite() || astray() || stands_still()) return;
   chord_ = may_keep_matrix();
   const bool is_met = met();
   if (is_met && fresh()) return accept();
-  if (increment_.nonlinear() && (is_met || since_ == limit_ || watch_.stuck())) return renew();
+  if (increment_.nonlinear() && (is_met || since_ == limit_ || watch_.stuck())) return renew(is_met);
   if (iteration_ == last_ || watch_.stuck())
     return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
   if (renewed() && !linearise()) return;
@@ -125,6 +127,17 @@ bool NewtonPath::astray() {
   return false;
 }
 
+/// Whether contact finds no status on nonlinear bodies, and renewing them leads back to where they were.
+bool NewtonPath::stands_still() {
+  if (!renewed()) return false;
+  const bool back = !settled_ && std::abs(row_.force - renewed_force_) <= same * renewed_force_;
+  still_ = back ? still_ + 1 : 0;
+  renewed_force_ = row_.force;
+  if (still_ < standing) return false;
+  end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, true));
+  return true;
+}
+
 bool NewtonPath::may_keep_matrix() {
   const bool allowed = attempt_.chords && matrices_.allows(error(), row_.changes);
   const bool with_tangent = renewed() && keeps_tangent_ && row_.changes == 0;  // contact's matrix goes with the tangent
@@ -161,8 +174,9 @@ void NewtonPath::accept() {
   ended_ = true;
 }
 
-/// Contact has settled on the bodies as they were linearised: they go to where it left them.
-void NewtonPath::renew() {
+/// Contact has settled on the bodies as they were linearised, or cannot: they go to where it left them.
+void NewtonPath::renew(bool settled) {
+  settled_ = settled;
   if (renewals_++ == options_.max_iterations)
     return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
   if (auto reason = increment_.renew(q_); !reason.empty()) return end(Failure::torn, std::move(reason));

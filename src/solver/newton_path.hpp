@@ -30,10 +30,11 @@ class NewtonPath {
   void extend();
   bool finite();
   bool astray();
+  bool stands_still();
   bool may_keep_matrix();
   bool met();
   void accept();
-  void renew();
+  void renew(bool settled);
   bool linearise();
   void step();
   void end(Failure failure, std::string reason);
@@ -65,6 +66,9 @@ class NewtonPath {
   int last_ = 0, limit_ = 0;  ///< iterations at most; of them on one tangent
   int few_ = 0;               ///< iterations in a row in which a few nodes change
   int renewals_ = 0;
+  bool settled_ = true;         ///< before the last renewal contact had settled
+  double renewed_force_ = 0.0;  ///< out of balance after the last renewal
+  int still_ = 0;               ///< renewals in a row that changed nothing
   ChordRule matrices_, tangents_;
   bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
