@@ -29,7 +29,7 @@ struct MortarRow {
   }
 };
 
-/// All of a contact that evolves. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the
+/// All of a contact that evolves; a new member is entered in `fields.hpp`, too. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the
 /// shape evolves, `removed` is measured on it: depth below the unworn outline times that length; what is exact is the
 /// ledger.
 struct ContactState {

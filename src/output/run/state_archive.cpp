@@ -1,5 +1,6 @@
 #include "output/run/state_archive.hpp"
 
+#include "contact/fields.hpp"
 #include "output/run/checksum.hpp"
 #include "output/run/layout.hpp"
 #include "output/run/run_writer.hpp"
@@ -23,9 +24,7 @@ void serialize(Archive& archive, MortarRow& row) {
 
 template <class Archive>
 void serialize(Archive& archive, ContactState& s) {
-  archive(s.lambda, s.normal, s.status, s.reference, s.pending_secondary, s.pending_primary, s.removed_secondary,
-          s.removed_primary, s.others_secondary, s.others_primary, s.slip, s.energy_secondary, s.friction,
-          s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary);
+  for_each_field(s, [&archive](const Field&, auto& member) { archive(member); });
 }
 
 }  // namespace reye::contact

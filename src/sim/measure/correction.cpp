@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numeric>
 
+#include "contact/fields.hpp"
 #include "sim/measure/nodal_depth.hpp"
 
 namespace reye::sim {
@@ -108,12 +110,24 @@ void add(std::vector<double>& to, const std::vector<double>& d) {
   for (std::size_t j = 0; j < d.size(); ++j) to[j] += d[j];
 }
 
-/// x + (x - once), not below zero.
-void double_correction(double once, double& x) { x = std::max(0.0, 2.0 * x - once); }
-
 struct Corrections {
   std::vector<double> secondary, primary, energy;
 };
+
+/// One quantity of the halves, as its field says.
+template <class Member>
+void correct(const contact::Field& field, const Corrections& by, const Member& once, Member& end) {
+  const auto twice = [](double whole, double& x) { x = std::max(0.0, 2.0 * x - whole); };
+  if constexpr (std::same_as<Member, double>) {
+    if (field.corrected == contact::Corrected::doubled) twice(once, end);
+  } else if constexpr (std::same_as<Member, std::vector<double>>) {
+    const bool secondary = field.site == contact::Site::secondary;
+    if (field.corrected == contact::Corrected::wear) add(end, secondary ? by.secondary : by.primary);
+    if (field.corrected == contact::Corrected::work) add(end, by.energy);
+    if (field.corrected == contact::Corrected::doubled)
+      for (std::size_t j = 0; j < end.size(); ++j) twice(once[j], end[j]);
+  }
+}
 
 std::optional<Corrections> corrections(const solver::System& system, const Twice& t, const State& halves,
                                        std::size_t c) {
@@ -201,15 +215,8 @@ void extrapolate(const solver::System& system, const Twice& twice, State& halves
     if (!found) continue;
     const auto& a = twice.once.solution.contacts[c];
     auto& b = halves.solution.contacts[c];
-    add(b.removed_secondary, found->secondary);
-    add(b.pending_secondary, found->secondary);
-    add(b.removed_primary, found->primary);
-    add(b.pending_primary, found->primary);
-    add(b.energy_secondary, found->energy);
-    for (std::size_t j = 0; j < b.slip.size(); ++j) double_correction(a.slip[j], b.slip[j]);
-    double_correction(a.frictional_work, b.frictional_work);
-    double_correction(a.worn_work, b.worn_work);
-    double_correction(a.law_work, b.law_work);
+    contact::for_each_field(
+        a, b, [&](const contact::Field& field, const auto& once, auto& end) { correct(field, *found, once, end); });
   }
 }
 

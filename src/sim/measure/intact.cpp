@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
+#include "contact/fields.hpp"
 #include "fem/element.hpp"
 #include "mesh/quality.hpp"
 
@@ -155,21 +157,19 @@ void check_rows(const std::vector<contact::MortarRow>& rows, int secondary, int 
 void check_contact(const contact::ContactState& s, const contact::Setup& setup) {
   const auto secondary = static_cast<std::size_t>(setup.secondary_count()),
              primary = static_cast<std::size_t>(setup.primary_count());
-  const std::string lacks = "contact " + setup.options.name + " has a value too many or too few";
-  require(s.lambda.size() == secondary && s.normal.size() == secondary && s.status.size() == secondary &&
-              s.slip.size() == secondary && s.energy_secondary.size() == secondary &&
-              s.pending_secondary.size() == secondary && s.removed_secondary.size() == secondary,
-          lacks);
-  require(optional(s.others_secondary.size(), secondary) && optional(s.others_primary.size(), primary), lacks);
-  require(s.reference.size() == secondary && s.pending_primary.size() == primary && s.removed_primary.size() == primary,
-          lacks);
-  require(finite(s.lambda) && finite(s.normal) && finite(s.slip) && finite(s.energy_secondary) &&
-              finite(s.pending_secondary) && finite(s.pending_primary) && finite(s.removed_secondary) &&
-              finite(s.removed_primary) && finite(s.others_secondary) && finite(s.others_primary) &&
-              finite(s.reference),
-          "contact " + setup.options.name + " has a value that is no number");
-  for (const double sum : {s.friction, s.frictional_work, s.worn_work, s.law_work, s.strip_secondary, s.strip_primary})
-    require(finite(sum), "contact " + setup.options.name + " has a sum that is no number");
+  const std::string name = "contact " + setup.options.name;
+  contact::for_each_field(s, [&](const contact::Field& field, const auto& member) {
+    using Member = std::remove_cvref_t<decltype(member)>;
+    if constexpr (std::is_arithmetic_v<Member>) {
+      require(finite(member), name + " has a sum that is no number");
+    } else {
+      const std::size_t count = field.site == contact::Site::secondary ? secondary : primary;
+      require(field.optional ? optional(member.size(), count) : member.size() == count,
+              name + " has a value too many or too few");
+      if constexpr (!std::is_enum_v<typename Member::value_type>)
+        require(finite(member), name + " has a value that is no number");
+    }
+  });
   check_statuses(s.status);
   check_rows(s.reference, setup.secondary_count(), setup.primary_count());
 }
