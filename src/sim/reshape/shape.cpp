@@ -155,7 +155,7 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
     const auto last = without_block(state, span);
     return {state,
             scene_line(problem.scene, "step " + span.step->name) +
-                why_failed(problem, last, {span.step, span.jump, failure}, present),
+                why_failed(problem, last, {span.step, span.jump, solver::Failure::none, failure}, present),
             false};
   };
   if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
