@@ -99,8 +99,8 @@ sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State sta
   } catch (const std::exception& error) {
     throw std::runtime_error(error.what() +
                              std::string(can_go_on(writer.dir(), problem)
-                                             ? "; the last checkpoint is whole: --restart goes on from there"
-                                             : "; there is no checkpoint to go on from"));
+                                             ? "; the last checkpoint is intact: --restart resumes from it"
+                                             : "; there is no checkpoint to resume from"));
   }
 }
 

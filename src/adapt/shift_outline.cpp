@@ -110,7 +110,7 @@ ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analys
   Points P = control_points(steps.facets, mesh.X);
   const double times = balance(analysis, P, steps);
   if (!std::isfinite(times)) {
-    result.failure = "no shift of what is free gives the body its content back";
+    result.failure = "no shift of the free outline restores the volume of the body";
     return result;
   }
   for (std::size_t j = 0; j < P.size(); ++j) P[j] += steps.by[j] + times * steps.free[j];

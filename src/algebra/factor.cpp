@@ -64,7 +64,7 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
   for (int j = 0; j < count; ++j)
     if (!(l[j] * l[j] > smallest_pivot * k[order[j]]))
       throw SolveError("sparse Cholesky: the matrix is singular to working precision (pivot of row " +
-                       std::to_string(order[j]) + "); a motion may be free that nothing holds");
+                       std::to_string(order[j]) + "); a rigid motion may be unconstrained");
 }
 
 /// L L^T - diag(shift), both triangles. LAPACK multiplies a triangle with its own transpose as U U^T; L turned round in

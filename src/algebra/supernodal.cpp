@@ -62,7 +62,7 @@ void Workspace::check(const char* task, const cholmod_factor* factor) const {
   if (common.status == CHOLMOD_NOT_POSDEF) {
     const int at = factor && factor->minor < factor->n ? ints(factor->Perm)[factor->minor] : -1;
     throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
-                     "); a motion may be free that nothing holds, or a cell may be inverted");
+                     "); a rigid motion may be unconstrained, or a cell may be inverted");
   }
   throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common.status));
 }

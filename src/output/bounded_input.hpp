@@ -29,7 +29,7 @@ class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmpt
 
   /// Throws unless everything has been read.
   void end() const {
-    if (!left_.empty()) throw cereal::Exception("it goes on behind the end");
+    if (!left_.empty()) throw cereal::Exception("it continues behind the end");
   }
 
   /// What the pointers of an archive point to, by their numbers from 1.
@@ -49,7 +49,7 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     unsigned char byte = 0;
     archive.loadBinary(&byte, 1);
-    if (byte > 1) throw cereal::Exception("a truth value is none");
+    if (byte > 1) throw cereal::Exception("a truth value is neither true nor false");
     value = byte == 1;
   } else {
     archive.loadBinary(&value, sizeof value);
@@ -89,7 +89,7 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, cereal::memory_detail::Ptr
     return;
   }
   if (number > archive.shared.size() || archive.shared[number - 1].type != typeid(T))
-    throw cereal::Exception("a pointer points to what it cannot");
+    throw cereal::Exception("a pointer points to an object of another kind");
   wrapper.ptr = std::static_pointer_cast<std::remove_const_t<T>>(archive.shared[number - 1].object);
 }
 

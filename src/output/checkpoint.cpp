@@ -113,7 +113,7 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
     if (o.layout != layout)
       throw std::runtime_error("written by the build of commit " + base::printable(o.commit) +
                                ", whose layout the build of commit " + commit() +
-                               " cannot read; go on with a build of that commit, or run anew");
+                               " cannot read; resume with a build of that commit, or start a new run");
     archive(o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
     archive.end();
   } catch (const cereal::Exception& error) {

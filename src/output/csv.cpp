@@ -61,7 +61,7 @@ std::vector<std::string> csv_cells(std::string_view line) {
 
 double csv_number(std::string_view cell) {
   const auto value = number_in(cell);
-  if (!value) throw std::runtime_error("'" + base::printable(cell) + "' is no number");
+  if (!value) throw std::runtime_error("'" + base::printable(cell) + "' is not a number");
   return *value;
 }
 

@@ -56,7 +56,7 @@ void add_cell(int type, const vtkIdList& nodes, int body, Edges& edges) {
 }
 
 [[noreturn]] void damaged(const std::string& path) {
-  throw base::InputError({{"dir", "", path + " is damaged: it is no frame of a run"}});
+  throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
 }
 
 template <class Reader>

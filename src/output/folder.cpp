@@ -119,7 +119,7 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
   if (!holder) return "the output folder " + dir + " holds results of an unknown run" + advice();
   if (holder->name == name)
     return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice() +
-           "; where only limits or the cycles of the last step are others, --restart goes on from it";
+           "; where only limits or the cycles of the last step are others, --restart resumes it";
   return "the output folder " + dir + " holds the run of another scene, '" + holder->name + "'" + advice();
 }
 

@@ -233,7 +233,7 @@ std::string remesh_table(const RunData& run) {
   if (rows.empty()) return {};
   const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
-         "><summary>Bodies meshed anew: " + std::to_string(count) +
+         "><summary>Remeshed bodies: " + std::to_string(count) +
          (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
          table(head, rows, {1, 7}) +
          "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "

@@ -67,7 +67,7 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   }
   for (const auto& column : table.values)
     for (const double value : column)
-      if (std::isfinite(value) && std::abs(value) > most) damaged(file, number(value) + " is no result of a run");
+      if (std::isfinite(value) && std::abs(value) > most) damaged(file, number(value) + " is not a result of a run");
   return table;
 }
 
@@ -81,7 +81,7 @@ std::optional<SurfaceTable> read_surface(const std::string& dir, const std::stri
   SurfaceTable surface{side, read_table(file, surface_header(), done), {}};
   surface.frames = frames_of(surface.table);
   for (std::size_t k = 1; k < surface.frames.size(); ++k)
-    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles go back");
+    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles decrease");
   if (surface.frames.empty() && !done) return {};
   if (surface.frames.empty()) damaged(file, "it holds no rows, though the run is done");
   return surface;

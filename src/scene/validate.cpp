@@ -188,7 +188,7 @@ void check_bands(const Entry& root, const Scene& scene, Issues& issues) {
       issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"), "must be [lowest, highest]"});
     if (!why.empty())
       issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"),
-                        why + ", so that lives do not go as 1 / factor; vary the coefficients in a sweep instead"});
+                        why + ", so that lives do not scale as 1 / factor; vary the coefficients in a sweep instead"});
   }
 }
 
@@ -225,7 +225,7 @@ void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
     if (!triangles && body.maybe_flag("b_bar").value_or(true)) continue;
     found.push_back({body.key("material"), body.written("material"),
                      std::string(triangles ? "triangles of order 1" : "quads of order 1 without b_bar") +
-                         " lock where the material (nearly) keeps its volume, " +
+                         " lock where the material is (nearly) incompressible, " +
                          (plastic ? "as plastic flow does" : "as nu > 0.45 does") + "; take " +
                          (triangles ? "quads or order = 2" : "b_bar = true or order = 2")});
   }

@@ -53,8 +53,9 @@ void check_shared_secondary(const std::vector<Entry>& entries, const std::vector
             {entries[i].key("secondary"), entries[i].written("secondary"),
              "is already the secondary side of " + named(j) + "; give one bond all its primary boundaries"});
       else if (joints[i].bonded || joints[j].bonded)
-        issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
-                          "is already the secondary side of " + named(j) + ", and what is bonded meets nothing else"});
+        issues.push_back(
+            {entries[i].key("secondary"), entries[i].written("secondary"),
+             "is already the secondary side of " + named(j) + ", and a bonded boundary can have no other contact"});
       else if (both != mine.end())
         issues.push_back({entries[i].key("primary"), entries[i].written("primary"),
                           '"' + *both + "\" meets \"" + joints[i].secondary + "\" in " + named(j) + " already"});

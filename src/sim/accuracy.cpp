@@ -80,7 +80,8 @@ Pilot piloted(const scene::Scene& scene) {
   }
   if (best.elements > 0.0) return best;
   refuse(scene,
-         text("a pilot run on %g elements per half width of the fine zones tells no error: ", last_elements) + reason);
+         text("a pilot run on %g elements per half width of the fine zones gives no error estimate: ", last_elements) +
+             reason);
 }
 
 /// The sizes chosen, as the scene could say them.
@@ -112,7 +113,7 @@ std::vector<std::string> choose_sizes(scene::Scene& scene, Cache& cache) {
   const double seconds = cpu_seconds() - start;
   cache.cpu_s += seconds;
   return {text("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
-          text("  a pilot run has told, in %.2g s of processor time; it is played again at each restart", seconds)};
+          text("    the pilot run took %.2g s of processor time; it is repeated at each restart", seconds)};
 }
 
 }  // namespace reye::sim

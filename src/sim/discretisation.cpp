@@ -191,7 +191,8 @@ DiscretisationError compared(const Problem& problem, const State& state, Cache& 
   const Summary summary = march(coarse, end, aside(observer), of_coarse);
   if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
-  if (too_few(surfaces, end)) return none(RunStatus::done, "of elements twice as long fewer than four touch");
+  if (too_few(surfaces, end))
+    return none(RunStatus::done, "fewer than four elements touch where they are twice as long");
   const auto fine = surfaces_of(problem, state, cache);
   const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);
   if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");

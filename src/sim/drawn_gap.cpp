@@ -220,8 +220,7 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
 }
 
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm) {
-  if (contact.drawn.gap_mm <= search_mm)
-    return ": they do not look at one another; name boundaries that face each other";
+  if (contact.drawn.gap_mm <= search_mm) return ": they do not face each other; name boundaries that do";
   std::string why = text("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
   if (!closes(problem, contact))
     return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther",

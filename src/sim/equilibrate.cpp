@@ -113,7 +113,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged)
     return scene_line(problem.scene, "step " + span.step->name) +
-           "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
+           "no equilibrium was found on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
            why_failed(problem, state, {span.step, span.jump, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)

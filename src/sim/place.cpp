@@ -80,7 +80,8 @@ class Resolver {
     for (const auto& facts : facts_)
       for (const auto& own : facts.cut_off)
         if (own == name || facts.name + "." + own == name)
-          return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= "
+          return "; its curve lies at x < 0, which is cut away, and its mirror image does not have this name: the half "
+                 "x >= "
                  "0 of body " +
                  quoted(facts.name) + " is taken";
     return {};
@@ -148,7 +149,7 @@ void check_sides(const Problem& p, const PlacedContact& contact, const std::stri
                         "lies on the same body as the secondary side (" + name(ref.body) + ")"});
     if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
       issues.push_back(
-          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
+          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which cannot wear"});
   }
 }
 
@@ -272,7 +273,7 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   if (!geometry.guarded)
     warn(p.warnings, {"geometry", "",
                       "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
-                      "it is held by what scripts may say and by limits of time and memory alone"});
+                      "it is limited only by the commands that scripts may use, and in time and memory"});
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
     p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),

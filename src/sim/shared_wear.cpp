@@ -146,7 +146,7 @@ std::vector<std::string> told_shared(const Problem& problem) {
     }
     if (wearing > 1)
       lines.push_back("contacts " + names + " wear the same boundary, " + key.second +
-                      ": depths there are what all of them have worn, areas and energy each one's own");
+                      ": depths there are the sum over all of them, areas and energies are counted per contact");
   }
   return lines;
 }

@@ -115,7 +115,8 @@ std::string few_nodes(const Seen& c) {
                                       [](auto s) { return s != contact::ContactStatus::inactive; });
   if (touching == 0 || touching > too_few) return {};
   return text(
-      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry it; make them shorter there, "
+      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry its load; make them shorter "
+      "there, "
       "with a fine_zone",
       static_cast<int>(touching), touching == 1 ? "" : "s", c.name(), touching == 1 ? "es" : "", c.facet());
 }
@@ -127,7 +128,7 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
     const double strain = distortion_of(problem, last, system, b).strain;
     if (strain > crushed)
       return text(
-          "body %s is strained by %.2g %% on average already: more than it bears; check loads, motions and E_MPa",
+          "body %s is strained by %.2g %% on average already: more than it can bear; check loads, motions and E_MPa",
           problem.inputs[b].name.c_str(), 100.0 * strain);
   }
   return {};
@@ -159,7 +160,7 @@ std::string came_away(const Problem& problem) {
 
 std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt,
                        const solver::System& system) {
-  const bool lost = attempt.reason.find("lost the contact") != std::string::npos;
+  const bool lost = attempt.reason.find("is unsupported") != std::string::npos;
   std::string why;
   const auto ask = [&why](std::string words) {
     if (why.empty()) why = std::move(words);

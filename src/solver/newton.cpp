@@ -121,15 +121,14 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (watch.cycling() && !one_by_one) limit = since + most_on_one_tangent;
     if (fresh) report.table.push_back(row);
     if (!std::isfinite(row.force) || !std::isfinite(row.condition)) {
-      report.reason =
-          "the residual is not finite after " + std::to_string(iteration) +
-          " iterations: displacements grow without bound, as where a body has lost the contact that holds it";
+      report.reason = "the residual is not finite after " + std::to_string(iteration) +
+                      " iterations: displacements grow without bound, as when a body is unsupported";
       return result;
     }
     const double off = error_of(row);
     if (fresh && increment_.nonlinear()) {
       if (from == Start::predicted && row.force > std::max(worse * least, far_out)) {
-        report.reason = "the start that was predicted leads away from balance";
+        report.reason = "the predicted start leads away from equilibrium";
         return result;
       }
       least = std::min(least, row.force);
@@ -201,8 +200,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       // Far out the rounding of S q hides that nothing is in balance any more.
       const double way = increment_.way(dq), bound = 1e3 * system.extent;
       if (!system.contacts.empty() && !(way < bound)) {
-        report.reason =
-            "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it";
+        report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported";
         return result;
       }
       if (narrowed && iteration == 0) {  // what the first step closes is judged among all nodes
@@ -211,8 +209,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       }
     } catch (const base::SolveError& error) {
       report.reason = error.what();
-      if (!increment_.touching())
-        report.reason = "nothing is in contact, and a body has lost the contact that holds it";
+      if (!increment_.touching()) report.reason = "no node is in contact, and a body is unsupported";
       return result;
     }
   }

@@ -63,7 +63,7 @@ inline void expect_sentences(int alterations) {
     ASSERT_TRUE(told.code == 0 || told.code == 1 || told.code == 2)
         << "alteration " << k << ": " << told.code << ' ' << told.err;
     refused += told.code == 2;
-    const std::string sentence = "--restart = again: no checkpoint to go on from: again/checkpoint/current.bin: ";
+    const std::string sentence = "--restart = again: no checkpoint to resume from: again/checkpoint/current.bin: ";
     ASSERT_TRUE(told.code != 2 || holds(told.err, sentence)) << told.err;
     ASSERT_TRUE(told.code != 1 || !told.err.empty());
   }

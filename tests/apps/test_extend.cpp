@@ -49,8 +49,8 @@ TEST(Extend, MoreCyclesSameBytes) {
     ASSERT_EQ(told.code, 0) << told.err;
     test::expect_same(place, "whole", "o");
   }
-  EXPECT_TRUE(test::holds(test::read(place / "o/log.txt"),
-                          "extended: step[1].cycles = 400: was 300 in the run that is to go on"));
+  EXPECT_TRUE(
+      test::holds(test::read(place / "o/log.txt"), "extended: step[1].cycles = 400: was 300 in the run to be resumed"));
 }
 
 // A run that ended at a limit and whose limit is raised, or taken away, must go on to the bytes of a run that had it so
@@ -135,7 +135,7 @@ TEST(Extend, Refused) {
   ASSERT_EQ(place.run(cycles("300"), "o").code, 0);
   const auto before = place.files("o");
   const std::string run =
-      " in the run that is to go on; it takes other limits and more cycles of its last step, nothing else";
+      " in the run to be resumed; it takes other limits and more cycles of its last step, nothing else";
   const std::string step = "\n[[step]]\nname = \"more\"\nplay = [\"stroke\"]\ncycles = 5\n[limit.life]";
   const std::vector<std::pair<Changes, std::vector<std::string>>> cases{
       {cycles("250"), {"wearing.toml:49: step[1].cycles = 250: the run has played 300 cycles of this step already"}},
@@ -159,8 +159,8 @@ TEST(Extend, Refused) {
   place.write("wearing.geo", std::string(test::wearing_geo) + "// changed\n");
   const auto told = place.run(cycles("400"), "o", true);
   EXPECT_EQ(told.code, 2);
-  EXPECT_TRUE(test::holds(
-      told.err,
-      "wearing.toml:2: geometry: its files, or those of profiles, are not those of the run that is to go on; it takes"))
+  EXPECT_TRUE(test::holds(told.err,
+                          "wearing.toml:2: geometry: its files, or those of profiles, differ from those of the run to "
+                          "be resumed; it takes"))
       << told.err;
 }

@@ -534,7 +534,7 @@ TEST(Mistakes, Contacts) {
         {R"(edge = "base_bottom")", R"(edge = "base_top")"}},
        "",
        2,
-       R"(scene.toml:11: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not look at one another; name boundaries that face each other)"
+       R"(scene.toml:11: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not face each other; name boundaries that do)"
        "\n"},
       {"drawn too far apart",
        "check",
@@ -583,7 +583,7 @@ depth_mm = 1.0
        {{R"(["blocks.geo"])", R"(["tilted.geo"])"}, {R"(at_mm = [4.0, -0.5])", R"(at_mm = [2.0, -0.5])"}},
        "",
        2,
-       R"(scene.toml:12: contact.pad.secondary = "slider_bottom": its corner at (0, 0) mm is what touches, and the forces of a corner have no direction of their own; swap primary and secondary)"
+       R"(scene.toml:12: contact.pad.secondary = "slider_bottom": its corner at (0, 0) mm is what touches, and at a corner the direction of contact forces is undefined; swap primary and secondary)"
        "\n"},
       {"a rigid secondary side",
        "check",
@@ -611,7 +611,7 @@ mesh = { far_size_mm = 0.25 })",
 rigid = true)"}},
        "",
        2,
-       R"(scene.toml:14: contact.pad.wear: the primary side lies on the rigid body "base", which can not wear)"
+       R"(scene.toml:14: contact.pad.wear: the primary side lies on the rigid body "base", which cannot wear)"
        "\n"},
       {"the same two edges in two contacts",
        "check",
@@ -758,7 +758,7 @@ law = "hencky")"},
 max_cutbacks = 3
 )",
        1,
-       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.5 to 0.625: body slider is strained by 41 % on average already: more than it bears; check loads, motions and E_MPa)"
+       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.5 to 0.625: body slider is strained by 41 % on average already: more than it can bear; check loads, motions and E_MPa)"
        "\n"},
   });
 }
@@ -842,7 +842,7 @@ TEST(Mistakes, FilesMore) {
         {R"(mesh = { far_size_mm = 0.25 })", R"(mesh = { far_size_mm = 0.25, element = "tri" })"}},
        "",
        0,
-       R"(warning: scene.toml:6: body.slider.material = "steel": triangles of order 1 lock where the material (nearly) keeps its volume, as nu > 0.45 does; take quads or order = 2)"
+       R"(warning: scene.toml:6: body.slider.material = "steel": triangles of order 1 lock where the material is (nearly) incompressible, as nu > 0.45 does; take quads or order = 2)"
        "\n"},
   });
 }

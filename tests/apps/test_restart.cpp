@@ -136,7 +136,7 @@ TEST(Restart, NothingToGoOnFrom) {
   const WithWearing place;
   const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--restart"});
   EXPECT_EQ(told.code, 2);
-  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to go on from: o/checkpoint/current.bin: missing; "))
+  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to resume from: o/checkpoint/current.bin: missing; "))
       << told.err;
   EXPECT_FALSE(test::fs::exists(place / "o"));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);

@@ -135,7 +135,7 @@ TEST(Report, TellsOfRemeshes) {
   write_report(dir.str());
   const std::string page = page_of(dir.str());
   EXPECT_TRUE(well_formed(page));
-  EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Bodies meshed anew: 2</summary>"));
+  EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Remeshed bodies: 2</summary>"));
   EXPECT_TRUE(holds(page,
                     "<tr><th>2500</th><td>pad, upper</td><td class=\"number\">120 → 135</td>"
                     "<td class=\"number\">1.2</td><td class=\"number\">0.033</td><td class=\"number\">0.04</td>"
@@ -189,7 +189,7 @@ TEST(Report, RemeshesShownAreBounded) {
   for (int k = 0; k < 250; ++k) writer.remesh(sample::remesh(1000.0 + k));
   write_report(dir.str());
   const std::string page = page_of(dir.str());
-  EXPECT_TRUE(holds(page, "Bodies meshed anew: 250, the last 200 of them"));
+  EXPECT_TRUE(holds(page, "Remeshed bodies: 250, the last 200 of them"));
   EXPECT_FALSE(holds(page, "<th>1049</th>"));
   EXPECT_TRUE(holds(page, "<th>1050</th>"));
 }

@@ -26,7 +26,7 @@ struct Begun {
   sim::Attempt attempt{nullptr, 1.0, "no convergence in 30 iterations"};
 };
 
-const char* const lost = "nothing is in contact, and a body has lost the contact that holds it";
+const char* const lost = "no node is in contact, and a body is unsupported";
 
 }  // namespace
 
@@ -49,7 +49,7 @@ TEST(WhyFailed, TwoNodes) {
   auto& status = begun.state.solution.contacts[0].status;
   status[0] = status[1] = contact::ContactStatus::stick;
   EXPECT_EQ(begun.why(),
-            "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry it; make them shorter "
+            "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry its load; make them shorter "
             "there, with a fine_zone");
 }
 

@@ -60,7 +60,7 @@ void check_mesh(const std::string& path, std::string_view text) {
     while (!word.empty() && (word.back() == '\r' || word.back() == ' ')) word.remove_suffix(1);
     if (std::find(sections.begin(), sections.end(), word) == sections.end())
       refuse(path,
-             "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is no section of a mesh");
+             "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is not a section of a mesh");
   }
 }
 

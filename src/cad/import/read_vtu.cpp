@@ -74,7 +74,8 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
     auto& nodes = cells.emplace_back();
     for (vtkIdType node : *ids) {
       if (node < 0 || node >= points)
-        refuse(path, "cell " + std::to_string(c) + " names point " + std::to_string(node) + ", which there is not");
+        refuse(path,
+               "cell " + std::to_string(c) + " refers to point " + std::to_string(node) + ", which does not exist");
       nodes.push_back(static_cast<int>(node));
     }
     if (const auto kind = kind_of(grid.GetCellType(c));
