@@ -136,7 +136,7 @@ void floor_of_a_cycle(benchmark::State& run) {
   run.counters["cycle_in_factorisations"] = bench::median(cycles) / bench::median(plain);
 }
 
-/// A run that fails is no measurement: told, and the other benchmarks go on.
+/// A run that fails is no measurement: reported, and the other benchmarks continue.
 template <void (*measure)(benchmark::State&)>
 void told(benchmark::State& run) {
   try {

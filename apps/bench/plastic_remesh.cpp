@@ -11,7 +11,7 @@
 #include "sim/prepare.hpp"
 #include "sim/shape.hpp"
 
-/// Plastic bodies pressed together and meshed anew many times: what is left of their plastic strain, against the same
+/// Plastic bodies are pressed together and remeshed many times: what is left of their plastic strain, against the same
 /// bodies pressed the same way on their first mesh.
 namespace {
 
@@ -79,7 +79,7 @@ struct Indented {
     play();
   }
 
-  /// Fine zones with elements of `factor` times the size that the problem was prepared with. Returns why it can not be.
+  /// Fine zones with elements of `factor` times the size that the problem was prepared with. Returns why it cannot be.
   std::string renew(double factor) {
     for (std::size_t b = 0; b < state.shapes.size(); ++b) {
       auto drawing = *state.shapes[b]->drawing;

@@ -50,7 +50,7 @@ namespace {
   throw base::InputError({{"--restart", dir, "no checkpoint to resume from: " + reasons}});
 }
 
-/// Whether the newest state may go on so is asked first; where it has ended, the one before is gone on from.
+/// The newest state is asked first whether it may resume so; where it has ended, the run resumes from the one before.
 output::CheckpointSearch search_extended(const std::string& dir, const sim::Problem& problem,
                                          const scene::Extension& extension, sim::Cache& cache, Resumption& resumption) {
   const auto origin = output::own_origin("", problem.scene.fixed_sha256);

@@ -36,13 +36,13 @@ class Checkpoints {
   std::optional<BlockEnd> waiting_;
 };
 
-/// Where a run goes on from.
+/// Where a run resumes from.
 struct Resumption {
   sim::State state;
   output::Counters counters;
   bool previous = false;           ///< of the checkpoint before the last
   bool extends = false;            ///< the run of a scene that this one extends
-  std::vector<std::string> notes;  ///< what is to be told: checkpoints that were refused, another build
+  std::vector<std::string> notes;  ///< notes to report: checkpoints that were refused, another build
 };
 
 /// How the scene extends the one whose run the folder holds, asked of it by --restart: not at all where it is that
@@ -51,7 +51,7 @@ struct Resumption {
 std::optional<scene::Extension> extension_in(const std::string& dir, const scene::Scene& scene);
 
 /// The newest checkpoint of this problem in the folder that is whole and whose tables are there; changes nothing.
-/// Throws base::InputError with every reason when there is none. An extension that the run allows goes on from there,
+/// Throws base::InputError with every reason when there is none. An extension that the run allows resumes from there,
 /// too, but from before its last block where that ended the run.
 Resumption resumption_of(const std::string& dir, const sim::Problem& problem,
                          const std::optional<scene::Extension>& extension, sim::Cache& cache);

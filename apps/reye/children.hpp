@@ -12,7 +12,7 @@ struct Child {
   std::string log;                 ///< file that takes what it prints; empty: printed as usual
 };
 
-/// Runs them all, at most `most` at once, each with one thread for linear algebra. `ended` is told of each: its
+/// Runs them all, at most `most` at once, each with one thread for linear algebra. `ended` is called for each with its
 /// number and its exit code, or 128 + the signal that ended it, or 127 when it could not be started.
 /// SIGINT, SIGTERM and SIGHUP are passed on to those that run and no other is started; false then. Should this program
 /// be killed, they get a SIGTERM from the kernel.

@@ -53,8 +53,8 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
   }
 }
 
-/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before
-/// the first block can go on, too.
+/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: a run interrupted before
+/// its first block can resume, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
   sim::State state = sim::initial_state(problem);
@@ -62,12 +62,12 @@ sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, C
   return state;
 }
 
-/// The state to go on from, the folder cut back to it.
+/// The state to resume from, the folder cut back to it.
 sim::State resumed(Resumption resumption, output::RunWriter& writer, Checkpoints& checkpoints) {
   for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
   if (resumption.previous) output::restore_previous(writer.dir());
   writer.resume(resumption.counters);
-  if (resumption.extends) {  // in this order: either scene finds a checkpoint to go on from, whenever a kill comes
+  if (resumption.extends) {  // in this order: either scene finds a checkpoint to resume from, whenever a kill comes
     checkpoints.start(resumption.state);
     writer.extend();
   }
@@ -86,7 +86,8 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
   return o;
 }
 
-/// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether it can go on.
+/// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether the run can
+/// resume.
 sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State state, output::RunWriter& writer,
                   Checkpoints& checkpoints, bool quiet) {
   try {

@@ -13,7 +13,7 @@ struct Request {
 
 std::string version();
 
-/// The table of scene keys as markdown: what stands in the README.
+/// The table of scene keys as markdown: the table in geo/REFERENCE.md.
 std::string reference();
 
 int run(const Request& request);

@@ -114,7 +114,7 @@ output::RunEnd end_of(const Place& place) {
   return end;
 }
 
-/// A run that was broken off goes on from its last checkpoint.
+/// An interrupted run resumes from its last checkpoint.
 bool can_go_on(const Place& place, const output::RunEnd& end) {
   const auto holder = output::read_identity(place.dir);
   const bool its_own = holder && holder->sha256 == place.sha256;

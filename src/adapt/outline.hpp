@@ -22,7 +22,7 @@ struct Outline {
 
 Outline outline_of(const mesh::Mesh& mesh);
 
-/// What one outline node loses, told apart by the facets on which it was worn: the one before the node, the
+/// What one outline node loses, separated by the facets on which it was worn: the one before the node, the
 /// one after it, or both together (shared by their lengths).
 struct WornNode {
   int node = -1;

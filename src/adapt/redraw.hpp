@@ -11,7 +11,7 @@ struct Redrawn {
   std::string failure;  ///< empty; else what of the outline cannot be drawn, and where
 };
 
-/// Draws the outline of a worn shape anew: curves of CAD where nothing has moved, straight lines between their present
+/// Redraws the outline of a worn shape: curves of CAD where nothing has moved, straight lines between their present
 /// ends where a side has only become shorter, and one C1 spline through the nodes of each worn run, ending where the
 /// scar ends, where a name changes and at corners.   (README, 7)
 /// Nothing moved: the drawing of the shape, unchanged. A shape without drawing is drawn from its outline of birth.

@@ -82,7 +82,7 @@ std::optional<mesh::Mesh> refilled(const cad::Drawing& drawing, const mesh::Mesh
   try {
     mesh::Mesh mesh = cad::refill(drawing, worn, most_nodes);
     if (mesh::poorest_cell(mesh).scaled_jacobian >= good_enough) return mesh;
-  } catch (const base::MeshError&) {  // the outline is divided anew
+  } catch (const base::MeshError&) {  // the outline is redivided
   }
   return std::nullopt;
 }

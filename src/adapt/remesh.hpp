@@ -23,10 +23,10 @@ struct RemeshResult {
 };
 
 /// A fresh mesh inside the worn outline, with the same boundaries. On worn runs the fresh polygon has exactly the
-/// content of the old one, to round-off; curves of CAD are only divided anew (their polygons differ by what chords cut
+/// content of the old one, to round-off; curves of CAD are only redivided (their polygons differ by what chords cut
 /// off). `zones` are the fine zones from now on; none: those of the drawing. Nothing else of the drawing's wishes
 /// changes. With `keep_nodes` the outline is the worn one, node by node, and nothing on it need be carried; where the
-/// cells do not come out well it is divided anew all the same. Runs gmsh: one call at a time.   (README, 7)
+/// cells do not come out well it is redivided all the same. Runs gmsh: one call at a time.   (README, 7)
 RemeshResult remesh(const body::ShapePtr& worn, base::Analysis analysis, const std::vector<cad::FineZone>& zones = {},
                     const RemeshOptions& options = {});
 

@@ -49,7 +49,7 @@ bool settle_one(std::vector<Segment>& loop, const Range& stretch) {
   return false;
 }
 
-/// A worn edge of the old drawing is drawn anew as a whole; false when nothing changed.
+/// A worn edge of the old drawing is redrawn as a whole; false when nothing changed.
 bool spread_over_worn_edges(std::vector<Segment>& loop, const std::vector<bool>& redrawn) {
   bool changed = false;
   for (Segment& segment : loop)

@@ -33,7 +33,7 @@ std::vector<bool> corners(const std::vector<Segment>& loop, const Points& X);
 /// Cuts a closed loop into runs that become one edge each: worn segments between hard nodes and fresh segments, fresh
 /// segments of one old edge. A run shorter than about two facets beside it is no edge of its own: a fresh one is
 /// taken into the worn one beside it, a worn one takes as much of the fresh one beside it.
-/// `worn_edges`: edges of the old drawing that are drawn anew as a whole or not at all.
+/// `worn_edges`: edges of the old drawing that are redrawn as a whole or not at all.
 std::vector<std::vector<Segment>> runs_of(std::vector<Segment> loop, const std::vector<bool>& worn_edges);
 
 }  // namespace reye::adapt

@@ -4,7 +4,7 @@
 
 #include "mortar/surface.hpp"
 
-/// Fields carried from one boundary to the same boundary meshed anew.
+/// Fields carried from one boundary to the same boundary remeshed.
 namespace reye::adapt {
 
 /// What a nodal value of a surface is, hence how it is carried (README, 6).

@@ -5,7 +5,7 @@
 
 namespace reye::adapt {
 
-/// Bounds beyond which a worn mesh is made anew.
+/// Bounds beyond which a worn body is remeshed.
 struct Triggers {
   double min_scaled_jacobian = 0.3;
   double min_angle_deg = 15.0;

@@ -180,7 +180,7 @@ struct Interior {
 /// over modulus: its symmetric part leads nearly as fast, at a third of the price.
 enum class Tangent { exact, symmetric_part };
 
-/// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but anew
+/// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but again
 /// at every state. With r = f_int - sum factor_i f_i, split into interior i and retained c,
 ///   S = K_cc - K_ci K_ii^-1 K_ic,  r_hat = r_c - K_ci K_ii^-1 r_i,  dy = -K_ii^-1 (r_i + K_ic dq),
 /// which together are the full Newton step. S need not be symmetric. At finite strain a rigid edge turns by a true

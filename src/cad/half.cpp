@@ -50,7 +50,7 @@ struct AxisEnd {
   std::size_t run = 0;
 };
 
-/// For each run, the one that goes on from where it ends, down the axis.
+/// For each run, the one that continues from where it ends, down the axis.
 std::vector<std::size_t> next_runs(const std::vector<Run>& runs) {
   std::vector<AxisEnd> ends;
   for (std::size_t r = 0; r < runs.size(); ++r) {

@@ -37,7 +37,7 @@ void check_zone(const FineZone& zone, const GeometryOptions& options, const std:
                                  text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
   bool wanted = false;
   for (const BodyPlan& plan : plans) {
-    if (!plan.part) return;  // told already
+    if (!plan.part) return;  // reported already
     if (plan.part->mesh || !names(zone, plan.options->name)) continue;
     wanted = true;
     const auto zones = zones_on(*plan.part, plan.options->name, options.fine_zones);

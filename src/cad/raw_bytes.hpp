@@ -7,7 +7,7 @@
 /// What the importer says of one file, as bytes through a pipe.
 namespace reye::cad {
 
-/// Parts, or what is wrong with the file.
+/// The parts, or the error of the file.
 struct Answer {
   std::vector<RawPart> parts;
   std::vector<base::Issue> issues;

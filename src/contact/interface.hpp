@@ -17,7 +17,7 @@ struct IncrementOptions {
   double duration_s = 0.0;         ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the way friction points
-  double first_way = 1.0;     ///< that way, 1 or -1, where nothing slides in this increment and no shear tells it
+  double first_way = 1.0;     ///< that way, 1 or -1, where nothing slides in this increment and no shear gives it
   double inset = 0.0;         ///< the primary side lies so far inside its body: what is left of a drawn overlap [mm]
   double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
@@ -75,7 +75,7 @@ class Interface {
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 
-  /// Tells which nodes no force moves along the surface in this increment, and how far the sides are turned.
+  /// Sets which nodes no force moves along the surface in this increment, and how far the sides are turned.
   void hold(Mobility mobility) { mobility_ = std::move(mobility); }
 
   /// Begins with the conditions that are expected to hold, slipping as these multipliers drag.

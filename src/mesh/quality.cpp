@@ -141,7 +141,7 @@ double scaled_jacobian(const Points& X, CellKind kind, const Cell& cell) {
 }
 
 double smallest_angle(const Points& X, CellKind kind, const Cell& cell) {
-  // Where the unit square |x| + |y| = 1 is met tells corners apart without an arc tangent each: from -2 to 2.
+  // Where the unit square |x| + |y| = 1 is met separates corners without an arc tangent each: from -2 to 2.
   const double met = smallest_over_corners(X, kind, cell, [](const Vec2& a, const Vec2& b) {
     const double x = a.dot(b), y = base::cross(a, b), sum = std::abs(x) + std::abs(y);
     if (!(sum > 0.0)) return 0.0;

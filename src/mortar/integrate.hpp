@@ -69,7 +69,7 @@ class Integrator {
  public:
   /// Values of all facets that meet a primary facet. The records stay valid until the next call.
   std::vector<FacetRecord>& values(const Placement& placement);
-  /// Values of one record anew, after its nodes' `cut` changed in the placement.
+  /// Recomputes the values of one record after its nodes' `cut` changed in the placement.
   void renew(const Placement& placement, FacetRecord& record);
   /// Fills dofs and slope of one record, with the same placement.
   void differentiate(const Placement& placement, FacetRecord& record);

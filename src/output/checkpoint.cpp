@@ -64,7 +64,7 @@ void check_rows(const std::string& dir, const std::string& file, long rows) {
   (void)size_of_rows((fs::path(dir) / file).string(), rows);
 }
 
-/// Every table that the counters tell of, with its rows.
+/// Every table that the counters name, with its rows.
 std::map<std::string, long> tables_of(const Counters& counters) {
   auto tables = counters.surface_rows;
   tables["history.csv"] = counters.history_rows;

@@ -27,11 +27,11 @@ struct Checkpoint {
   Origin origin;
   Counters counters;  ///< what of the output folder belongs to the state
   std::string payload;
-  bool ended = false;  ///< the run ended with this state: an extension of it goes on from the one before
+  bool ended = false;  ///< the run ended with this state: an extension of it resumes from the one before
 };
 
-/// Syncs the tables that it tells of, writes the new checkpoint beside the old, then renames: at any moment one whole
-/// checkpoint is there with its tables, after a power cut, too.
+/// Syncs the tables that the counters name, writes the new checkpoint beside the old, then renames: at any moment one
+/// whole checkpoint is there with its tables, after a power cut, too.
 void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint);
 
 struct CheckpointSearch {
@@ -42,7 +42,7 @@ struct CheckpointSearch {
                  ///< other version or layout, tables shorter than it says, or what `examine` threw
 };
 
-/// Throws for a checkpoint that cannot be gone on from, with the reason.
+/// Throws for a checkpoint that no run can resume from, with the reason.
 using Examine = std::function<void(const Checkpoint&)>;
 
 /// The checkpoint to restart from: the current one, else the previous. Of the scene that `own` names; where it names

@@ -63,7 +63,7 @@ template <class Reader>
 vtkNew<Reader> opened(const std::string& path) {
   vtkNew<Reader> reader;
   if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged(path);
-  vtkObject::GlobalWarningDisplayOff();  // what is wrong with it, is said below
+  vtkObject::GlobalWarningDisplayOff();  // its error is reported below
   reader->SetFileName(path.c_str());
   try {
     reader->Update();

@@ -44,7 +44,7 @@ bool holds_results(const std::string& dir) {
   return false;
 }
 
-/// Why a folder that is not there can not be made, judged by the nearest parent that is; empty when it can.
+/// Why a folder that is not there cannot be made, judged by the nearest parent that is; empty when it can.
 std::optional<std::string> refusal_to_make(const std::string& dir) {
   std::error_code error;
   auto parent = fs::absolute(fs::path(dir)).lexically_normal();

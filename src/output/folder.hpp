@@ -35,7 +35,7 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
 /// Files that a run does not write are left alone.
 void claim_folder(const std::string& dir, const Identity& identity);
 
-/// Says whose the folder is, its results left as they are: an extension of the run that wrote them goes on there.
+/// Says whose the folder is, its results left as they are: an extension of the run that wrote them resumes there.
 void mark_folder(const std::string& dir, const Identity& identity);
 
 /// Removes what a killed run left half written under temporary names.

@@ -12,7 +12,7 @@ std::string result_tables(const RunData& run);
 /// What wore off against what the friction work allows.
 std::string ledger_table(const RunData& run);
 
-/// One row per body meshed anew, with the jumps it cost; folded away when they are many.
+/// One row per body remeshed, with the jumps it cost; folded away when they are many.
 std::string remesh_table(const RunData& run);
 
 /// Counts, time and memory, what was skipped, why steps were cut.

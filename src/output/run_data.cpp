@@ -52,8 +52,8 @@ std::vector<FrameRows> frames_of(const Table& table) {
 /// Numbers of a run are far below this, or unknown; what is larger would only overflow in a picture.
 constexpr double most = 1e100;
 
-/// A table whose columns begin with those of `header`. What ends in half a row belongs to a run that goes on, or was
-/// killed.
+/// A table whose columns begin with those of `header`. A table that ends in half a row belongs to a run that is still
+/// writing, or was killed.
 Table read_table(const std::string& file, const std::string& header, bool ended) {
   const std::string text = read_text(file);
   if (!text.starts_with(header.substr(0, header.size() - 1)))

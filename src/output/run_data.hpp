@@ -51,7 +51,7 @@ struct RunData {
   Identity identity;
   nlohmann::ordered_json summary;  ///< null when the run has not ended
   Table history;
-  Table remeshes;  ///< empty when no body was meshed anew
+  Table remeshes;  ///< empty when no body was remeshed
   std::vector<ContactData> contacts;
 };
 

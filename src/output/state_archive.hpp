@@ -7,7 +7,7 @@
 
 namespace reye::output {
 
-/// The state as bytes, and back: every bit that the run goes on from. From bytes that are not of a state
+/// The state as bytes, and back: every bit that the run resumes from. From bytes that are not of a state
 /// std::runtime_error; that what they hold belongs together, sim::check_state says.
 std::string state_to_bytes(const sim::State& state);
 sim::State state_from_bytes(const std::string& bytes);

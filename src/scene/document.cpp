@@ -114,7 +114,7 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
   return node;
 }
 
-/// The parser's words; of a text that goes on beyond its line it only sees the line's end.
+/// The parser's words; of a text that continues beyond its line it only sees the line's end.
 std::string in_words(const std::string& description) {
   const bool open = description.find("parsing string") != std::string::npos &&
                     description.find("control characters") != std::string::npos;

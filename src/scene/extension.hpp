@@ -6,7 +6,7 @@
 #include "scene/document.hpp"
 #include "scene/scene.hpp"
 
-/// A run that goes on with more than was asked of it at first: other limits, or more cycles of its last step.
+/// A run that resumes with more than was asked of it at first: other limits, or more cycles of its last step.
 namespace reye::scene {
 
 /// What makes a scene the extension of another one.

@@ -5,7 +5,7 @@
 
 namespace reye::scene {
 
-/// All of a scene that a run cannot change when it goes on, value by value in the order of the file: everything but
+/// All of a scene that a run cannot change when it resumes, value by value in the order of the file: everything but
 /// limits and the number of cycles of the last step, where no spectrum repeats that. `document`: the tree of `text`.
 std::string fixed_part(const Node& document, const std::string& text);
 

@@ -7,10 +7,9 @@
 
 namespace reye::scene {
 
-/// The scene in the file at `path`. Everything wrong with it is collected and thrown as one
-/// base::InputError, one line per issue, in the order of the file:
-/// `scene.toml:9: material.steel.nu = 0.5: must lie in (-1, 0.5)`, with `path` as the caller gave it.
-/// Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
+/// The scene in the file at `path`. All its errors are collected and thrown as one base::InputError, one line per
+/// issue, in the order of the file: `scene.toml:9: material.steel.nu = 0.5: must lie in (-1, 0.5)`, with `path` as the
+/// caller gave it. Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
 Scene read(const std::string& path);
 
 /// The same of a text that stands, or is to stand, in the file at `path`.

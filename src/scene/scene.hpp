@@ -26,7 +26,7 @@ struct BodyMaterial {
   std::string material;       ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
   std::optional<base::Kinematics> kinematics = base::Kinematics::small;  ///< empty: the run chooses
-  bool kinematics_given = false;  ///< else small strain that turns out to be wrong ends the run
+  bool kinematics_given = false;  ///< else small strain that turns out to be too inaccurate ends the run
 };
 
 struct Step {
@@ -63,7 +63,7 @@ struct FrameRules {
   double every_cycles = 0.0;
   int every_blocks = 0;      ///< of a step
   int per_decade = 0;        ///< log-spaced: so many per factor of ten in cycles
-  bool at_remeshes = false;  ///< at the end of a block in which a body was meshed anew
+  bool at_remeshes = false;  ///< at the end of a block in which a body was remeshed
   bool every_increment = false;
   bool last_block = false;  ///< at each increment of the last block of every step
   bool paraview = true;     ///< false: rows of the surface tables alone
@@ -77,7 +77,7 @@ struct Output {
   std::vector<Probe> probes;
 };
 
-/// When a worn body is meshed anew, and how.
+/// When a worn body is remeshed, and how.
 struct Remesh {
   bool automatic = true;
   int every_blocks = 0;  ///< 0: only when a trigger asks for it
@@ -113,7 +113,7 @@ struct Scene {
   std::string path;
   std::string text;          ///< of the file
   std::string sha256;        ///< over scene, geometry files and profiles
-  std::string fixed_sha256;  ///< the same without what may be another when a run goes on (`extension`)
+  std::string fixed_sha256;  ///< the same without what may differ when a run resumes (`extension`)
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
   /// What is suspicious but no error, one line each as in an InputError.

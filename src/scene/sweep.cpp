@@ -114,7 +114,7 @@ void check_places(const std::string& text, const Variation& variation, Issues& i
       issues.push_back({option, variation.key + '=' + value, "cannot be put there"});
 }
 
-/// All variations, each with a key that the scene can take; everything wrong is thrown at once.
+/// All variations, each with a key that the scene can take; all errors are thrown at once.
 std::vector<Variation> checked(const std::vector<std::string>& variations, const std::string& text) {
   const auto root = parse(text);
   std::vector<Variation> good;
@@ -184,7 +184,7 @@ Variation variation_of(const std::string& words) {
 
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {
   const auto text = text_of(path);
-  read_text(text, path);  // its own faults are told once, not once per member
+  read_text(text, path);  // its own errors are reported once, not once per member
   const auto variations = checked(words, text);
   Sweep sweep;
   std::size_t count = 1;

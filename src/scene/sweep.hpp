@@ -27,7 +27,7 @@ struct Sweep {
 };
 
 /// The members of the scene at `path` under all variations, none of them read yet.
-/// Throws base::InputError with everything that is wrong with the variations: a key that is unknown, that stands where
+/// Throws base::InputError with all errors of the variations: a key that is unknown, that stands where
 /// the scene has no table of that name, is varied twice or cannot be set.
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& variations);
 

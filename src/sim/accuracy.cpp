@@ -17,8 +17,8 @@ namespace {
 /// Elements per half width of a fine zone: of the first and the last pilot, and more than which are not chosen.
 constexpr double first_elements = 16.0, last_elements = 128.0, most_elements = 400.0;
 constexpr double reach = 4.0;  ///< times its own elements, up to which the order of a pilot's error is relied on
-/// Of the accuracy, what the mesh may put wrong by the estimate: the cycle jump has half of it, and the true error may
-/// be 1.8 times as large as the estimate (`results/mesh_error`).
+/// The share of the accuracy that the error of the mesh may take by the estimate: the cycle jump has half of it, and
+/// the true error may be 1.8 times as large as the estimate (`results/mesh_error`).
 constexpr double share = 0.4;
 
 template <class... Args>
@@ -67,7 +67,7 @@ bool reaches(const Pilot& pilot) {
   return pilot.elements > 0.0 && (hopeless || pilot.suited <= reach * pilot.elements);
 }
 
-/// The pilot on the longest elements that reaches as far as what it asks for, or the shortest that tell an error.
+/// The pilot on the longest elements that reaches as far as what it asks for, or the shortest that give an error.
 Pilot piloted(const scene::Scene& scene) {
   Pilot best;
   std::string reason;

@@ -36,7 +36,7 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
   return r;
 }
 
-/// True where a history that the step plays has a corner: motion does not go on as before.
+/// True where a history that the step plays has a corner: the motion does not continue as before.
 bool corner_at(const scene::Scene& scene, const scene::Step& step, double progress) {
   for (const auto& name : step.play)
     for (const auto& corner : scene.histories.at(name))
@@ -45,7 +45,7 @@ bool corner_at(const scene::Scene& scene, const scene::Step& step, double progre
 }
 
 /// The block being played: where it started from, whether its increments are rows of the history, how long its last
-/// increment was (0: none to go on from) and what that cost.
+/// increment was (0: none to continue from) and what that cost.
 struct Playing {
   const BlockSpan& span;
   const Observer& observer;

@@ -181,7 +181,7 @@ std::vector<std::vector<int>> lines(const mortar::Surface& surface) {
   return all;
 }
 
-/// Beyond its ends a motion goes on for a facet, so that what is open beside it stays as open, and fades out over two
+/// Beyond its ends a motion continues for a facet, so that an open gap beside it stays as open, and fades out over two
 /// more.
 void fade_out(const mortar::Surface& surface, SideShift& side) {
   const int whole = surface.order, reach = 3 * surface.order;

@@ -27,7 +27,7 @@ struct MeshDifference {
 MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std::vector<SurfaceRecord>& coarse,
                                base::Analysis analysis);
 
-/// What the mesh is estimated to put wrong, both relative.
+/// The estimated errors of the mesh, both relative.
 struct DiscretisationError {
   RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
   std::string reason;                     ///< why there is no error of the surface; empty when there is
@@ -38,7 +38,8 @@ struct DiscretisationError {
 };
 
 /// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The
-/// errors of the two fall with powers of the element size that are known, so that their difference tells what is left.
+/// errors of the two fall with powers of the element size that are known, so that their difference gives the error that
+/// is left.
 DiscretisationError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
 
 }  // namespace reye::sim

@@ -149,7 +149,7 @@ struct Trial {
 double without_levelling(const BlockSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 /// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body is to be
-/// meshed anew, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no
+/// remeshed, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no
 /// cycle that wore the corrected layer. The last block of a step leaves remeshing to the next step.
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
                const Observer& observer) {

@@ -57,7 +57,7 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   return span;
 }
 
-constexpr int most_turns = 3;  ///< times that a block is played again to end at a limit
+constexpr int most_turns = 3;  ///< times that a block is repeated to end at a limit
 
 /// One run in progress: the loop over steps and blocks.
 class Runner {
@@ -105,7 +105,7 @@ class Runner {
                                   : play_fixed(p_, from, cache_, span, observer);
   }
 
-  /// A block; where it passes a limit that ends the run it is played again, as far as the limit.
+  /// A block; where it passes a limit that ends the run it is repeated, as far as the limit.
   Outcome play_to_limit(BlockSpan span) {
     if (!span.cycles || !any_stop_ahead(p_, state_)) return play(span, state_, observer_);
     Recording recording;

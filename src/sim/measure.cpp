@@ -74,7 +74,7 @@ Opened opened(const SurfaceRecord& s, Keep keep) {
   return o;
 }
 
-/// A bump that ends on the axis of axisymmetry goes on beyond it as its mirror image. `r`: distances from the axis.
+/// A bump that ends on the axis of axisymmetry continues beyond it as its mirror image. `r`: distances from the axis.
 void mirror_at_axis(const std::vector<double>& r, std::vector<double>& x, std::vector<double>& f) {
   const std::size_t n = r.size();
   if (n == 0) return;

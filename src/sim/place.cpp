@@ -32,7 +32,7 @@ using base::Issue;
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// Finds the boundaries that a scene names, "name" or "body.name", and collects what it can not find.
+/// Finds the boundaries that a scene names, "name" or "body.name", and collects the names it cannot find.
 class Resolver {
  public:
   Resolver(const scene::Scene& scene, const std::vector<body::ShapePtr>& shapes,

@@ -9,7 +9,7 @@
 #include "base/linalg.hpp"
 #include "mesh/mesh.hpp"
 
-/// What a run tells the outside: plain records, filled by `sim`, written by `output`.
+/// What a run reports: plain records, filled by `sim`, written by `output`.
 namespace reye::sim {
 
 using base::Vec2;
@@ -112,7 +112,7 @@ struct BondSummary {
   BondTraction end, most;
 };
 
-/// One body meshed anew. The jumps compare the equilibrium before the shape step with that on the new mesh.
+/// One body remeshed. The jumps compare the equilibrium before the shape step with that on the new mesh.
 struct RemeshRecord {
   std::string step;
   double cycle = 0.0;

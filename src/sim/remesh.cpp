@@ -27,7 +27,7 @@ const std::vector<body::SupportColumn>& support_columns(const body::Operator& op
       [](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
-/// A body as it was before its mesh was made anew.
+/// A body as it was before its remesh.
 struct Displaced {
   body::ShapePtr on;  ///< X that all of this is counted on
   base::Points u;     ///< of all nodes, in the frame of a linear body
@@ -47,7 +47,7 @@ double longest_facet(const mesh::Mesh& mesh) {
   return longest;
 }
 
-/// Displacements of nodes at X, interpolated in the old mesh. Returns why it can not be done.
+/// Displacements of nodes at X, interpolated in the old mesh. Returns why it cannot be done.
 std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, const base::Points& X,
                                base::Points& carried, double& projection) {
   adapt::Field field{"displacement", 2, {}};

@@ -11,7 +11,7 @@ struct PlayedBlock {
   double cycle_before = 0.0, cycle = 0.0;  ///< at its start and end
   long number = 1;                         ///< in its step, from 1
   bool last = false;                       ///< of its step, or of the run
-  bool remeshed = false;                   ///< a body was meshed anew in it
+  bool remeshed = false;                   ///< a body was remeshed in it
 };
 
 /// Whether the state at the end of the block is a frame; several rules that want it make one frame.

@@ -12,15 +12,15 @@ struct LeftByOthers {
   std::vector<double> energy;                              ///< frictional work at the nodes of the secondary
 };
 
-/// Sides of two contacts under two names that have edges in common, where one of them wears: what it takes off could
-/// not be told to the other.
+/// Sides of two contacts under two names that have edges in common, where one of them wears: the volume it removes
+/// could not be passed to the other.
 std::vector<base::Issue> shared_wear_issues(const Problem& problem);
 
 /// Per contact of the scene.
 std::vector<LeftByOthers> left_by_others(const Problem& problem, const State& state);
 
 /// The contacts of a state as they are shown: at each node that a contact has worn, `removed` is what all contacts have
-/// taken off there. The books of volume and work stay each contact's own.
+/// taken off there. Each contact keeps its own ledger of volume and work.
 std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state);
 
 /// For the plan: boundaries that several contacts wear, and whose the depths there are.

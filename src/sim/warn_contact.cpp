@@ -79,7 +79,7 @@ void warn_of_limit(const scene::Scene& scene, const scene::Limit& limit, const C
 
 void warn_of_ledger(const ContactSummary& contact, State& state, const Observer& observer) {
   constexpr double open_book = 1e-6;  // relative
-  constexpr double rounding = 1e-12;  // mm^2 or mm^3, that an outline of stored coordinates does not tell
+  constexpr double rounding = 1e-12;  // mm^2 or mm^3, below the resolution of stored coordinates
   const double error = contact.ledger_relative_error.value_or(0.0);
   if (error <= open_book || contact.secondary.worn_area + contact.primary.worn_area <= rounding) return;
   warn(state, observer,

@@ -4,11 +4,11 @@
 #include "sim/records.hpp"
 #include "sim/state.hpp"
 
-/// Looks at contacts while a run goes on, and warns of what makes their numbers wrong.
+/// Checks contacts during a run and warns of what makes their numbers inaccurate.
 namespace reye::sim {
 
 /// Below so many elements across, the peak pressure of a round contact is off by more than some 3 %. Before wear has
-/// widened it, a contact that wears may have fewer: what its first blocks get wrong is levelled, if its edge is not one
+/// widened it, a contact that wears may have fewer: the error of its first blocks is levelled, if its edge is not one
 /// element's.
 inline constexpr double fewest_across = 8.0, fewest_before_wear = 3.0;
 /// Elements beside a fine zone are longer than so many times what the zone asks for.

@@ -3,7 +3,7 @@
 #include "sim/problem.hpp"
 #include "sim/records.hpp"
 
-/// What can be known to be wrong, or worth a word, before a run.
+/// Errors that can be known before a run, and what deserves a warning.
 namespace reye::sim {
 
 /// Supports that ask different things of one place: those that are refused, and, as warnings, those that lose a corner.

@@ -11,7 +11,7 @@ struct Pressed {
   double length_mm = 0.0;  ///< of that run
   double size_mm = 0.0;    ///< of the secondary facets at the peak
   bool bounded = false;    ///< both its ends are ends of the bodies' sides: no edge of contact lies between nodes
-  std::string cut;         ///< a named boundary that ends in the contact while the outline goes on; empty: none
+  std::string cut;         ///< a named boundary that ends in the contact while the outline continues; empty: none
   double beside_zone =
       0.0;  ///< element length over that of the fine zone where more than half of the force lies beside it
   double facets_mm = 0.0;  ///< sagitta of the facets of both sides, where nothing has worn yet

@@ -15,7 +15,7 @@ namespace {
 enum class Beyond { corner, another_contact, smooth };
 
 constexpr double harder = 1.001;        ///< a force held constant is looked at once a block
-constexpr double smooth_cosine = 0.94;  ///< cosine of the 20 degrees below which an outline goes on smoothly
+constexpr double smooth_cosine = 0.94;  ///< cosine of the 20 degrees below which an outline continues smoothly
 
 Beyond beyond(const Problem& problem, const State& state, const contact::SurfaceNode& end) {
   const auto& mesh = state.shapes[end.body]->mesh;

@@ -94,7 +94,7 @@ std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, 
   return all;
 }
 
-/// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does
+/// How far the contact reaches into the margin at an end of the zone behind which the boundary continues; <= 0: it does
 /// not.
 double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone,
               const body::Shape& shape) {

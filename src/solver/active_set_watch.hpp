@@ -10,7 +10,7 @@ namespace reye::solver {
 /// a thin sheet moves as a whole, and nodes that close meanwhile hold it where they will not stay.
 enum class Allowed { all, opening_first, none, one };
 
-/// Tells an active set that goes round in circles, while contact settles on one linearisation of the bodies.
+/// Detects an active set that cycles while contact settles on one linearisation of the bodies.
 /// To decide for all nodes at once, from equations not yet met, is quick; but nodes that answer each other may bring a
 /// set back for ever. One that comes for the third time is taken for that. From then on the equations of a set are met
 /// before it changes, and then in one node alone, the first that asks for it: where the matrix is a P-matrix no set
@@ -19,7 +19,7 @@ class ActiveSetWatch {
  public:
   using Set = std::vector<contact::ContactStatus>;  ///< the nodes of all contacts, one after the other
 
-  /// To be told of the set of every iteration; the same one again is no news.
+  /// Receives the set of every iteration; an unchanged set is ignored.
   void add(const Set& set) {
     if (set == last_) return;
     last_ = set;

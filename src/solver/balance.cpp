@@ -111,7 +111,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
       if (!face.active(node)) continue;
       multiplier = std::max({multiplier, lambda_[c][j].norm(), face.setup().faint});
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
-      // What rounding of positions leaves of a gap can not be asked to vanish.
+      // The rounding error of positions in a gap cannot be required to vanish.
       const double rounding = digits * extent_of(nodes[j], q.high) * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
       const auto count = [&](double r) {

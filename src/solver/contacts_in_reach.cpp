@@ -30,7 +30,7 @@ bool ContactsInReach::choose(const System& system, const SolverState& before, bo
   limited_ = limited;
   reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
   reduction_ = Reduction(system, reach_);
-  // Before anything touches, or where contact outran its reach, the next increment chooses anew.
+  // Before anything touches, or where contact outran its reach, the next increment chooses again.
   chosen_ = !(reach_ == Reach::all(system)) || !limited;
   return true;
 }

@@ -21,7 +21,7 @@ class ContactsInReach {
   /// The same with all nodes and the global q.
   void place_all(const System& system, const Vector& q) { integrate(system, q, true); }
 
-  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it.
+  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it.
   bool narrow(const System& system, base::TwoPart& q);
   /// Back to all nodes.
   void widen(const System& system, base::TwoPart& q) { change(system, Reach::all(system), q); }

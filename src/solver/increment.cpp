@@ -152,7 +152,7 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
   return true;
 }
 
-/// Tells the window where the bodies that turn are.
+/// Gives the window the rotations of the bodies that turn.
 void Increment::turn_window(const System& system, const base::TwoPart& q) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b);

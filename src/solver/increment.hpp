@@ -23,8 +23,8 @@ class Increment {
   /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
-  /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q;
-  /// throws base::SolveError when a nonlinear body can not be linearised there.
+  /// From `before`, or where the guess, or else the continuation of the last increment, is predicted to lead. Returns
+  /// q; throws base::SolveError when a nonlinear body cannot be linearised there.
   base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
                       body::Tangent tangent);
 
@@ -32,22 +32,22 @@ class Increment {
   void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }
   /// Number of nodes that ask for another status; those that are allowed to get it.
   int decide(int iteration, contact::Start from, Allowed allowed);
-  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
-  /// goes on as it would have, on a smaller matrix. True: q has to be placed and measured again.
+  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it. Newton
+  /// continues as it would have, on a smaller matrix. True: q has to be placed and measured again.
   bool narrow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Back to all nodes.
   void widen(const System& system, const Controls& controls, base::TwoPart& q);
   /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton
-  /// goes on from there. False: with nonlinear bodies it can not.
+  /// continues from there. False: with nonlinear bodies it cannot.
   bool follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
   /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
   /// takes lambda along. Throws base::SolveError when the matrix is singular.
   Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
-  /// Takes nonlinear bodies to where contact left them, with the tangent they have. Returns why it can not be done.
+  /// Takes nonlinear bodies to where contact left them, with the tangent they have. Returns why it cannot be done.
   std::string renew(base::TwoPart& q);
-  /// Linearises them there. Returns why it can not be done.
+  /// Linearises them there. Returns why it cannot be done.
   std::string linearise(const base::TwoPart& q, body::Tangent tangent);
   /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
   bool accept(const System& system, const base::TwoPart& q, SolverState& state);

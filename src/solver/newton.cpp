@@ -23,7 +23,7 @@ constexpr double worse = 1.5;            ///< out of balance than before: a star
 constexpr double far_out = 0.01;         ///< where that is more of the forces than this
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
-constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
+constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 
 /// The mean length of a facet of a contact's surfaces.
 double facet_length(const contact::Setup& setup) {
@@ -137,7 +137,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     const bool renewed = since == 0 && renewals > 0;
     bool chord = chords && rule.allows(off, changes);
     if (renewed && keeps_tangent && changes == 0) chord = true;  // contact's matrix goes with the tangent
-    // Newton's last step falls far below the tolerance; a chord goes on until it has, too.
+    // Newton's last step falls far below the tolerance; chord steps continue until it has, too.
     bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
     // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked
     // again.
@@ -163,7 +163,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       report.converged = on_chord = false;
       continue;
     }
-    // Contact has settled on the bodies as they were linearised: these anew, there.
+    // Contact has settled on the bodies as they were linearised: these are linearised again there.
     if (increment_.nonlinear() && (met || since == limit || watch.stuck())) {
       if (renewals++ == options_.max_iterations) break;
       report.reason = increment_.renew(q);

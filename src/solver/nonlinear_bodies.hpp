@@ -14,7 +14,7 @@ using Multipliers = std::vector<std::vector<Vec2>>;
 /// increment that `begin` started; what it was given must live as long.
 class NonlinearBodies {
  public:
-  /// From the accepted state; a guess says where that will lead, `share` > 0 goes on by that share of the last
+  /// From the accepted state; a guess says where that will lead, `share` > 0 continues by that share of the last
   /// increment.
   void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction,
              const Guess* guess, double share);
@@ -24,11 +24,11 @@ class NonlinearBodies {
   bool own(int column) const;
 
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
-  /// out or a stress can not be found.
+  /// out or a stress cannot be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
-  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can
-  /// not be done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not
-  /// be done at all.
+  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that
+  /// cannot be done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it
+  /// cannot be done at all.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
 
   /// S of a body; null when it is not nonlinear.

@@ -4,7 +4,7 @@
 
 #include "solver/condense.hpp"
 
-/// What is asked of the solver and what it tells.
+/// What is asked of the solver and what it reports.
 namespace reye::solver {
 
 struct NewtonOptions {

@@ -67,7 +67,7 @@ struct Controls {
   std::vector<Vector> load_factors;  ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
   const Guess* guess = nullptr;
-  double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
+  double continues = 0.0;  ///< > 0: this increment continues as the last one did, this many times as far
 };
 
 /// Positions of the nodes of both sides of a contact at q.

@@ -3,7 +3,7 @@
 
 #include "base/dual.hpp"
 
-/// Wear laws: from pressure, shear and slip to removed volume, and the book that is kept of it.
+/// Wear laws: from pressure, shear and slip to removed volume, and the ledger that is kept of it.
 namespace reye::wear {
 
 /// none: no wear. energy: removed volume = alpha times frictional work. archard: = k times pressure times slip.
@@ -85,7 +85,7 @@ T work(const Law& law, const Sliding<T>& s, const Start& start) {
   return w;
 }
 
-/// The book of one contact: what the law's work ought to remove against what was removed.
+/// The ledger of one contact: what the law's work ought to remove against what was removed.
 struct Ledger {
   double work = 0.0;               ///< sum of the law's work over increments and nodes, times the cycle jump
   double removed_secondary = 0.0;  ///< removed by shape steps as strips, plus what still waits in the gap

@@ -36,9 +36,9 @@ inline std::string altered(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// A run is interrupted in the middle; its checkpoint is altered so many times, each time gone on from. That must end
-/// with a code of the contract and no number that is none in its summary; in one that is refused, with a sentence that
-/// names the file.
+/// A run is interrupted in the middle; its checkpoint is altered so many times, and the run resumed each time. That
+/// must end with a code of the contract and no number that is none in its summary; in one that is refused, with a
+/// sentence that names the file.
 inline void expect_sentences(int alterations) {
   const Place place;
   place.write("wearing.geo", wearing_geo);

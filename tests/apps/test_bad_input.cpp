@@ -84,7 +84,7 @@ rigid = true)"}},
   for (const auto& bad : scenes) test::expect_refused(bad);
 }
 
-// All errors of a stage must be told at once, in the order of the file.
+// All errors of a stage must be reported at once, in the order of the file.
 TEST(BadInput, SeveralAtOnce) {
   const std::vector<test::BadScene> scenes = {
       {"three unknown edges",

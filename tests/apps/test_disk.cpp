@@ -17,8 +17,8 @@ struct WithBlocks : test::Place {
 
 }  // namespace
 
-// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it goes
-// on to the bytes of an unbroken run.
+// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it
+// resumes to the bytes of an unbroken run.
 TEST(Disk, FullInTheMiddle) {
   const WithBlocks place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);

@@ -124,10 +124,10 @@ void expect_told(const std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
-// The scene that all mistakes are made in must be told nothing.
+// The scene that all mistakes are made in must have no warnings.
 TEST(Mistakes, None) { expect_told({{"none", "check", {}, "", 0, ""}, {"none", "run", {}, "", 0, ""}}); }
 
-// A number in another unit must be told at once with its line, and with what it would be in the unit of its key.
+// A number in another unit must be reported at once with its line, and with what it would be in the unit of its key.
 TEST(Mistakes, Units) {
   expect_told({
       {"modulus in Pa",
@@ -191,7 +191,7 @@ TEST(Mistakes, Units) {
   });
 }
 
-// A number in another unit must be told at once with its line, and with what it would be in the unit of its key.
+// A number in another unit must be reported at once with its line, and with what it would be in the unit of its key.
 TEST(Mistakes, UnitsMore) {
   expect_told({
       {"stroke in micrometres",
@@ -291,7 +291,7 @@ x = "fixed"
   });
 }
 
-// Steps, histories and limits that play, count or watch nothing must be told with their line.
+// Steps, histories and limits that play, count or watch nothing must be reported with their line.
 TEST(Mistakes, Steps) {
   expect_told({
       {"cycles that play nothing",
@@ -364,7 +364,7 @@ press = [[)"}},
   });
 }
 
-// Steps, histories and limits that play, count or watch nothing must be told with their line.
+// Steps, histories and limits that play, count or watch nothing must be reported with their line.
 TEST(Mistakes, StepsMore) {
   expect_told({
       {"a history that goes back",
@@ -417,7 +417,7 @@ name = "wear")"}},
   });
 }
 
-// Motions that nothing holds, that contradict one another or that lead nowhere must be told by support, body and
+// Motions that nothing holds, that contradict one another or that lead nowhere must be reported with support, body and
 // motion.
 TEST(Mistakes, Supports) {
   expect_told({
@@ -494,7 +494,7 @@ edge = "base_bottom"
   });
 }
 
-// Motions that nothing holds, that contradict one another or that lead nowhere must be told by support, body and
+// Motions that nothing holds, that contradict one another or that lead nowhere must be reported with support, body and
 // motion.
 TEST(Mistakes, SupportsMore) {
   expect_told({
@@ -518,7 +518,7 @@ rigid = true)"},
   });
 }
 
-// Sides that cannot touch or cannot wear must be told by their contact.
+// Sides that cannot touch or cannot wear must be reported by their contact.
 TEST(Mistakes, Contacts) {
   expect_told({
       {"both sides on one body",
@@ -599,7 +599,7 @@ rigid = true)"}},
   });
 }
 
-// Sides that cannot touch or cannot wear must be told by their contact.
+// Sides that cannot touch or cannot wear must be reported by their contact.
 TEST(Mistakes, ContactsMore) {
   expect_told({
       {"a rigid side that wears",
@@ -763,7 +763,7 @@ max_cutbacks = 3
   });
 }
 
-// What the files do not hold must be told with what they do hold.
+// What the files do not hold must be reported with what they do hold.
 TEST(Mistakes, Files) {
   expect_told({
       {"a file that is not there",
@@ -833,7 +833,7 @@ geometry)"},
   });
 }
 
-// What the files do not hold must be told with what they do hold.
+// What the files do not hold must be reported with what they do hold.
 TEST(Mistakes, FilesMore) {
   expect_told({
       {"triangles that lock",

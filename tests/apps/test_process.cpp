@@ -102,7 +102,7 @@ TEST(Process, OutputIsLost) {
   test::expect_same(place, "whole", "o");
 }
 
-// When a sweep is killed its members must end, too, each with its last good state on disk; the same call again goes on.
+// When a sweep is killed its members must end, too, each with its last good state on disk; the same call resumes it.
 TEST(Process, MembersEndWithTheirSweep) {
   const WithWearing place;
   const std::vector<std::string> words = {
@@ -235,6 +235,6 @@ TEST(Process, NamesOfAnyBytes) {
   }
 }
 
-// A checkpoint that was altered under a right checksum must be refused with a sentence or gone on from; it crashes
+// A checkpoint that was altered under a right checksum must be refused with a sentence or resumed from; it crashes
 // nothing.
 TEST(Process, AlteredCheckpoints) { test::expect_sentences(12); }

@@ -18,7 +18,7 @@ namespace {
 
 Origin origin() { return {"0.1.0", "c0ffee", 7, "abc"}; }
 
-/// A folder with the tables that the checkpoint tells of.
+/// A folder with the tables that the checkpoint counts.
 struct RunFolder : sample::TemporaryFolder {
   RunFolder() {
     for (const char* table : {"history.csv", "remesh.csv", "surface_pad_primary.csv"})

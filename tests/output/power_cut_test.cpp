@@ -71,8 +71,8 @@ void cut_power(const std::string& dir, std::mt19937& random) {
 
 }  // namespace
 
-// Wherever the power fails, and wherever the tables then end behind what was synced, the run must go on to the bytes of
-// an unbroken one.
+// Wherever the power fails, and wherever the tables then end behind what was synced, the run must resume to the bytes
+// of an unbroken one.
 TEST(PowerCut, AnyMoment) {
   sample::TemporaryFolder whole;
   RunWriter unbroken(whole.str(), sample::scene());

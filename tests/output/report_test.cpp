@@ -67,7 +67,7 @@ TEST(Report, WarningsComeFirst) {
   EXPECT_LT(page.find("<h2>Warnings</h2>"), page.find("<h2>Results</h2>"));
 }
 
-// Of each bond the page tells the largest tension and shear with their places, and of those at a free end that they
+// For each bond the page reports the largest tension and shear with their places, and for those at a free end that they
 // grow with the mesh.
 TEST(Report, BondsSayWhereTheyPull) {
   sample::TemporaryFolder dir;
@@ -125,7 +125,7 @@ TEST(Report, WorksWithoutFrames) {
   EXPECT_FALSE(holds(page, "<figure id"));
 }
 
-// Bodies meshed anew stand in a table with what it cost, folded away when they are many; half a row is left out.
+// Bodies remeshed stand in a table with what it cost, folded away when they are many; half a row is left out.
 TEST(Report, TellsOfRemeshes) {
   sample::TemporaryFolder dir;
   RunWriter writer(dir.str(), sample::scene());
@@ -150,7 +150,7 @@ TEST(Report, TellsOfRemeshes) {
 TEST(Report, IsSilentWithoutRemeshes) {
   sample::TemporaryFolder dir;
   sample::write_run(dir.str(), 4);
-  EXPECT_FALSE(holds(page_of(dir.str()), "meshed anew"));
+  EXPECT_FALSE(holds(page_of(dir.str()), "remeshed"));
 }
 
 // A folder without a run is an error.
@@ -181,7 +181,7 @@ TEST(RunData, FramesOfOneCycleStayApart) {
   EXPECT_EQ(run.contacts[0].sides[0].frames[1].end, 10u);
 }
 
-// With hundreds of remeshes the page tells of the last two hundred and how many there were.
+// With hundreds of remeshes the page lists the last two hundred and says how many there were.
 TEST(Report, RemeshesShownAreBounded) {
   sample::TemporaryFolder dir;
   RunWriter writer(dir.str(), sample::scene());

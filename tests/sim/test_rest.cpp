@@ -36,7 +36,7 @@ TEST(Rest, WithoutForce) {
   expect_at_rest(played("0.01", "force_N_per_mm = 0.0"));
 }
 
-// Loads and strokes that only a denormal number tells must be none: no failure, and a ledger that closes.
+// Loads and strokes that are denormal numbers must count as none: no failure, and a ledger that closes.
 TEST(Rest, BelowWhatNumbersTell) {
   expect_at_rest(played("0.01", "motion_mm = -1e-310"));
   expect_at_rest(played("1e-310", "force_N_per_mm = -1e-310"));

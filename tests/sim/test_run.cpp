@@ -66,7 +66,7 @@ TEST(Run, Plan) {
                 "no boundary moves by wear and no reference may be renewed: no body is remeshed", frames}));
 }
 
-// A run must play all blocks, close its ledger, and end every block with a state from which it can go on.
+// A run must play all blocks, close its ledger, and end every block with a state from which it can resume.
 TEST(Run, BlocksAndLedger) {
   const auto problem = test::problem_of(test::block_scene);
   std::vector<double> cycles;
@@ -130,7 +130,7 @@ TEST(Run, ObserverMayThrow) {
   EXPECT_THROW(run(problem, observer), std::runtime_error);
 }
 
-// Going on from the state of a block's end, with nothing kept but that state, must change no bit.
+// Resuming from the state of a block's end, with nothing kept but that state, must change no bit.
 TEST(Run, GoesOnFromAnyBlock) {
   const auto problem = test::problem_of(test::block_scene);
   std::vector<sim::State> ends;

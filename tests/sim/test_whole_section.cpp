@@ -94,7 +94,7 @@ TEST(WholeSection, PressesAsTheHalfByHand) {
   }
 }
 
-// A curve that is cut away must be told when the scene names it.
+// A curve that is cut away must be reported when the scene names it.
 TEST(WholeSection, TellsOfCurvesThatAreCutAway) {
   std::string text = pin_scene;
   text.replace(text.find("\"bottom\""), 8, "\"wall\"");

@@ -43,7 +43,7 @@ TEST(WhyFailed, OutOfReach) {
             "search_mm = 0.15");
 }
 
-// A contact of two nodes must be told to be too coarse.
+// A contact of two nodes must be reported as too coarse.
 TEST(WhyFailed, TwoNodes) {
   Begun begun;
   auto& status = begun.state.solution.contacts[0].status;

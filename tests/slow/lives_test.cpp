@@ -16,6 +16,6 @@ TEST(Lives, TwoHundredKills) { test::expect_survival(200); }
 // unbroken one.
 TEST(Lives, TwoHundredPowerCuts) { test::expect_survival(200, true); }
 
-// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or gone on
+// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or resumed
 // from.
 TEST(Lives, TwoHundredAlteredCheckpoints) { test::expect_sentences(200); }

@@ -44,7 +44,7 @@ struct Played {
 /// Newton's steps alone.
 const solver::NewtonOptions no_chords{.chords = false};
 
-/// One increment from rest, and one more that goes on.
+/// One increment from rest, and one more that continues it.
 Played play(const Assembly& a, double first = 1.0, double second = 1.2) {
   const auto system = support::system_of(a);
   solver::Newton newton(no_chords);

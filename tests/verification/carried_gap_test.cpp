@@ -6,7 +6,7 @@ using namespace reye::verification;
 
 namespace {
 
-/// A small pin worn flat, both bodies meshed anew in every block, its fine zones outrun several times.
+/// A small pin worn flat, both bodies remeshed in every block, its fine zones outrun several times.
 std::string worn_pin(Replacements words = {}) {
   std::ofstream(support::temporary_folder() + "wearing.geo") << test::wearing_geo;
   words.push_back({"size_mm = 0.015", "size_mm = 0.0075"});
@@ -25,7 +25,7 @@ void expect_carried(const Watched& w) {
 }  // namespace
 
 // A pin worn flat, conforming to its plate within the elastic approach, must keep its pressure over every remesh of
-// both bodies, its depth and its book of volumes.
+// both bodies, its depth and its ledger.
 TEST(CarriedGap, WornPin) { expect_carried(watched(worn_pin())); }
 
 // The same in second order.

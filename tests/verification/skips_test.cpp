@@ -106,8 +106,8 @@ std::string pin() {
 
 const std::pair<const char*, std::string> scenes[] = {{"fretting", fretting()}, {"pin", pin()}};
 
-/// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they went
-/// different ways, told by the last digits.
+/// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they took
+/// different paths, decided by the last digits.
 bool expect_unseen(const std::string& text, const std::string& what, const std::function<void(Player&)>& change) {
   Player usual(text), other(text);
   usual.play();

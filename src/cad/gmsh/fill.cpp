@@ -133,7 +133,7 @@ std::optional<Filling> run_gmsh(const Region& region, const SizeField& size, con
   if (region.kind == mesh::CellKind::quad4) gmsh::model::mesh::setRecombine(2, 1);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) { return size({x, y}); });
   std::optional<Filling> filling;
-  // Errors inside gmsh's mesher are thrown in a parallel region and end the process unless it is told to go on.
+  // Errors inside gmsh's mesher are thrown in a parallel region and end the process unless gmsh is set to continue.
   gmsh::option::setNumber("General.AbortOnError", 0);
   try {
     gmsh::model::mesh::generate(2);

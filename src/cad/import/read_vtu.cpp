@@ -130,7 +130,7 @@ void place_nodes(BodyBeingRead& body, vtkDataArray& positions) {
 
 std::vector<RawPart> read_vtu(const std::string& path) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  vtkObject::GlobalWarningDisplayOff();  // what is wrong is told below
+  vtkObject::GlobalWarningDisplayOff();  // the error is reported below
   if (!reader->CanReadFile(path.c_str())) refuse(path, "VTK cannot read it");
   reader->SetFileName(path.c_str());
   reader->Update();
