@@ -22,7 +22,7 @@ std::string text_of(const std::string& path);
 /// that the file has (line 1 when it has none).
 base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues);
 
-/// The table of keys as markdown, for the README.
+/// The table of keys as markdown, for geo/REFERENCE.md.
 std::string reference();
 
 }  // namespace reye::scene
