@@ -74,8 +74,8 @@ scene::Scene fretting(long depth) {
   return scene;
 }
 
-/// The same with the steel of geo/plastic_fretting at small strain, in fewer increments and worn from the press on:
-/// every iteration linearises and condenses both bodies.
+/// The fretting scene with the steel of geo/plastic_fretting at small strain, in fewer increments and worn from the
+/// press on: every iteration linearises and condenses both bodies.
 scene::Scene plastic_fretting(long depth) {
   auto scene = fretting(depth);
   scene.materials.at("steel") = material::HenckyJ2{200e3, 0.3, material::LinearHardening{280.0, 2000.0}};

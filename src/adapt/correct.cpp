@@ -144,7 +144,7 @@ Points sampled(const Points& p) {
   return points;
 }
 
-/// The same for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
+/// Depths for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
 /// give at each node.
 std::vector<double> curved_shifts(const Points& old, const Points& fresh) {
   const std::size_t n = fresh.size();

@@ -26,7 +26,7 @@ std::string lead(const cad::Drawing& drawing) {
   return drawing.options.name.empty() ? "" : "body '" + drawing.options.name + "': ";
 }
 
-/// The same edges on the worn outline and on the fresh one.
+/// Edges of the drawing, each on the worn outline and on the fresh one.
 std::vector<EdgePair> pairs_of(const cad::Drawing& drawing, const mesh::Mesh& worn, const mesh::Mesh& fresh,
                                std::string& failure) {
   const Trace before = trace(drawing.part.loops, worn.outline, worn.X);

@@ -28,7 +28,7 @@ Points middle_nodes(const std::vector<Facet>& facets, Points P);
 /// thin strips keep all their digits.   (README, 1)
 double swept_volume(Analysis analysis, const std::array<Vec2, 2>& facet, const std::array<Vec2, 2>& displacement);
 
-/// The same of a curve with points a, b and control point c that move by da, db, dc: the integral of
+/// Volume the body loses along a curve with points a, b and control point c that move by da, db, dc: the integral of
 /// (2 pi r) x,t cross x,s over the strip x(t, s) = sum B_j(t) (p_j + s d_j), a polynomial, hence exact.
 double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 3>& displacement);
 

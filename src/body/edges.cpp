@@ -25,7 +25,7 @@ void for_each_facet(const Boundary& boundary, Visit visit) {
     for (size_t k = 0; k + 1 < chain.size(); ++k) visit(chain[k], chain[k + 1]);
 }
 
-/// The same in second order: visit(edge, its three nodes).
+/// Calls visit(edge, its three nodes) for every facet of second order.
 template <class Visit>
 void for_each_quadratic_facet(const Mesh& mesh, const Boundary& boundary, Visit visit) {
   for (const auto& chain : boundary)

@@ -123,7 +123,7 @@ class LinearBody {
   const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
-  /// The same in the frame: w, of which the stress is made.
+  /// Displacement w of all mesh nodes in the body's frame, from which the stress follows.
   std::vector<Vec2> recover_in_frame(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
@@ -207,7 +207,8 @@ class NonlinearBody {
   /// No displacement, virgin material, X unstressed.
   Interior start() const;
 
-  /// The same body, which keeps the plastic strain it has and answers by its elasticity alone (material::unyielding).
+  /// This body without yielding: it keeps its plastic strain and responds by its elasticity alone
+  /// (material::unyielding).
   NonlinearBody unyielding() const;
 
   /// The equations at one state, with the factorisation that `interior_step` needs. Reused from call to call: the
@@ -275,8 +276,8 @@ struct HeldBody {
   const std::vector<Support>* supports = nullptr;
 };
 
-/// The same of bodies that touch one another, moved as one: contacts among them hold none of these motions, and no load
-/// has anything to lean on. Forces do not count.
+/// Rigid motions that nothing holds of bodies that touch one another, moved as one: contacts among them hold none of
+/// these motions, and no load has anything to lean on. Forces do not count.
 std::vector<std::string> unheld_together(const std::vector<HeldBody>& bodies, bool axisymmetric);
 
 }  // namespace reye::body

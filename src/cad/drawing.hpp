@@ -32,8 +32,8 @@ void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing);
 /// many), or no mesh with positive Jacobians.
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);
 
-/// The same inside an outline that is there already: its nodes and boundaries stay as they are, so that nothing which
-/// lives on them has to be carried over. The drawing's edges pass through its nodes, or near them.
+/// A fresh mesh inside an existing outline: its nodes and boundaries stay as they are, so that no field on them has to
+/// be carried over. The drawing's edges pass through its nodes, or near them.
 mesh::Mesh refill(const Drawing& drawing, const mesh::Mesh& outline, double most_nodes = 2e6);
 
 }  // namespace reye::cad

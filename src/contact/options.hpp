@@ -25,7 +25,7 @@ struct ContactOptions {
   /// Imposed slip [mm]: a part without history is shared evenly by each play of a step, others go as their histories
   /// are played.
   base::Parts imposed_sliding{};
-  base::Parts imposed_turn{};  ///< the same by an angle about the axis [rad]: slip = angle x r
+  base::Parts imposed_turn{};  ///< imposed turn about the axis [rad]: slip = angle x r
   bool bonded = false;         ///< a bond: it neither opens nor slips, and nothing of it wears
   bool implicit_wear = true;   ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;

@@ -17,7 +17,7 @@ enum class ContactStatus : unsigned char { inactive, stick, slip };
 struct MortarRow {
   double D = 0.0;
   double cover = 0.0;                       ///< int N_j over the covered part, on X whatever the measure
-  double covered = 0.0;                     ///< the same with that of the nodes in `off`
+  double covered = 0.0;                     ///< `cover` and that of the nodes in `off`
   std::vector<std::pair<int, double>> off;  ///< (secondary node that carries no multiplier, its share int psi_j N_k)
   std::vector<std::pair<int, double>> M;    ///< (primary node, M_jl)
 

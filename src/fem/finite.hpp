@@ -44,7 +44,7 @@ struct InternalForce {
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
                     InternalForce& f);
 
-/// The same with K = df/du, made by `pattern.zero()`; nothing is allocated.
+/// f as `internal_force` gives it, and K = df/du, made by `pattern.zero()`; nothing is allocated.
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
              const Pattern& pattern, InternalForce& f, base::SparseMatrix& K);
 

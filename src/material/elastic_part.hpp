@@ -46,14 +46,15 @@ inline PlasticState plastic_state(base::Analysis analysis, const Voigt<double>& 
   return s;
 }
 
-/// The same of a deformation gradient: C_p^-1 = F^-1 exp(2 eps_e) F^-T.
+/// Plastic state at a deformation gradient that leaves the elastic one: C_p^-1 = F^-1 exp(2 eps_e) F^-T.
 inline PlasticState plastic_state(base::Analysis analysis, const Gradient<double>& F, const ElasticState& elastic) {
   auto s = updated(F, elastic.strain, elastic.accumulated);
   if (analysis == base::Analysis::plane_stress) s.strain[3] = -(s.strain[0] + s.strain[1]);
   return s;
 }
 
-/// The same elasticity, never yielding: how what is plastic answers where nothing is loaded but only put at rest.
+/// The material without its yield surface: the response of a plastic body that is only brought to equilibrium, not
+/// loaded.
 inline Material unyielding(Material material) {
   if (auto* j2 = std::get_if<HenckyJ2>(&material))
     j2->hardening = LinearHardening{std::numeric_limits<double>::infinity(), 0.0};

@@ -147,7 +147,7 @@ Gradient<T> first_piola_from(const Material& material, base::Analysis analysis, 
           (tau[1] * F[0] - tau[2] * F[2]) * f, thin ? T(0.0) : T(tau[3] / F[4])};
 }
 
-/// The same from F.
+/// Kirchhoff stress from F.
 template <class T>
 Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Gradient<T>& F,
                    const PlasticState& before = {}, PlasticState* after = nullptr) {

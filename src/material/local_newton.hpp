@@ -42,7 +42,7 @@ std::optional<Root> root(const F& f, Search s) {
   return std::nullopt;
 }
 
-/// The same numbers as constants of another scalar.
+/// Numbers as constants of another scalar.
 template <class S, class T, std::size_t n>
 std::array<S, n> lifted(const std::array<T, n>& numbers) {
   std::array<S, n> result;

@@ -192,7 +192,7 @@ constexpr Key table[] = {
     {"step[].period_s", Type::number, "s", "", positive,
      "how long one play of the step lasts; only a speed exponent asks for it"},
 
-    {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played again and again in this order"},
+    {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played over and over in this order"},
     {"spectrum.times", Type::whole, "", "required", from_to(1.0, 1e5), "how often"},
 
     {"limit.*.contact", Type::text, "", "required", any, "contact that is watched"},

@@ -12,7 +12,7 @@ namespace reye::scene {
 /// caller gave it. Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
 Scene read(const std::string& path);
 
-/// The same of a text that stands, or is to stand, in the file at `path`.
+/// The scene in a text that is, or will be, the content of the file at `path`.
 Scene read_text(const std::string& text, const std::string& path);
 
 /// The bytes of the scene file; base::InputError when there is none.

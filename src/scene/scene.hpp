@@ -113,7 +113,7 @@ struct Scene {
   std::string path;
   std::string text;          ///< of the file
   std::string sha256;        ///< over scene, geometry files and profiles
-  std::string fixed_sha256;  ///< the same without what may differ when a run resumes (`extension`)
+  std::string fixed_sha256;  ///< over these without what may differ when a run resumes (`extension`)
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
   /// What is suspicious but no error, one line each as in an InputError.

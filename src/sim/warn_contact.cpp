@@ -140,7 +140,7 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
                          touching(p, state));
     if (!p.cut.empty())
       found.push_back({"boundary_end", "contact " + name,
-                       text("The contact runs to the end of %s at cycle %g, where the outline goes on smoothly: what "
+                       text("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
                             "would touch there does not, "
                             "and the pressure rises at the end. Name the edges beyond it as well.",
                             p.cut.c_str(), state.cycle)});

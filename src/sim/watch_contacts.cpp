@@ -136,7 +136,7 @@ class Look {
     if (!own_end && other_ends.empty()) return false;
     if (pressure(j) < 0.1 * pressure(peak_)) return true;
     const Beyond own = f < 0 ? beyond(problem_, state_, setup_.secondary_nodes[j]) : Beyond::corner;
-    Beyond other = Beyond::another_contact;  // it goes on
+    Beyond other = Beyond::another_contact;  // it continues
     for (int l : other_ends) other = beyond(problem_, state_, setup_.primary_nodes[l]);
     if (own == Beyond::smooth && other != Beyond::corner)
       p.cut = placed_.secondary.boundary;

@@ -24,7 +24,7 @@ std::optional<Thinnest> thinnest(const Problem& problem, const std::vector<body:
 /// What ends a run there, with what to change.
 std::string in_words(const Problem& problem, const Thinnest& thinnest, double cycle);
 
-/// The same of a state in which a failure is to be expected for it: a body has lost a fifth of its thickness. Else
+/// The message where a body of the state has lost a fifth of its thickness, so that a failure is due to it. Else
 /// empty.
 std::string worn_through(const Problem& problem, const State& last);
 

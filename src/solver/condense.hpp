@@ -16,7 +16,8 @@ struct PlacedNode {
   int free = 0;                               ///< number of its own free columns: they come last
 };
 
-/// The same column: those that contact acts on are all in the window. Throws std::logic_error for one that is not.
+/// Returns the column, which is in the window as all are that contact acts on. Throws std::logic_error for one that is
+/// not.
 int inside(int column);
 
 /// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node gives

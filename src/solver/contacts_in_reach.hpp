@@ -18,7 +18,7 @@ class ContactsInReach {
 
   /// Moves the nodes in reach to where the reduced q puts them, and integrates.
   void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
-  /// The same with all nodes and the global q.
+  /// Moves all nodes to where the global q puts them, and integrates.
   void place_all(const System& system, const Vector& q) { integrate(system, q, true); }
 
   /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it.

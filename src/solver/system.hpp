@@ -30,7 +30,7 @@ struct System {
   auto part(const Vector& q, int body) const {
     return q.segment(offset[body], std::visit([](const auto& b) { return b.dofs(); }, bodies[body]));
   }
-  /// The same of all bodies.
+  /// The parts of all bodies.
   std::vector<Vector> parts(const Vector& q) const;
 };
 

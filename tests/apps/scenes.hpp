@@ -85,7 +85,8 @@ frames = { every_cycles = 200 }
 probes = { edge = { body = "flat", at_mm = [0.5, 0.0] } }
 )";
 
-/// The same disc worn flat by imposed sliding: six blocks, both bodies remeshed and drawn after each.
+/// The disc of the wearing contact, worn flat by imposed sliding: six blocks, both bodies remeshed and drawn after
+/// each.
 inline const char* const worn_pin = R"(title    = "Small pin worn flat"
 geometry = ["wearing.geo"]
 

@@ -737,7 +737,7 @@ jump = 500)"}},
        {{R"(force_N_per_mm = -20.0)", R"(motion_mm = -0.6)"}, {R"(motion_mm = 0.01)", R"(motion_mm = 0.0)"}},
        "",
        1,
-       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: small strain gets that wrong by about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)"
+       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: the error of small strain in that is about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)"
        "\n"},
   });
 }

@@ -115,7 +115,7 @@ TEST(Process, MembersEndWithTheirSweep) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   for (const char* member : {"s/member_000", "s/member_001"}) {
     EXPECT_FALSE(written_to(place, member));
-    EXPECT_LT(test::lines(place / member / "history.csv"), 2 + 16 * 20) << "it went on to its end";
+    EXPECT_LT(test::lines(place / member / "history.csv"), 2 + 16 * 20) << "it ran to its end";
     EXPECT_TRUE(test::holds(test::read(place / member / "summary.json"), R"("status": "interrupted")"));
   }
   EXPECT_EQ(place.reye(words).code, 0);

@@ -191,7 +191,7 @@ TEST(Checkpoint, AlteredUnderARightChecksum) {
   EXPECT_TRUE(holds(reasons(load_checkpoint(dir.str(), origin())), "it counts rows that no table has"));
 }
 
-// The same state gives the same bytes.
+// Equal states give equal bytes.
 TEST(Checkpoint, SameBytes) { EXPECT_EQ(packed(checkpoint("state")), packed(checkpoint("state"))); }
 
 // Vectors and matrices come back bit by bit, empty ones too.

@@ -95,7 +95,7 @@ TEST(PowerCut, AnyMoment) {
         cut_power(dir.str(), random);
         const auto search = load_checkpoint(dir.str(), own_origin("abc123"));
         ASSERT_TRUE(search.found) << "moment " << moment;
-        EXPECT_FALSE(search.previous) << "what a checkpoint tells of was not synced before it";
+        EXPECT_FALSE(search.previous) << "what a checkpoint counts was not synced before it";
         begun = std::stoi(search.found->payload);
         writer = RunWriter(dir.str(), sample::scene());
         writer.resume(search.found->counters);

@@ -84,7 +84,7 @@ TEST(Intact, WhatCannotBe) {
       {[](sim::State& s) { s.recall.played.begin()->second.dq.conservativeResize(1); }, "an increment led elsewhere"},
       {[](sim::State& s) { s.renewed_at.resize(1); }, "the position of a support is not a number"},
       {[](sim::State& s) { s.displaced.resize(2), s.displaced[0].resize(1); }, "displaced at nodes that it lacks"},
-      {[](sim::State& s) { s.watch.resize(5); }, "contacts that there are not"},
+      {[](sim::State& s) { s.watch.resize(5); }, "contacts that do not exist"},
   };
   for (const auto& [change, sentence] : changes) {
     auto state = good;

@@ -12,7 +12,7 @@ TEST(Lives, HundredThousandBlocks) { test::expect_bounded(100000); }
 // one.
 TEST(Lives, TwoHundredKills) { test::expect_survival(200); }
 
-// The same run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the
+// A run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the
 // unbroken one.
 TEST(Lives, TwoHundredPowerCuts) { test::expect_survival(200, true); }
 

@@ -28,15 +28,15 @@ void expect_carried(const Watched& w) {
 // both bodies, its depth and its ledger.
 TEST(CarriedGap, WornPin) { expect_carried(watched(worn_pin())); }
 
-// The same in second order.
+// The worn pin must keep its pressure in second order.
 TEST(CarriedGap, SecondOrder) { expect_carried(watched(worn_pin({{"mesh     = {", "order    = 2\nmesh     = {"}}))); }
 
-// The same on triangles.
+// The worn pin must keep its pressure on triangles.
 TEST(CarriedGap, Triangles) {
   expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, element = \"tri\""}})));
 }
 
-// The same where only the primary wears and takes it all, with facets of its own size.
+// The worn pin must keep its pressure where only the primary wears, with facets of its own size.
 TEST(CarriedGap, PrimaryAlone) {
   expect_carried(
       watched(worn_pin({{"secondary = \"round\"", "secondary = \"face\""},

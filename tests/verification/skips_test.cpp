@@ -153,7 +153,7 @@ TEST(Skips, CyclesAreRecalled) {
   EXPECT_LT(usual.state.counts.newton_iterations, 9 * forgetful.state.counts.newton_iterations / 10);
 }
 
-// The same of bodies that yield, once they have shaken down.
+// Recalled cycles must give the same results for bodies that yield, once they have shaken down.
 TEST(Skips, CyclesOfPlasticBodiesAreRecalled) {
   const std::string text = scene_text("plastic_fretting", {{"size_mm = 0.012", "size_mm = 0.04"},
                                                            {"increments = 40", "increments = 12"},
