@@ -47,20 +47,20 @@ def blank(text, filler=" "):
 
 def prose(text, part):
     """The text with code as bars and marks of comments as blanks; START where a comment begins."""
-    out, end, comment_ended = [], 0, -2
+    out, end, last = [], 0, ""
     for found in part.finditer(text):
         between = text[end:found.start()]
         word = found.group()
         mark = re.match(r"///<|/{2,3}|#", word)
         if mark:
-            goes_along = comment_ended >= 0 and not between.strip() and between.count("\n") == 1 and mark.group() != "///<"
+            goes_along = last == mark.group() and not between.strip() and between.count("\n") == 1
             out.append(between if goes_along else blank(between, "|"))
             out.append((" " if goes_along else START) + " " * (len(mark.group()) - 1) + word[len(mark.group()):])
         else:
             adjacent = end > 0 and not between.strip()
             out.append(between if adjacent else blank(between, "|"))
             out.append(" " + word[1:-1] + " " if len(word) > 1 else word)
-        comment_ended = found.end() if mark else -2
+        last = mark.group() if mark else ""
         end = found.end()
     return "".join(out)
 

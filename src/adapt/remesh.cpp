@@ -75,8 +75,8 @@ std::string unsound(const mesh::Mesh& mesh) {
   return text.str();
 }
 
-/// New cells inside the outline as it is; nothing where they do not come out well, as when its corners have become
-/// too sharp for the nodes there are.
+/// New cells inside the outline as it is; nothing where their quality is poor, as when its corners have become too
+/// sharp for its nodes.
 std::optional<mesh::Mesh> refilled(const cad::Drawing& drawing, const mesh::Mesh& worn, double most_nodes) {
   constexpr double good_enough = 0.3;  // scaled Jacobian of the poorest cell
   try {

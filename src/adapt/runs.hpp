@@ -8,11 +8,11 @@ namespace reye::adapt {
 
 using base::Points;
 
-/// Turning of an outline at a node [rad]: a corner from which on it may be one; where the drawing must turn to have
+/// Turning of an outline at a node [rad]: the least at which it may be a corner; the least of the drawing where it has
 /// one.
 constexpr double least_turning = 20.0 * std::numbers::pi / 180.0, drawn_kink = 30.0 * std::numbers::pi / 180.0;
 
-/// One segment of an outline loop a -> b, and what it was drawn as.
+/// One segment a -> b of an outline loop, and the edge it was drawn as.
 struct Segment {
   int a = -1, b = -1;
   int edge = -1;  ///< of the old drawing

@@ -17,10 +17,10 @@ struct Facet {
 };
 
 /// Nodes at their places, but the middle node of each quadratic facet at its control point 2 x_c - (x_a + x_b) / 2.
-/// Linear: displacements go the same way.
+/// The map is linear: it takes displacements, too.
 Points control_points(const std::vector<Facet>& facets, Points X);
 
-/// The way back: x_c = (x_a + x_b) / 4 + p_c / 2.
+/// Middle nodes from control points: x_c = (x_a + x_b) / 4 + p_c / 2.
 Points middle_nodes(const std::vector<Facet>& facets, Points P);
 
 /// Volume the body loses when the ends of a facet move by da and db: that of the signed quadrilateral

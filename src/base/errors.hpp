@@ -19,7 +19,7 @@ class InputError : public std::runtime_error {
   std::vector<Issue> issues_;
 };
 
-/// gmsh or a mesh operation gave something unusable.
+/// gmsh or a mesh operation gave an unusable result.
 class MeshError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -56,7 +56,7 @@ Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
   return sum / total;
 }
 
-/// Tangent at every node: mean of the unit tangents its facets have there; of the whole edge when rigid.
+/// Tangent at every node: the mean of the unit tangents of its facets there, or that of the whole edge when rigid.
 std::vector<Vec2> tangents(const Mesh& mesh, const Boundary& boundary, const SupportPlace& place) {
   std::map<int, Vec2> at_node;
   Vec2 whole{0.0, 0.0};
