@@ -16,7 +16,7 @@ struct Run {
   std::vector<std::array<int, 2>> whole;
 };
 
-/// What of a loop lies at x > 0: runs from axis to axis, or the whole loop as a closed one.
+/// The part of a loop at x > 0: runs from axis to axis, or the whole loop as a closed one.
 std::vector<Run> runs_of(const Part& part, int loop, double width, bool& closed) {
   std::vector<AxisPiece> pieces;
   std::vector<std::array<int, 2>> whole;

@@ -46,7 +46,7 @@ Answer answer_about(const std::string& file, const std::string& bytes) {
   }
 }
 
-/// What meshes, while the importer reads: a core each. A failure reports its reason where the kernel is needed.
+/// Loads the mesher while the importer reads, on another core. A failure reports its reason where the kernel is needed.
 void load_kernel() {
   try {
     kernel();

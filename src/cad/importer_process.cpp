@@ -26,7 +26,7 @@ constexpr int pipe_of_importer = 3;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// The process, with its pipe as descriptor 3 and no other file of this program but nowhere.
+/// Starts the process with its pipe as descriptor 3 and no other open file of this program.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments, int pipe) {
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);

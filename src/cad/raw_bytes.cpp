@@ -114,7 +114,7 @@ class Reader {
   bool at_end() const { return rest_.empty(); }
 
  private:
-  /// Each thing takes a byte at least.
+  /// Reads a count, which cannot exceed the bytes left, since each element takes at least one byte.
   std::size_t count() {
     std::uint64_t n = 0;
     (*this)(n);

@@ -10,7 +10,7 @@
 /// Local scalar equations inside a stress function: solved in double, differentiated by one more step in T.
 namespace reye::material {
 
-/// Where a root is looked for: the first guess and bounds that hold it.
+/// The search for a root: the first guess and bounds that enclose it.
 struct Search {
   double start, low, high;
 };

@@ -42,7 +42,7 @@ double jacobian(const Points& X, CellKind kind, const Cell& cell, const Vec2& xi
   return base::cross(J.col(0), J.col(1));
 }
 
-/// Where the Jacobian of a cell of second order is looked at: its nodes, its centre, and between centre and corners.
+/// Sample points of the Jacobian of a cell of second order: its nodes, its centre, and between centre and corners.
 std::vector<Vec2> samples(CellKind kind) {
   std::vector<Vec2> points;
   for (int a = 0; a < nodes_per_cell(kind); ++a) points.push_back(reference_node(kind, a));

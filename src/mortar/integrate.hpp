@@ -6,7 +6,7 @@
 
 namespace reye::mortar {
 
-/// Where the two sides of a contact are. Surface dofs: 2 * node + component of the secondary side, then the
+/// The positions of the two sides of a contact. Surface dofs: 2 * node + component of the secondary side, then the
 /// primary side after all secondary ones.
 struct Placement {
   const Surface* secondary = nullptr;

@@ -16,7 +16,7 @@ namespace {
 
 using Tag = std::size_t;
 
-/// What gmsh makes of a region, with its own node numbers.
+/// The result of gmsh for a region, with gmsh's node numbers.
 struct Filling {
   Points X;
   std::vector<mesh::Cell> cells;
@@ -138,7 +138,7 @@ std::optional<Filling> run_gmsh(const Region& region, const SizeField& size, con
   try {
     gmsh::model::mesh::generate(2);
     filling = read_surface(region.kind);
-  } catch (const std::string&) {  // another algorithm may do
+  } catch (const std::string&) {  // another algorithm may succeed
   }
   gmsh::option::setNumber("General.AbortOnError", 2);
   gmsh::model::mesh::removeSizeCallback();

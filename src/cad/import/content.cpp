@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 14> sections = {"MeshFormat",
                                                        "Comments"};
 
 std::string_view without_blanks(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // as some editors put it
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // as some editors write it
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
