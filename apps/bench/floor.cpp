@@ -11,8 +11,8 @@
 #include "sim/block.hpp"
 #include "sim/prepare.hpp"
 
-/// What a wear cycle costs in plain factorisations of the stiffness of its bodies: the floor that no method goes below
-/// which factorises at all, both measured in turn in one run; and how it grows with the bodies. CPU time.
+/// The cost of a wear cycle in plain factorisations of the stiffness of its bodies, the lower bound of any method that
+/// factorises, both measured in turn in one run; and how it grows with the bodies. CPU time.
 namespace {
 
 using namespace reye;
@@ -136,7 +136,7 @@ void floor_of_a_cycle(benchmark::State& run) {
   run.counters["cycle_in_factorisations"] = bench::median(cycles) / bench::median(plain);
 }
 
-/// A run that fails is no measurement: reported, and the other benchmarks continue.
+/// A run that fails is not a measurement: reported, and the other benchmarks continue.
 template <void (*measure)(benchmark::State&)>
 void told(benchmark::State& run) {
   try {

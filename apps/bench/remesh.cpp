@@ -11,7 +11,7 @@
 #include "sim/remesh.hpp"
 #include "sim/shape.hpp"
 
-/// What a remesh costs beyond gmsh, in plain factorisations of the stiffness of the bodies that are remeshed; both
+/// The cost of a remesh beyond gmsh, in plain factorisations of the stiffness of the bodies that are remeshed; both
 /// measured in turn in one run.
 namespace {
 

@@ -44,8 +44,8 @@ scene::Scene read(const Request& request) {
   return scene;
 }
 
-/// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the
-/// run.
+/// Prints warnings on the error stream, so that they are seen even where the output goes into a file; --quiet silences
+/// those before the run.
 void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) {
   for (const auto& warning : warnings) {
     const std::string text = sim::scene_line(scene, warning.about) + sim::in_words(warning);
@@ -86,8 +86,7 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
   return o;
 }
 
-/// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether the run can
-/// resume.
+/// Plays the scene and writes everything. A failed write ends the run; the error says whether it can resume.
 sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State state, output::RunWriter& writer,
                   Checkpoints& checkpoints, bool quiet) {
   try {

@@ -8,7 +8,7 @@ struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
   bool restart = false, force = false, quiet = false, animation = false;
-  bool trust_geometry = false;  ///< geometry scripts may hold whatever gmsh understands
+  bool trust_geometry = false;  ///< geometry scripts may use all of gmsh's language
 };
 
 std::string version();

@@ -13,8 +13,8 @@ namespace {
 constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
 constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
 
-/// Nodes just out of reach go along with their neighbour in reach. Left behind, a slide of more than a facet in one
-/// increment would turn the facet at the rim round, and with it the averaged normal beside it.
+/// Nodes just out of reach move with their neighbour in reach. Otherwise a slide of more than a facet in one increment
+/// would reverse the facet at the rim, and with it the averaged normal beside it.
 void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, const std::vector<Vec2>& before,
                std::vector<Vec2>& x) {
   for (const auto& facet : surface.facets)

@@ -17,12 +17,12 @@ using contact::Start;
 namespace {
 
 constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
-constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
-constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
-constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit,
-constexpr double far_out = 0.01;         ///< where that is more of the forces than this
+constexpr int few_changes = 4;           ///< changes of status in an iteration of an active set that is nearly settled
+constexpr int marching = 10;             ///< iterations in a row with so few changes: a moving edge of contact
+constexpr double worse = 1.5;            ///< growth of the imbalance at which a start does not fit,
+constexpr double far_out = 0.01;         ///< where it exceeds this share of the forces
 constexpr int settling = 5;              ///< iterations that follow the last change
-constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
+constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; later ones are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 
 /// The mean length of a facet of a contact's surfaces.
@@ -36,7 +36,7 @@ double facet_length(const contact::Setup& setup) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// Whether a body is turned so far in one increment that contact finds other nodes of it than those in reach.
+/// Whether a body is turned so far in one increment that contact moves to nodes out of reach.
 bool turns_beyond_reach(const System& system, const SolverState& before, const Controls& controls) {
   constexpr double facets = 4.0;  // the reach has a margin of six
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -53,7 +53,7 @@ bool turns_beyond_reach(const System& system, const SolverState& before, const C
   return false;
 }
 
-/// Whether a contact is loaded whose friction this increment decides.
+/// Whether a loaded contact has friction that this increment has to decide.
 bool rubs(const System& system, const SolverState& before, const Controls& controls) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& options = system.contacts[c].options;
@@ -65,7 +65,7 @@ bool rubs(const System& system, const SolverState& before, const Controls& contr
   return false;
 }
 
-/// How an increment is tried: from where, and whether with tangents kept and symmetric while that pays.
+/// One attempt at an increment: its start, and whether tangents are kept and symmetric while that is worth it.
 struct Attempt {
   Start from;
   bool chords;
@@ -90,7 +90,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     return result;
   }
   report.tangents = increment_.nonlinear() ? 1 : 0;
-  /// Of the tolerances.
+  /// The error as a multiple of the tolerances.
   const auto error_of = [&](const Iteration& row) {
     return std::max(row.force / options_.force_tolerance, row.condition / options_.condition_tolerance);
   };
@@ -100,7 +100,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
   double least = std::numeric_limits<double>::infinity();  ///< force out of balance so far
   int renewals = 0, limit = most_on_one_tangent, last = options_.max_iterations, steps = 0;
   for (int iteration = 0, since = 0; iteration <= last; ++iteration, ++since) {
-    const bool fresh = !increment_.nonlinear() || since == 0;  // what is measured is the truth, not a linear body's
+    const bool fresh =
+        !increment_.nonlinear() || since == 0;  // the residual is that of the nonlinear body, not of its linearisation
     increment_.place(system, q);
     const bool one_by_one = watch.cycling();
     const int stage = late ? options_.max_iterations : iteration;
@@ -114,7 +115,7 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     row.changes = changes;
     const auto set = increment_.active_set();
     watch.add(set);
-    // An edge of contact that moves by a node in each iteration is on its way: it may pass all nodes.
+    // An edge of contact may move by a node in each iteration, past all nodes.
     steps = changes > 0 && changes <= few_changes ? steps + 1 : 0;
     if (!increment_.nonlinear() && steps >= marching)
       last = std::max(last, std::min(iteration + settling, options_.max_iterations + static_cast<int>(set.size())));
@@ -139,8 +140,8 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
     if (renewed && keeps_tangent && changes == 0) chord = true;  // contact's matrix goes with the tangent
     // Newton's last step falls far below the tolerance; chord steps continue until it has, too.
     bool met = iteration > 0 && changes == 0 && off < ((on_chord && chord) || on_tangent_kept ? 1e-2 : 1.0);
-    // Early decisions leave the wear by neighbours out: a node that it opens would be left pulling. They are asked
-    // again.
+    // Early decisions leave out the wear by neighbours, so that a node it opens would stay in tension. They are
+    // repeated.
     if (met && !late &&
         increment_.decide(options_.max_iterations, from, one_by_one ? Allowed::one : Allowed::all) != 0) {
       met = chord = false;
@@ -197,13 +198,13 @@ SolveResult Newton::iterate(const System& system, const SolverState& before, con
       ++report.solves;
       report.matrices += chord ? 0 : 1;
       q += dq;
-      // Far out the rounding of S q hides that nothing is in balance any more.
+      // Far away the rounding of S q hides that nothing is in balance.
       const double way = increment_.way(dq), bound = 1e3 * system.extent;
       if (!system.contacts.empty() && !(way < bound)) {
         report.reason = "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported";
         return result;
       }
-      if (narrowed && iteration == 0) {  // what the first step closes is judged among all nodes
+      if (narrowed && iteration == 0) {  // nodes that the first step closes are judged among all nodes
         increment_.widen(system, controls, q);
         rule = {};
       }
@@ -223,10 +224,10 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
     attempts.push_back({Start::predicted, options_.chords});
   attempts.push_back({Start::sticking, options_.chords});
-  // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is lost
-  // on the way. There friction starts as it was, and gives way.
+  // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is then
+  // lost. Such an increment starts with the former friction, which then yields.
   if (rubs(system, before, controls)) attempts.push_back({Start::sheared, options_.chords});
-  // Far from the solution kept and symmetric tangents may lead astray where Newton's own do not.
+  // Far from the solution kept or symmetric tangents may diverge where Newton's own do not.
   if (options_.chords && nonlinear(system)) {
     if (attempts.front().from == Start::predicted) attempts.push_back({Start::predicted, false});
     attempts.push_back({Start::sticking, false});
@@ -234,7 +235,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   SolveResult result;
   int solves = 0, matrices = 0, tangents = 0;
   for (const auto& [from, chords] : attempts) {
-    // The start before may have led the reach to where contact is not.
+    // The previous start may have moved the reach away from contact.
     if (from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
     SolveResult found = iterate(system, before, controls, from, chords, options_.limit_reach);
     solves += found.report.solves;
