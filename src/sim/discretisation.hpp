@@ -5,22 +5,23 @@
 #include "sim/state.hpp"
 #include "sim/system.hpp"
 
-/// How far a run may be from one on a mesh without end.
+/// The error of a run against the limit of an infinitely fine mesh.
 namespace reye::sim {
 
-/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch,
-/// its kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends
+/// The scene of `problem` on elements twice as long, played as far as `state` has come, without output and limits, with
+/// the kinematics of the run. Fine zones are wider by the margins that longer elements need at their ends
 /// (`leaves_zone`).
 scene::Scene coarser(const Problem& problem, const State& state);
 
-/// How far apart the ends of a run are on two meshes, the largest of all contacts; a point of one mesh is compared with
-/// the nearest one of the other.
+/// Differences between the ends of a run on two meshes, the largest of all contacts; a point of one mesh is compared
+/// with the nearest one of the other.
 struct MeshDifference {
-  /// Of sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest depth.
+  /// For sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest
+  /// depth.
   std::optional<double> wear;
-  /// Of secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
+  /// For secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
   std::optional<double> traction;
-  /// Of the same: the difference of the largest pressures over the largest pressure.
+  /// For secondary sides that touch: the difference of the largest pressures over the largest pressure.
   std::optional<double> peak;
 };
 

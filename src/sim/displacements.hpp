@@ -10,7 +10,7 @@ namespace reye::sim {
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
                                 const Vector& load_factors);
 
-/// By how much a linear body has turned [rad].
+/// Rotation of a linear body [rad].
 double turned_by(const body::Operator& op, const Vector& q);
 
 /// Displacement of all nodes of a body.

@@ -2,7 +2,7 @@
 #include "sim/problem.hpp"
 #include "sim/state.hpp"
 
-/// Where steps and runs end.
+/// The end of steps and runs.
 namespace reye::sim {
 
 /// Cycles still to be played in a step.

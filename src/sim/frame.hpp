@@ -7,7 +7,7 @@
 
 namespace reye::sim {
 
-/// Everything a picture needs of a state.
+/// The frame of a state, with all data of a picture.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);
 
 /// Passes a frame to the observer, unless it has it already.

@@ -38,7 +38,7 @@ bool finite(const contact::MortarRow& row) {
   return finite(row.D) && finite(row.cover) && finite(row.covered) && finite(row.off) && finite(row.M);
 }
 
-/// The mesh of a body, whichever.
+/// Checks the mesh of any body.
 void check_mesh(const mesh::Mesh& mesh, bool rigid, const std::string& body) {
   require(counted(static_cast<int>(mesh.kind), static_cast<int>(mesh::CellKind::quad8)),
           "body " + body + " has cells of no kind");
@@ -94,7 +94,7 @@ void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& b
   if (drawing.part.mesh) check_mesh(*drawing.part.mesh, rigid, body);
 }
 
-/// The boundaries that supports, loads and contacts are on are those of the start.
+/// Checks that the boundaries of supports, loads and contacts are those of the start.
 void check_shape(const body::ShapePtr& shape, const body::ShapePtr& start, bool rigid, const std::string& body) {
   require(shape && shape->born, "body " + body + " has no shape");
   require(!shape->drawing == !start->drawing, "body " + body + " has another drawing");

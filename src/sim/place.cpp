@@ -75,7 +75,7 @@ class Resolver {
   }
 
  private:
-  /// Why a curve of this name is no boundary.
+  /// Why a curve of this name is not a boundary.
   std::string cut_off(const std::string& name) const {
     for (const auto& facts : facts_)
       for (const auto& own : facts.cut_off)
@@ -127,7 +127,7 @@ double modulus(const Problem& p, int body) {
   return std::visit([](const auto& m) { return m.E_MPa; }, p.inputs[body].material);
 }
 
-/// Stiffness scale of a pair: harmonic mean of the deformable sides, the softer one rules.
+/// Stiffness scale of a pair: the smallest modulus of its deformable sides.
 double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary,
                     const std::vector<contact::BoundaryRef>& primary) {
   double softest = modulus(p, secondary.body);
@@ -153,7 +153,7 @@ void check_sides(const Problem& p, const PlacedContact& contact, const std::stri
   }
 }
 
-/// The nodes of both sides stay when bodies are condensed.
+/// Retains the nodes of both sides when bodies are condensed.
 void retain_sides(Problem& p, const PlacedContact& joint) {
   const auto retain = [&](const contact::BoundaryRef& ref) {
     auto& list = p.inputs[ref.body].contact_boundaries;
@@ -204,7 +204,7 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
       if (!support.rigid || support.edge.empty()) continue;
       const auto list = mesh::nodes_of(mesh.boundaries.at(support.edge));
       const std::set<int> held(list.begin(), list.end());
-      // An end node that the two share is cut down; a whole facet on the rigid edge could not take part.
+      // A shared end node carries no multiplier; a whole facet on the rigid edge could not take part.
       bool facet = false;
       for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
         for (std::size_t i = 1; i < chain.size(); ++i)

@@ -46,7 +46,7 @@ const char* law_name(const material::Material& material) {
   return names[material.index()];
 }
 
-/// Why a body that leaves it to the run is strained as it is.
+/// Reports why a body that leaves its kinematics to the run has small or finite strain.
 void tell_kinematics(const Problem& p, int b, Plan& plan) {
   if (!p.kinematics[b]) return;
   const auto& [largest, failure] = *p.kinematics[b];
@@ -71,7 +71,7 @@ bool wears(const Problem& p, int b) {
          });
 }
 
-/// What the displacements inside a linear body are wanted for.
+/// The purpose for which displacements inside a linear body are recovered.
 std::string solved_back_for(const Problem& p, int b) {
   const bool triggers = wears(p, b) && p.scene.remesh.automatic, estimate = p.kinematics[b].has_value();
   const auto& output = p.scene.output;
@@ -82,7 +82,7 @@ std::string solved_back_for(const Problem& p, int b) {
   return uses;
 }
 
-/// What a linear body turns about, or why its rotation is taken as small.
+/// Reports the pivot of a linear body, or why its rotation is taken as small.
 void tell_turning(const Problem& p, const body::LinearBody& linear, int b, Plan& plan) {
   const auto& mesh = p.shapes[b]->mesh;
   if (linear.turning()) {

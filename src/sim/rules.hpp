@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-/// When something is written: frames at block ends, rows of the history.
+/// Rules of output: frames at block ends, rows of the history.
 namespace reye::sim {
 
 /// A block of cycles, or a load step, that has been played.
@@ -18,7 +18,7 @@ struct PlayedBlock {
 /// per_decade: where n log10(cycle) passes a whole number; the first block from cycle 0 always does.
 bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block);
 
-/// The last cycle in (from, to] at which `every_cycles` or `per_decade` want a frame.
+/// The last cycle in (from, to] at which `every_cycles` or `per_decade` ask for a frame.
 std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double from, double to);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.

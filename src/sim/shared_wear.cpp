@@ -73,7 +73,7 @@ std::set<std::pair<int, int>> facets_of(const Problem& problem, const contact::B
   return facets;
 }
 
-/// Volume at node k of a part that other parts have booked and that waits.
+/// Waiting volume at node k of a part that other parts have removed.
 double waiting(const std::vector<Part>& parts, const Part& own, std::size_t k, const Contacts& contacts) {
   double sum = 0.0;
   for (const auto& part : parts)

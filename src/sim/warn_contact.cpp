@@ -18,7 +18,7 @@ namespace {
 constexpr double facet_share = 0.1;  ///< of the approach: facets beyond it carry the load on their corners
 constexpr double milder_side = 0.2;  ///< a limit's side wears less than this share of the other
 constexpr double remesh_jump = 0.1;  ///< of the pressure, L2: beyond it the mesh rules the pressure
-constexpr int edge_nodes = 2;        ///< one at each edge of contact: no slip zone that a mesh resolves
+constexpr int edge_nodes = 2;        ///< one at each edge of contact, which is not a slip zone that the mesh resolves
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -27,7 +27,7 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
-/// How far the load presses the two sides together, about [mm]: 2 P / E* of a line contact, in axisymmetry under the
+/// Approximate approach of the two sides under the load [mm]: 2 P / E* of a line contact, in axisymmetry under the
 /// force per length of the circle through its peak; P / (E* a) of a contact round the axis.
 double approach_of(const Problem& problem, std::size_t c, const Pressed& p) {
   const double modulus = effective_modulus(problem, problem.contacts[c]);
@@ -170,7 +170,7 @@ void warn_of_run(const Problem& problem, State& state, const Summary& summary, c
             "presses the sides together."});
       continue;
     }
-    // The end is what is shown: its pressure must be resolved, whatever was before.
+    // The end of a run is shown, so its pressure must be resolved.
     std::vector<Warning> found;
     if (watch.pressed.force > 0.0 && !watch.pressed.bounded)
       warn_of_resolution(found, options.name, watch.pressed.across, fewest_across, watch.pressed.length_mm,

@@ -27,7 +27,7 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
-/// One contact where the last good state has it.
+/// One contact in the last good state.
 struct Seen {
   const Problem& problem;
   const PlacedContact& placed;
@@ -49,7 +49,7 @@ struct Seen {
   }
 };
 
-/// The way that the sides slide along one another in one play of the step: as supports move them, or as is imposed.
+/// The sliding distance of the sides in one play of the step: as supports move them, or as imposed.
 double way_of_play(const Seen& c, const scene::Step& step) {
   double way = 0.0;
   if (c.placed.options.imposed) {
@@ -141,7 +141,8 @@ std::string came_away(const Problem& problem) {
       return joint.secondary.body == b ||
              std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
     };
-    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins)) continue;  // it goes with what it is joined to
+    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins))
+      continue;  // it moves with the body to which it is bonded
     const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}},
                                             problem.scene.analysis == base::Analysis::axisymmetric);
     if (free.empty()) continue;
