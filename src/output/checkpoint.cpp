@@ -56,7 +56,7 @@ std::string file_in(const std::string& dir, const char* name) {
   return (fs::path(dir) / "checkpoint" / (std::string(name) + ".bin")).string();
 }
 
-/// What is against a table of the folder, which must hold so many rows.
+/// Checks a table of the folder, which must hold so many rows.
 void check_rows(const std::string& dir, const std::string& file, long rows) {
   // The name comes out of a file that may have been altered.
   if (rows < 0 || fs::path(file).filename() != fs::path(file))

@@ -28,8 +28,7 @@ void sync_folder(const std::string& path);
 /// Makes the folder where there is none; a symbolic link or a file in its place is refused.
 void make_folder(const std::string& path);
 
-/// What a file of this name was to become, where it is one that atomic_write uses until it renames: a kill leaves it
-/// behind.
+/// The final name of a temporary file of atomic_write, which a kill leaves behind; nothing for other names.
 std::optional<std::string> becoming(const std::string& name);
 
 /// The whole file as bytes.

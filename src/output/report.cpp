@@ -118,7 +118,7 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
   }
 }
 
-/// The page; a summary that has something else where a text should be is damaged.
+/// The page; a summary with another type where a text is expected counts as damaged.
 std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
                     const std::vector<Figure>& moving) {
   try {

@@ -9,7 +9,7 @@ namespace reye::output {
 /// Key results of every contact, lives, probes, estimated errors.
 std::string result_tables(const RunData& run);
 
-/// What wore off against what the friction work allows.
+/// The removed volume beside coefficient x work.
 std::string ledger_table(const RunData& run);
 
 /// One row per body remeshed, with the jumps it cost; folded away when they are many.

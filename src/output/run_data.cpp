@@ -49,7 +49,7 @@ std::vector<FrameRows> frames_of(const Table& table) {
   throw base::InputError({{"dir", "", file + " is damaged: " + what}});
 }
 
-/// Numbers of a run are far below this, or unknown; what is larger would only overflow in a picture.
+/// Bound of the numbers of a run; larger ones would overflow in a picture and count as damage.
 constexpr double most = 1e100;
 
 /// A table whose columns begin with those of `header`. A table that ends in half a row belongs to a run that is still
@@ -154,7 +154,7 @@ RunData read_run(const std::string& dir) {
     }
   } catch (const base::InputError&) {
     throw;
-  } catch (const std::runtime_error& error) {  // what cannot be read at all
+  } catch (const std::runtime_error& error) {  // a file that cannot be read at all
     throw base::InputError({{"dir", "", error.what()}});
   }
   return run;

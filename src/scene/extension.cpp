@@ -18,7 +18,7 @@ struct Document {
   const std::string& text;
 };
 
-/// Every difference between two trees: values that are others, and the outermost of what one of them lacks.
+/// Every difference between two trees: values that differ, and the outermost entries that one of them lacks.
 void add_differences(const Node& was, const Node& now, const Document& before, const Document& after, Issues& issues) {
   for (const auto& child : now.children)
     if (!was.find(child.name)) issues.push_back({child.key, child.written, "was not in the run to be resumed"});
@@ -41,7 +41,7 @@ bool counts(const Node& root, const std::string& cycles_key) {
   return cycles && cycles->number > 0.0;
 }
 
-/// Limits that are new or reached elsewhere; the scatter of wear changes none.
+/// Limits that are new or have another bound; the scatter of wear does not count.
 std::set<std::string> changed_limits(const Document& before, const Document& after) {
   std::set<std::string> names;
   const auto* were = before.root.find("limit");

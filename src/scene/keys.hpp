@@ -10,9 +10,9 @@
 /// The one table of keys of a scene: reading, errors and the reference text all come from it.
 namespace reye::scene {
 
-/// What a key takes. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at least
-/// one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the
-/// grammar knows and this version does not build; its doc is the rule shown.
+/// The type of a key's value. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at
+/// least one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the grammar knows
+/// and this version does not build; its doc is the rule shown.
 enum class Type { text, texts, number, whole, flag, pair, triple, box, numbers, curve, history, refused };
 
 /// The values a key may take; numbers always finite. Choices are separated by '|'.
@@ -27,7 +27,7 @@ struct Range {
 };
 
 /// One key. Pattern: names joined by '.', where `*` is a name the user gives, `{a,b}` is one of several
-/// names, `step[]` is an element of a list of tables, and `fine_zone[?]` one of those or a table by itself.
+/// names, `step[]` is an element of a list of tables, and `fine_zone[?]` one of those or a single table.
 struct Key {
   std::string_view pattern;
   Type type;
@@ -41,7 +41,7 @@ inline constexpr std::string_view required = "required";
 
 std::span<const Key> keys();
 
-/// The table of keys as a tree: what may stand under a place of the scene.
+/// The table of keys as a tree: the values that a place of the scene may hold.
 struct Spec {
   const Key* key = nullptr;    ///< set when a plain value may stand here
   bool list = false;           ///< a list of tables: each element takes the names below

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* option = "--vary";
 constexpr double most_members = 1e5;
 
-/// Trouble with one `--vary`.
+/// The error of one `--vary`.
 base::InputError wrong(const std::string& words, const std::string& rule) {
   return base::InputError({{option, words, rule}});
 }
@@ -29,7 +29,7 @@ std::optional<double> number_of(const std::string& text) {
   return fits ? std::optional(value) : std::nullopt;
 }
 
-/// Parts between commas that stand in no bracket and no quotes.
+/// Parts between commas outside of brackets and quotes.
 std::vector<std::string> listed(const std::string& text) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -60,7 +60,7 @@ constexpr const char* range_rule =
     "must be key=a:b:n or key=log:a:b:n, numbers a and b (for log both > 0) and a whole number n >= 2, "
     "or key=v1,v2,...";
 
-/// The numbers of a range; empty when it is none.
+/// The numbers of a range; empty when it is not a range.
 std::vector<std::string> numbers_of(std::vector<std::string> parts) {
   const bool logarithmic = parts.front() == "log";
   if (logarithmic) parts.erase(parts.begin());
