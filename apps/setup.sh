@@ -14,7 +14,7 @@ packages=(
   g++ cmake ninja-build make pkg-config git ca-certificates python3
   libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libcgal-dev libvtk9-dev
   libtomlplusplus-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libcereal-dev
-  libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox
+  libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox clang-format
 )
 build=build
 

@@ -1,4 +1,4 @@
-"""Remeshes of a run and its worn outlines beside those of another; used by the make.py of the cases that are meshed anew."""
+"""Remeshes of a run and its worn outlines beside those of another; used by the make.py of the cases that are remeshed."""
 import csv
 import math
 

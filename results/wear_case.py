@@ -36,7 +36,7 @@ class Run:
 
 
 def benchmarks(pattern):
-    """What reye-bench tells of the benchmarks whose name fits a pattern: name, label, counters of each.
+    """What reye-bench reports of the benchmarks whose name fits a pattern: name, label, counters of each.
     One that failed ends the case."""
     told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), f"--benchmark_filter={pattern}", "--benchmark_format=json"],
                           check=True, capture_output=True, text=True).stdout

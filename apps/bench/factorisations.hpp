@@ -6,7 +6,7 @@
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
-/// What is shared by the benches that count in plain factorisations.
+/// Common parts of the benches that count in plain factorisations.
 namespace reye::bench {
 
 inline double median(std::vector<double> v) {

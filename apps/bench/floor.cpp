@@ -11,8 +11,8 @@
 #include "sim/march/block.hpp"
 #include "sim/study/prepare.hpp"
 
-/// What a wear cycle costs in plain factorisations of the stiffness of its bodies: the floor that no method goes below
-/// which factorises at all, both measured in turn in one run; and how it grows with the bodies. CPU time.
+/// The cost of a wear cycle in plain factorisations of the stiffness of its bodies, the lower bound of any method that
+/// factorises, both measured in turn in one run; and how it grows with the bodies. CPU time.
 namespace {
 
 using namespace reye;
@@ -74,8 +74,8 @@ scene::Scene fretting(long depth) {
   return scene;
 }
 
-/// The same with the steel of geo/plastic_fretting at small strain, in fewer increments and worn from the press on:
-/// every iteration linearises and condenses both bodies.
+/// The fretting scene with the steel of geo/plastic_fretting at small strain, in fewer increments and worn from the
+/// press on: every iteration linearises and condenses both bodies.
 scene::Scene plastic_fretting(long depth) {
   auto scene = fretting(depth);
   scene.materials.at("steel") = material::HenckyJ2{200e3, 0.3, material::LinearHardening{280.0, 2000.0}};
@@ -136,7 +136,7 @@ void floor_of_a_cycle(benchmark::State& run) {
   run.counters["cycle_in_factorisations"] = bench::median(cycles) / bench::median(plain);
 }
 
-/// A run that fails is no measurement: told, and the other benchmarks go on.
+/// A run that fails is not a measurement: reported, and the other benchmarks continue.
 template <void (*measure)(benchmark::State&)>
 void told(benchmark::State& run) {
   try {

@@ -81,7 +81,7 @@ void gauss_error(benchmark::State& run) {
 double zone(const Vec2& x) { return std::exp(-(x - Vec2(0.5, 0.5)).squaredNorm() / (2.0 * 0.1 * 0.1)); }
 double front(const Vec2& x) { return (x - Vec2(0.5, 0.5)).norm() < 0.25 ? 1.0 : 0.0; }
 
-/// What is left of a plastic zone, a bell eight cells wide or a disc twenty cells wide, on 40 x 40 cells.
+/// The decay of a plastic zone, a bell eight cells wide or a disc twenty cells wide, on 40 x 40 cells.
 void gauss_decay(benchmark::State& run) {
   const auto one = square(40, 40, kind_of(run), 0.5), other = square(44, 43, kind_of(run), 0.6);
   const Matrix start = sampled(one, run.range(2) == 0 ? zone : front);

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-/// What geo/partial_slip_life wears as two half-planes: the tests' reference, for results/partial_slip_life.
+/// The wear of geo/partial_slip_life for two half-planes: the tests' reference, for results/partial_slip_life.
 namespace {
 
 using namespace reye;

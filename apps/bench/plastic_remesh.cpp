@@ -11,8 +11,8 @@
 #include "sim/reshape/shape.hpp"
 #include "sim/study/prepare.hpp"
 
-/// Plastic bodies pressed together and meshed anew many times: what is left of their plastic strain, against the same
-/// bodies pressed the same way on their first mesh.
+/// Plastic bodies are pressed together and remeshed many times: their plastic strain against that of equal bodies
+/// pressed alike on their first mesh.
 namespace {
 
 using namespace reye;
@@ -21,8 +21,8 @@ constexpr std::array names{"nearest", "patch", "l2"};
 constexpr std::array factors{1.13, 0.91, 1.06, 0.95,
                              1.0,  1.1,  0.9};  ///< on the element size: never twice the same mesh
 
-/// What the bodies do: stay at the approach that indented them; are released to a fifth of such a force; are pressed
-/// farther after each fresh mesh; or a little back and where they were again.
+/// The motion after indentation: held at the approach that indented them; released to a fifth of such a force; pressed
+/// farther after each fresh mesh; or swung a little back and forth.
 enum Play { held, released, pressed, swung };
 
 /// geo/plastic_fretting pressed far beyond yield.
@@ -57,7 +57,7 @@ struct PlasticStrain {
   double integral = 0.0, peak = 0.0;  ///< of p over both bodies
 };
 
-/// Two bodies that have indented each other, and what is done to them then.
+/// Two bodies that have indented each other, and the motion after that.
 struct Indented {
   sim::Problem problem;
   sim::Cache cache;
@@ -79,7 +79,8 @@ struct Indented {
     play();
   }
 
-  /// Fine zones with elements of `factor` times the size that the problem was prepared with. Returns why it can not be.
+  /// Fine zones with elements of `factor` times the size that the problem was prepared with. Returns why this fails, or
+  /// nothing.
   std::string renew(double factor) {
     for (std::size_t b = 0; b < state.shapes.size(); ++b) {
       auto drawing = *state.shapes[b]->drawing;

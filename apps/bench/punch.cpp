@@ -10,8 +10,8 @@
 #include "sim/problem/system.hpp"
 #include "sim/study/prepare.hpp"
 
-/// A flat punch, pressed or sheared, on the multipliers of one body: how far its edge forces differ between the two. In
-/// the half-plane they are the same; on a mesh they differ by what its elements make of the last facet.
+/// A flat punch, pressed or sheared, on the multipliers of one body: the ratio of its edge forces in the two cases. It
+/// is one for a half-plane; on a mesh it depends on the elements at the last facet.
 namespace {
 
 using namespace reye;

@@ -11,7 +11,7 @@
 #include "sim/reshape/shape.hpp"
 #include "sim/study/prepare.hpp"
 
-/// What a remesh costs beyond gmsh, in plain factorisations of the stiffness of the bodies that are meshed anew; both
+/// The cost of a remesh beyond gmsh, in plain factorisations of the stiffness of the bodies that are remeshed; both
 /// measured in turn in one run.
 namespace {
 

@@ -47,10 +47,10 @@ namespace {
 [[noreturn]] void refuse(const std::string& dir, const std::vector<std::string>& refusals) {
   std::string reasons;
   for (const auto& refusal : refusals) reasons += (reasons.empty() ? "" : "; ") + refusal;
-  throw base::InputError({{"--restart", dir, "no checkpoint to go on from: " + reasons}});
+  throw base::InputError({{"--restart", dir, "no checkpoint to resume from: " + reasons}});
 }
 
-/// Whether the newest state may go on so is asked first; where it has ended, the one before is gone on from.
+/// The newest state is asked first whether it may resume so; where it has ended, the run resumes from the one before.
 output::CheckpointSearch search_extended(const std::string& dir, const sim::Problem& problem,
                                          const scene::Extension& extension, sim::Cache& cache, Resumption& resumption) {
   const auto origin = output::own_origin("", problem.scene.fixed_sha256);
@@ -89,7 +89,7 @@ Resumption resumption_of(const std::string& dir, const sim::Problem& problem,
   resumption.extends = extension.has_value();
   if (const auto& commit = search.found->origin.commit; commit != output::commit())
     resumption.notes.push_back("written by the build of commit " + base::printable(commit) +
-                               ", gone on from by that of commit " + output::commit() +
+                               ", resumed by that of commit " + output::commit() +
                                ": results may differ in their last digits from an unbroken run");
   return resumption;
 }

@@ -20,8 +20,8 @@ namespace reye::apps {
 namespace {
 
 [[noreturn]] void become(const std::vector<char*>& words, const char* log, pid_t parent) {
-  // A group of its own, so that a Ctrl-C reaches it once, through this program; and should this program be killed, it
-  // is asked to end, too.
+  // The child has its own process group, so that Ctrl-C reaches it once, through this program; if this program is
+  // killed, the child is asked to end, too.
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(127);
@@ -76,7 +76,7 @@ bool run_children(const std::vector<Child>& children, int most, const std::funct
     if (passed_on != StopSignals::count())
       for (const auto& [child, number] : running) ::kill(child, SIGTERM);
     passed_on = StopSignals::count();
-    // Asked again and again rather than waited for: no signal falls between a look and a wait.
+    // Polling instead of waiting, so that no signal is lost between a check and a wait.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return StopSignals::count() == 0;

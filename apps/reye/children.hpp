@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Programs run beside this one.
+/// Child processes.
 namespace reye::apps {
 
 struct Child {
@@ -12,10 +12,10 @@ struct Child {
   std::string log;                 ///< file that takes what it prints; empty: printed as usual
 };
 
-/// Runs them all, at most `most` at once, each with one thread for linear algebra. `ended` is told of each: its
+/// Runs them all, at most `most` at once, each with one thread for linear algebra. `ended` is called for each with its
 /// number and its exit code, or 128 + the signal that ended it, or 127 when it could not be started.
-/// SIGINT, SIGTERM and SIGHUP are passed on to those that run and no other is started; false then. Should this program
-/// be killed, they get a SIGTERM from the kernel.
+/// SIGINT, SIGTERM and SIGHUP are passed on to running ones and no other is started; the result is then false. If this
+/// program is killed, they get a SIGTERM from the kernel.
 bool run_children(const std::vector<Child>& children, int most, const std::function<void(std::size_t, int)>& ended);
 
 /// Whether a program of this name is found in PATH.

@@ -44,8 +44,8 @@ scene::Scene read(const Request& request) {
   return scene;
 }
 
-/// On the error stream, so that it is seen even where the output goes into a file; --quiet silences those before the
-/// run.
+/// Prints warnings on the error stream, so that they are seen even where the output goes into a file; --quiet silences
+/// those before the run.
 void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) {
   for (const auto& warning : warnings) {
     const std::string text = sim::scene_line(scene, warning.about) + sim::in_words(warning);
@@ -53,8 +53,8 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
   }
 }
 
-/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: an interruption before
-/// the first block can go on, too.
+/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: a run interrupted before
+/// its first block can resume, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
   sim::State state = sim::initial_state(problem);
@@ -62,12 +62,12 @@ sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, C
   return state;
 }
 
-/// The state to go on from, the folder cut back to it.
+/// The state to resume from, the folder cut back to it.
 sim::State resumed(Resumption resumption, output::RunWriter& writer, Checkpoints& checkpoints) {
   for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
   if (resumption.previous) output::restore_previous(writer.dir());
   writer.resume(resumption.counters);
-  if (resumption.extends) {  // in this order: either scene finds a checkpoint to go on from, whenever a kill comes
+  if (resumption.extends) {  // in this order: either scene finds a checkpoint to resume from, whenever a kill comes
     checkpoints.start(resumption.state);
     writer.extend();
   }
@@ -86,7 +86,7 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
   return o;
 }
 
-/// Plays the scene and writes everything. What the disk refuses ends the run; the error says whether it can go on.
+/// Plays the scene and writes everything. A failed write ends the run; the error says whether it can resume.
 sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State state, output::RunWriter& writer,
                   Checkpoints& checkpoints, bool quiet) {
   try {
@@ -99,8 +99,8 @@ sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State sta
   } catch (const std::exception& error) {
     throw std::runtime_error(error.what() +
                              std::string(can_go_on(writer.dir(), problem)
-                                             ? "; the last checkpoint is whole: --restart goes on from there"
-                                             : "; there is no checkpoint to go on from"));
+                                             ? "; the last checkpoint is intact: --restart resumes from it"
+                                             : "; there is no checkpoint to resume from"));
   }
 }
 

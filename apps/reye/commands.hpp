@@ -8,12 +8,12 @@ struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
   bool restart = false, force = false, quiet = false, animation = false;
-  bool trust_geometry = false;  ///< geometry scripts may hold whatever gmsh understands
+  bool trust_geometry = false;  ///< geometry scripts may use all of gmsh's language
 };
 
 std::string version();
 
-/// The table of scene keys as markdown: what stands in the README.
+/// The table of scene keys as markdown: the table in geo/REFERENCE.md.
 std::string reference();
 
 int run(const Request& request);

@@ -19,7 +19,7 @@ void keep_heap() {
   mallopt(M_MMAP_THRESHOLD, largest_array);
   mallopt(M_TRIM_THRESHOLD, ahead);
   mallopt(M_TOP_PAD, ahead);
-  // The first array of the heap stands where the large pages shall be. Memory they take when they are written to.
+  // The first array of the heap covers the range of the large pages, which take memory only when they are written to.
   if (void* block = std::malloc(largest_array - page / 2)) {
     const auto from = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
     madvise(reinterpret_cast<void*>(from), ahead, MADV_HUGEPAGE);

@@ -2,9 +2,9 @@
 
 namespace reye::apps {
 
-/// Tells the allocator to keep what is freed and to use large pages: a run frees and takes the same large arrays again
-/// and again, and what goes back to the system comes anew page by page (an eighth of a short run). Nothing where it is
-/// not glibc's.
+/// Makes the allocator keep freed memory and use large pages: a run frees and takes the same large arrays again
+/// and again, and memory returned to the system comes back page by page (an eighth of a short run). Does nothing with
+/// an allocator other than glibc's.
 void keep_heap();
 
 }  // namespace reye::apps

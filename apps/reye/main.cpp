@@ -30,7 +30,7 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   auto* table = sweep->add_flag("--table", request.table, "run nothing, collect the table");
   member->excludes(slurm)->excludes(table);
   slurm->excludes(table);
-  sweep->add_flag("--force", request.force, "run every member anew, whatever its folder holds");
+  sweep->add_flag("--force", request.force, "run every member again, whatever its folder holds");
   sweep->add_flag("--quiet", request.quiet, "reasons only");
   add_trust(*sweep, request.trust_geometry);
   return sweep;
@@ -55,8 +55,8 @@ int main(int argc, char** argv) {
   auto* run = with_scene("run", "run a scene and write its results");
   run->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   run->add_flag("--restart", request.restart,
-                "go on from the last checkpoint; of a run that has ended, when its scene got more cycles in the last "
-                "step or other limits");
+                "resume from the last checkpoint; a run that has ended resumes when its scene has more cycles in the "
+                "last step or other limits");
   run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
   auto* plan = with_scene("plan", "say what each body and contact is, what is skipped, and why");
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   report->add_option("dir", request.path, "output folder")->required();
   report->add_flag("--animation", request.animation,
                    "bodies, pressure and wear moving from frame to frame, in the page");
-  auto* reference = app.add_subcommand("reference", "the table of scene keys, as it stands in the README")->group("");
+  auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
 
   try {
     app.parse(argc, argv);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A member where it lies.
+/// A member and its folder.
 struct Place {
   std::string name, dir, sha256;
 };
@@ -42,10 +42,10 @@ std::string name_of(std::size_t member) {
   return "member_" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number;
 }
 
-/// Where a member says why it stopped.
+/// The file in which a member reports why it stopped.
 std::string errors_of(const Place& place) { return place.dir + "/errors.txt"; }
 
-/// Issues of one member, named after it; what another member has said already is left out.
+/// Issues of one member, named after it; those that another member has already are left out.
 void add_issues(const std::string& member, const std::vector<base::Issue>& found, std::set<std::string>& told,
                 std::vector<base::Issue>& issues) {
   for (const auto& issue : found) {
@@ -54,7 +54,7 @@ void add_issues(const std::string& member, const std::vector<base::Issue>& found
   }
 }
 
-/// Reads every wanted member as it will stand on disk and asks whether its folder may take it.
+/// Reads every wanted member as it will be on disk and checks that its folder may be used.
 void check_members(Job& job, const std::string& name) {
   std::vector<base::Issue> issues;
   std::set<std::string> told;
@@ -68,7 +68,7 @@ void check_members(Job& job, const std::string& name) {
       add_issues(place.name, error.issues(), told, issues);
       continue;
     }
-    if (!issues.empty() || job.request.table) continue;  // a table only reads
+    if (!issues.empty() || job.request.table) continue;  // `--table` only reads
     if (fs::is_symlink(place.dir))
       issues.push_back({place.name, "", place.dir + " is a symbolic link, which a sweep does not follow"});
     else if (const auto refusal = output::open_folder(place.dir, place.name, place.sha256, job.request.force))
@@ -95,7 +95,7 @@ Job job_of(const SweepRequest& request) {
   return job;
 }
 
-/// What a member said when it stopped, empty where that cannot be read.
+/// The message of a member when it stopped, empty where that cannot be read.
 std::string said_by(const Place& place) {
   std::error_code unreadable;
   if (!fs::is_regular_file(errors_of(place), unreadable)) return {};
@@ -114,7 +114,7 @@ output::RunEnd end_of(const Place& place) {
   return end;
 }
 
-/// A run that was broken off goes on from its last checkpoint.
+/// An interrupted run resumes from its last checkpoint.
 bool can_go_on(const Place& place, const output::RunEnd& end) {
   const auto holder = output::read_identity(place.dir);
   const bool its_own = holder && holder->sha256 == place.sha256;
@@ -142,7 +142,7 @@ Child child_of(const Job& job, std::size_t i) {
   return child;
 }
 
-/// Members not yet done, as processes of their own: one that dies takes no other with it. False when interrupted.
+/// Runs members not yet done in separate processes, so that a crash ends one member alone. False when interrupted.
 bool run_here(const Job& job, const std::vector<std::size_t>& open) {
   std::vector<Child> children;
   for (const auto i : open) children.push_back(child_of(job, i));
@@ -180,7 +180,7 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
   return text + " --quiet --member \"$SLURM_ARRAY_TASK_ID\"\n";
 }
 
-/// Submits the array and waits for its end; what members make of it is read from their folders.
+/// Submits the array and waits for its end; the results of members are read from their folders.
 bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open) {
   const auto script = job.dir + "/sweep.sbatch";
   output::atomic_write(script, slurm_script(job, open));
@@ -195,7 +195,7 @@ std::string values_of(const Job& job, std::size_t i) {
   return text;
 }
 
-/// Names what is not done, one line each; how many that is.
+/// Prints the members not done, one line each, and returns their number.
 std::size_t tell_undone(const Job& job) {
   std::size_t undone = 0;
   for (const auto i : job.wanted) {
@@ -210,7 +210,7 @@ std::size_t tell_undone(const Job& job) {
   return undone;
 }
 
-/// The table, and what it says of lives.
+/// Writes the table and prints the range of lives.
 void collect(const Job& job, std::size_t undone) {
   std::vector<output::SweepRow> rows;
   for (const auto i : job.wanted)

@@ -10,7 +10,7 @@ struct SweepRequest {
   std::vector<std::string> vary;  ///< as in scene::variation_of
   std::string out;
   int jobs = 0;     ///< members at once; 0: as many as there are cores, or as Slurm allows
-  int member = -1;  ///< the only one to run: what a job of an array calls
+  int member = -1;  ///< the only member to run, as a job of an array does
   bool slurm = false, table = false, force = false, quiet = false;
   bool trust_geometry = false;  ///< passed on to every member
 };

@@ -39,7 +39,7 @@ def array(root, name):
 
 
 def read_vtu(path):
-    """Mesh of cylinder and flat, told apart by the side of y = 0 they lie on; boundaries named by where they lie."""
+    """Mesh of cylinder and flat, distinguished by the side of y = 0 they lie on; boundaries named by where they lie."""
     root = xml.parse(path).getroot()
     position = array(root, "Points")
     nodes = list(zip(position[0::3], position[1::3]))

@@ -61,8 +61,7 @@ def reye(name, scene, repeats=1):
 
 
 def peer(name, text, command):
-    """CPU of a peer's run. With REYE_PEERS_REUSE set, a run with the same input that is already there counts: so a
-    comparison that was broken off goes on."""
+    """CPU of a peer's run. With REYE_PEERS_REUSE set, a run with the same input that is already there counts: so an interrupted comparison resumes."""
     stamp, key = WORK / f"{name}.cpu", hashlib.sha256(text.encode()).hexdigest()
     if os.environ.get("REYE_PEERS_REUSE") and stamp.is_file():
         kept_key, kept_cpu = stamp.read_text(encoding="ascii").split()

@@ -11,7 +11,7 @@ from wear_case import figure, run, write_csv, write_measured  # noqa: E402
 STROKE, P, MU = 0.025, 18.5, 0.9
 COUNTS = (40, 80, 160)
 LAW = "wear      = { law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5 }"
-LIMIT = "[limit.life]                                 # the first cycle at which it is reached; the run goes on unless stop = true\n" \
+LIMIT = "[limit.life]                                 # the first cycle at which it is reached; the run continues unless stop = true\n" \
         "contact  = \"pad\"\nside     = \"secondary\"\ndepth_mm = 0.0025\n"
 
 

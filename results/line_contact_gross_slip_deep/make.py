@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Line contact in gross slip to S = 1000 (references B8): the contact grows tenfold, meshed anew on its way."""
+"""Line contact in gross slip to S = 1000 (references B8): the contact grows tenfold, remeshed on its way."""
 import math
 import pathlib
 import sys
@@ -57,6 +57,6 @@ plots = [f"'curve.csv' skip 1 using 1:{column} with lines lc {column} title 'Rey
          for column, title in ((2, "a / a_0"), (3, "2 R w(0) / a_0^2"), (4, "p(0) / p_0"))]
 plots += [f"$curve using 1:{column} with points pt 6 ps 1.2 lc {column} {title}"
           for column, title in ((2, "title 'half-plane solution'"), (3, "notitle"), (4, "notitle"))]
-plots += ["'remeshes.csv' skip 1 using 1:(0.03) with impulses lc 0 lw 0.5 title 'meshed anew'"]
+plots += ["'remeshes.csv' skip 1 using 1:(0.03) with impulses lc 0 lw 0.5 title 'remeshed'"]
 figure(reference + "set logscale xy\nset xrange [8:1200]\nset key top left\nset xlabel 'S = k E^* s / a_0'\nplot "
        + ", ".join(plots) + "\n")

@@ -1,4 +1,4 @@
-"""Opens a run's series in ParaView, tells what it finds and draws four times of it.
+"""Opens a run's series in ParaView, reports what it finds and draws four times of it.
 
   xvfb-run -a pvbatch view.py RUN_FOLDER   writes paraview.txt and series.png into the working folder
 """
@@ -36,7 +36,7 @@ def told(name, source, worn):
         low, high = source.PointData[worn].GetRange(0)
         lines.append(f"  {time:<10g} {info.GetNumberOfPoints():>7} {info.GetNumberOfCells():>6}  {low:.6g} to {high:.6g}"
                      + ("" if arrays == first else "   other arrays: " + ", ".join(arrays)))
-    return lines + ["  arrays at every time, but where told:"] + ["    " + a for a in first]
+    return lines + ["  arrays at every time, except where noted:"] + ["    " + a for a in first]
 
 
 def colours_of_stress():

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plastic bodies pressed together and meshed anew many times: what each choice leaves of their plastic strain (reye-bench)."""
+"""Plastic bodies are pressed together and remeshed many times: what each choice leaves of their plastic strain (reye-bench)."""
 import pathlib
 import sys
 
@@ -22,7 +22,7 @@ def main():
             measured[f"farther_{play}_{way}"] = run["integral_farther"]
     write_csv("decay.csv", ["way", "play", "times", "integral", "peak"], rows)
     write_measured(measured)
-    figure("""set xlabel 'meshed anew, times'
+    figure("""set xlabel 'remeshed, times'
 set ylabel 'integral of the plastic strain over that without'
 set key top left
 file = 'decay.csv'

@@ -27,8 +27,8 @@ namespace reye::algebra {
 
 /// BLAS and CHOLMOD on the thread that calls: on shared cores more threads cost up to ten times the time, and results
 /// then depend on their number. CHOLMOD's parallel regions ask for four threads each, one region per supernode,
-/// whatever OMP_NUM_THREADS says: where no level may be active they are run through by the caller alone (a fifth of the
-/// time of a short run). Called before any factorisation; later calls are free.
+/// whatever OMP_NUM_THREADS says: where no level may be active, the caller alone executes them (a fifth of the
+/// time of a short run). To be called before any factorisation; later calls cost nothing.
 inline void single_thread() {
   static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;

@@ -24,8 +24,8 @@ double scale_for(double largest, const char* what, Eigen::Index index) {
 }
 
 /// Scales rows, then columns, to a largest entry in [1, 2): rows of equilibrium [N/mm] and rows of
-/// contact conditions [mm] become comparable, so that the condition number means something. Returns the largest column
-/// sum of what results.
+/// contact conditions [mm] become comparable, so that the condition number is meaningful. Returns the largest column
+/// sum of the result.
 double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   const Eigen::Index n = A.rows();
   rows.setZero();
@@ -44,8 +44,8 @@ double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   return norm;
 }
 
-/// Whether a pivot is so small against the largest that the condition has to be looked at. No bound of it: a matrix may
-/// hide that it is nearly singular in growing solutions, which Newton's next residual then shows.
+/// Whether a pivot is so small against the largest that the condition has to be estimated. This is not a bound: a
+/// nearly singular matrix may pass and give a large solution, which the next residual of Newton then shows.
 bool doubtful(const Matrix& LU) {
   const auto pivots = LU.diagonal().cwiseAbs();
   return !(pivots.minCoeff() > 1e-9 * pivots.maxCoeff());

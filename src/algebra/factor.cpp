@@ -18,7 +18,7 @@ namespace {
 /// solution would have lost all but four digits.
 constexpr double smallest_pivot = 1e-12;
 
-/// The upper triangle: all that is read of a symmetric matrix.
+/// The upper triangle, the only part of a symmetric matrix that is read.
 SparseMatrix upper_triangle(const SparseMatrix& K) {
   if (K.rows() != K.cols()) throw SolveError("sparse Cholesky: the matrix is not square");
   const auto in_triangle = [&](int j, auto take) {
@@ -64,7 +64,7 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
   for (int j = 0; j < count; ++j)
     if (!(l[j] * l[j] > smallest_pivot * k[order[j]]))
       throw SolveError("sparse Cholesky: the matrix is singular to working precision (pivot of row " +
-                       std::to_string(order[j]) + "); a motion may be free that nothing holds");
+                       std::to_string(order[j]) + "); a rigid motion may be unconstrained");
 }
 
 /// L L^T - diag(shift), both triangles. LAPACK multiplies a triangle with its own transpose as U U^T; L turned round in
@@ -106,7 +106,7 @@ struct SchurFactor::Impl {
 
   int interior() const { return size - retained; }
 
-  /// `known`: an analysis that will do if it is of this pattern. The diagonal of `upper` is shifted.
+  /// `known`: an analysis to reuse if it is of this pattern. The diagonal of `upper` is shifted.
   void factorise(SparseMatrix& upper, const SchurAnalysisPtr& known) {
     size = static_cast<int>(upper.rows());
     if (interior() == 0) {  // nothing to eliminate: no definiteness needed either
@@ -150,7 +150,7 @@ SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known) :
   if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
   impl_->retained = retained;
   SparseMatrix upper = upper_triangle(K);
-  SparseMatrix().swap(K);  // assigned from an empty one it would keep its memory
+  SparseMatrix().swap(K);  // assignment from an empty matrix would keep the memory
   impl_->factorise(upper, known);
 }
 SchurFactor::~SchurFactor() = default;

@@ -10,7 +10,7 @@ using base::Matrix;
 using base::SparseMatrix;
 using base::Vector;
 
-/// What a factorisation knows of a matrix before its numbers: a handle, shared by factors of a pattern. Empty: nothing.
+/// The symbolic analysis of a matrix: a handle, shared by factors of a pattern; may be empty.
 struct SchurAnalysis;
 using SchurAnalysisPtr = std::shared_ptr<const SchurAnalysis>;
 
@@ -20,7 +20,7 @@ using SchurAnalysisPtr = std::shared_ptr<const SchurAnalysis>;
 /// The symbolic analysis is kept: `refactor` with the same pattern reuses it, and so does a factor that is given it.
 class SchurFactor {
  public:
-  /// K: n x n, its upper triangle is read; one that is given as a temporary is gone before the factor is made. `known`:
+  /// K: n x n, its upper triangle is read; a temporary is released before the factor is made. `known`:
   /// the analysis of another factor, used where it fits. Throws base::SolveError when K_ii is not positive definite.
   SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known = {});
   ~SchurFactor();
@@ -60,7 +60,8 @@ class Cholesky {
 /// LU of a dense square matrix with partial pivoting (LAPACK), rows and columns scaled before. Work space is kept.
 class DenseFactor {
  public:
-  /// Takes the storage of A and leaves it some other. Throws base::SolveError when A is singular to working precision.
+  /// Takes the storage of A, whose content is then undefined. Throws base::SolveError when A is singular to working
+  /// precision.
   void factor(Matrix& A);
 
   /// x of A x = b, or of A^T x = b. Throws base::SolveError when x is not finite.

@@ -33,7 +33,7 @@ void check(int status, const char* task) {
   if (status == UMFPACK_OK) return;
   if (status == UMFPACK_ERROR_out_of_memory) throw SolveError(std::string(task) + ": out of memory");
   if (status == UMFPACK_WARNING_singular_matrix)
-    throw SolveError(std::string(task) + ": the matrix is singular; a motion may be free that nothing holds");
+    throw SolveError(std::string(task) + ": the matrix is singular; a rigid motion may be unconstrained");
   throw SolveError(std::string(task) + ": UMFPACK status " + std::to_string(status));
 }
 
@@ -61,7 +61,7 @@ void SparseLu::factorise(const SparseMatrix& A, bool same_pattern) {
   numeric_.reset(made);
   check(status, "sparse LU");
   if (!(info[UMFPACK_RCOND] > smallest_pivot))
-    throw SolveError("sparse LU: the matrix is singular to working precision; a motion may be free that nothing holds");
+    throw SolveError("sparse LU: the matrix is singular to working precision; a rigid motion may be unconstrained");
 }
 
 Vector SparseLu::solve(const SparseMatrix& A, const Vector& b) const {

@@ -7,7 +7,7 @@
 
 namespace reye::algebra {
 
-/// Sparse LU with row scaling, P R A Q = L U, by UMFPACK. The one place that calls it. Every failure is a
+/// Sparse LU with row scaling, P R A Q = L U, by UMFPACK, which is called only here. Every failure is a
 /// base::SolveError.
 class SparseLu {
  public:
@@ -17,7 +17,7 @@ class SparseLu {
   /// A^-1 b. A: the matrix last factorised.
   base::Vector solve(const base::SparseMatrix& A, const base::Vector& b) const;
 
-  /// The factors themselves. Row k of `lower` and of `upper_transposed` holds what lies before and on the diagonal.
+  /// The factors themselves. Row k of `lower` and of `upper_transposed` holds the entries before and on the diagonal.
   struct Factors {
     using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     Rows lower;             ///< L, unit diagonal stored

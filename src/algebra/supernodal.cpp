@@ -17,7 +17,7 @@ using base::Vector;
 
 namespace {
 
-/// The library's view of an Eigen matrix, of which it reads the upper triangle. No copy.
+/// An Eigen matrix as CHOLMOD sees it, without a copy; its upper triangle is read.
 cholmod_sparse view(SparseMatrix& K) {
   cholmod_sparse A{};
   A.nrow = A.ncol = static_cast<size_t>(K.cols());
@@ -33,7 +33,7 @@ cholmod_sparse view(SparseMatrix& K) {
   return A;
 }
 
-/// For a factor that outlives the workspace it was made with.
+/// Releases a factor that outlives the workspace it was made with.
 void free_factor(cholmod_factor* factor) {
   cholmod_common common;
   cholmod_start(&common);
@@ -62,7 +62,7 @@ void Workspace::check(const char* task, const cholmod_factor* factor) const {
   if (common.status == CHOLMOD_NOT_POSDEF) {
     const int at = factor && factor->minor < factor->n ? ints(factor->Perm)[factor->minor] : -1;
     throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
-                     "); a motion may be free that nothing holds, or a cell may be inverted");
+                     "); a rigid motion may be unconstrained, or a cell may be inverted");
   }
   throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common.status));
 }

@@ -26,8 +26,8 @@ class Workspace {
 /// Order of elimination and fill of a pattern, without numbers; never changed, shared by all factors of the pattern.
 using Symbolic = std::shared_ptr<cholmod_factor>;
 
-/// Of matrices only the upper triangle is read, here and below. `order` empty: AMD with postordering; else the given
-/// elimination order, kept as it is.
+/// Analyses the upper triangle of K; no function here reads the lower one. `order` empty: AMD with postordering; else
+/// the given elimination order, kept as it is.
 Symbolic analyse(base::SparseMatrix& K, std::span<int> order);
 
 /// Supernodal Cholesky P K P^T = L L^T of a symmetric sparse matrix by CHOLMOD, which is called here alone.

@@ -25,7 +25,7 @@ struct Packed {
 };
 
 /// Solves T W = B for the lower triangular T, whose rows end on the diagonal, and a sparse B given by rows. Rows of W
-/// that stay zero are neither stored nor visited: what a contact node does not reach costs one look.
+/// that stay zero are neither stored nor visited: rows that a contact node does not reach cost a single test.
 Packed forward(const Rows& T, const Rows& B) {
   const int n = static_cast<int>(T.rows());
   Packed W{std::vector<int>(static_cast<size_t>(n), -1), Block(n, B.cols())};

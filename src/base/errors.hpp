@@ -7,7 +7,7 @@
 
 namespace reye::base {
 
-/// Everything wrong with the input, collected and shown together. `what()` holds one line per issue.
+/// All errors of the input, collected and shown together. `what()` holds one line per issue.
 /// Rooms that know nothing of files throw it with bare issues; `scene` adds file and line.
 class InputError : public std::runtime_error {
  public:
@@ -19,13 +19,13 @@ class InputError : public std::runtime_error {
   std::vector<Issue> issues_;
 };
 
-/// gmsh or a mesh operation gave something unusable.
+/// gmsh or a mesh operation gave an unusable result.
 class MeshError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A factorisation or solve that cannot go on; the solver turns it into a failed step with this reason.
+/// A factorisation or solve that failed; the solver turns it into a failed step with this reason.
 class SolveError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

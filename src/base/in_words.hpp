@@ -5,7 +5,7 @@
 
 namespace reye::base {
 
-/// "key = value: rule" as one printable line, without what is empty.
+/// "key = value: rule" as one printable line; empty parts are left out.
 std::string in_words(const Issue& issue);
 
 }  // namespace reye::base

@@ -3,7 +3,7 @@
 
 namespace reye::base {
 
-/// One thing wrong with the input: the key it hangs on ("material.steel.nu"), its value as written
+/// One error of the input: the key it belongs to ("material.steel.nu"), its value as written
 /// (empty if the key itself is the fault), and the rule it breaks.
 struct Issue {
   std::string key;

@@ -5,7 +5,7 @@
 
 namespace reye::base {
 
-/// A sum and what rounding took from it: a + b = sum + rest exactly.
+/// A sum and its rounding error: a + b = sum + rest exactly.
 struct ExactSum {
   double sum = 0.0, rest = 0.0;
 };
@@ -21,7 +21,7 @@ struct TwoPart {
 
   TwoPart() = default;
   TwoPart(Vector nearest, Vector rest) : high(std::move(nearest)), low(std::move(rest)) {}
-  /// What has no more digits than a double.
+  /// A vector of doubles as a TwoPart, with low = 0.
   template <class Doubles>
   TwoPart(const Eigen::MatrixBase<Doubles>& doubles) : high(doubles), low(Vector::Zero(doubles.size())) {}
 

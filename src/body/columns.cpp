@@ -188,7 +188,7 @@ class Numbering {
     std::vector<Term> terms;
     for (int m = 0; m < rigid_motions(); ++m) {
       Vec2 direction = m == 0 ? place.x_axis.front() : m == 1 ? place.y_axis.front() : Vec2{-arm.y(), arm.x()};
-      if (c.on_axis) direction.x() = 0.0;  // nothing leaves the axis of symmetry
+      if (c.on_axis) direction.x() = 0.0;  // no node leaves the axis of symmetry
       add_support_term(terms, first_group_[c.rigid] + m, direction);
     }
     return terms;

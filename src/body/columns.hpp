@@ -5,10 +5,10 @@
 #include "body/operator.hpp"
 #include "mesh/mesh.hpp"
 
-/// The unknowns of a linear body: which columns move which node.
+/// The unknowns of a body: which columns move which node.
 namespace reye::body {
 
-/// What one term moves its node by, with its first and second derivative.
+/// The motion that one term gives its node, with its first and second derivative.
 struct Path {
   base::Vec2 displacement{0.0, 0.0}, slope{0.0, 0.0}, curvature{0.0, 0.0};
 };
@@ -31,8 +31,8 @@ struct Columns {
   std::vector<SupportColumn> supports;   ///< columns of q
 
   base::SparseMatrix expansion() const;  ///< B, 2n x (interior + retained)
-  /// y as the body moves by one along x, along y, rigidly: all columns x 2. In axisymmetry nothing moves along the
-  /// radius without strain.
+  /// The columns y of a rigid motion by one along x, and along y: all columns x 2. In axisymmetry nothing moves along
+  /// the radius without strain.
   Matrix translations(base::Analysis analysis) const;
 
   /// Whether a column of y is the rotation of a rigid edge.
@@ -45,12 +45,12 @@ struct Columns {
 /// Sets the columns of up to two free terms so that together they displace a node by `rest`.
 void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values);
 
-/// Who wins where several supports meet in a node: the axis of symmetry (r = 0 held in x, no column), then the
-/// first rigid edge (the node belongs to it wholly), then node-wise supports in the order given: the first two
+/// Order of precedence where several supports meet in a node: the axis of symmetry (r = 0 held in x, no column), then
+/// the first rigid edge (the node belongs to it wholly), then node-wise supports in the order given: the first two
 /// independent directions are held, a third one or a nearly parallel one (angle below 1e-3) is left out.
 /// With two held directions d1, d2 the node solves for both: u = [d1^T; d2^T]^-1 (U1, U2).   (2)
 /// A column that no node ends up using is dropped. Throws base::InputError when a contact boundary is unknown.
-/// `retained`: nodes that are kept beside those in contact, after them.
+/// `retained`: further nodes that are retained, after those in contact.
 Columns number_columns(const mesh::Mesh& mesh, const BodyInput& input, const std::vector<int>& retained = {});
 
 }  // namespace reye::body

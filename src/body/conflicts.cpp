@@ -24,7 +24,7 @@ std::string at(const Vec2& X) {
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// One direction that a support holds, moves or loads in a node.
+/// One direction along which a support holds, moves or loads a node.
 struct Demand {
   int support = -1;  ///< -1: the axis of symmetry
   int motion = 0;
@@ -33,7 +33,7 @@ struct Demand {
   Imposed value;
 };
 
-/// What a node on a rigid edge does along a direction.
+/// The motion of a node on a rigid edge along a direction.
 struct RigidValue {
   Imposed value;
   std::optional<int> undetermined;  ///< a motion of the edge that is free or loaded and moves the node along it
@@ -185,7 +185,7 @@ class Search {
     return result;
   }
 
-  /// A node of a rigid edge moves with it wholly: what another support asks of it must be what the edge does.
+  /// A node of a rigid edge moves with it wholly: another support may only prescribe the motion of the edge.
   void check_on_rigid(int node, int s, int edge) {
     const auto& own = places_[s].nodes;
     const auto& of_edge = places_[edge].nodes;

@@ -9,10 +9,10 @@ namespace reye::body {
 /// control point c = 2 x_mid - (x_1 + x_2) / 2, so that u_mid = (u_1 + u_2) / 4 + u_c / 2.   (7)
 using CurvedEdge = std::array<int, 3>;
 
-/// Those of the named boundaries, in mesh nodes; none in a mesh of first order.
+/// The curved edges of the named boundaries, in mesh nodes; none in a mesh of first order.
 std::vector<CurvedEdge> curved_edges(const mesh::Mesh& mesh, const std::vector<std::string>& boundaries);
 
-/// Positions or displacements with those of the control points in place of the mid nodes.
+/// Positions or displacements, at mid nodes replaced by those of the control points.
 base::Points with_control_points(base::Points values, const std::vector<CurvedEdge>& edges);
 
 }  // namespace reye::body

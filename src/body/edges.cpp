@@ -25,7 +25,7 @@ void for_each_facet(const Boundary& boundary, Visit visit) {
     for (size_t k = 0; k + 1 < chain.size(); ++k) visit(chain[k], chain[k + 1]);
 }
 
-/// The same in second order: visit(edge, its three nodes).
+/// Calls visit(edge, its three nodes) for every facet of second order.
 template <class Visit>
 void for_each_quadratic_facet(const Mesh& mesh, const Boundary& boundary, Visit visit) {
   for (const auto& chain : boundary)
@@ -56,7 +56,7 @@ Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
   return sum / total;
 }
 
-/// Tangent at every node: mean of the unit tangents its facets have there; of the whole edge when rigid.
+/// Tangent at every node: the mean of the unit tangents of its facets there, or that of the whole edge when rigid.
 std::vector<Vec2> tangents(const Mesh& mesh, const Boundary& boundary, const SupportPlace& place) {
   std::map<int, Vec2> at_node;
   Vec2 whole{0.0, 0.0};

@@ -23,7 +23,7 @@ struct SupportPlace {
 };
 
 /// Axes: x, y turned by the support's angle; with `edge_axes` the tangent (body on the left) and the outward
-/// normal, at a node the mean of what its facets have there, for a rigid edge the mean of the whole edge at every node.
+/// normal, at a node the mean over its facets, for a rigid edge the mean over the whole edge at every node.
 /// Throws base::InputError: unknown edge, neither edge nor point, rotation at a point.
 SupportPlace place_support(const mesh::Mesh& mesh, const Support& support);
 

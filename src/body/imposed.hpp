@@ -5,12 +5,12 @@
 
 #include "body/supports.hpp"
 
-/// What supports impose, as values that can be compared.
+/// The motions that supports impose, as values that can be compared.
 namespace reye::body {
 
 inline constexpr std::array<const char*, 3> motion_names{"x", "y", "rotation"};
 
-/// An imposed displacement as a sum of histories times amplitudes; what is fixed is empty.
+/// An imposed displacement as a sum of histories times amplitudes; empty for a fixed motion.
 using Imposed = std::map<std::string, double>;
 
 /// The motion of a support with that number: x, y, rotation.

@@ -20,14 +20,14 @@ struct CondensedLoad {
   Vector condensed;
 };
 
-/// One load of the scene: the part that turns with the body, and the other at theta = 0 and a quarter turn on. Of a
+/// One load of the scene: the part that turns with the body, and the rest at theta = 0 and a quarter turn later. For a
 /// body that keeps its direction all of it is `still`.
 struct BodyLoad {
   CondensedLoad still;
   std::optional<CondensedLoad> along, across;
 };
 
-/// The force at every node turned by a quarter to the right: what a dead load is in a frame a quarter turn on.
+/// The force at every node turned by a quarter to the right, as a dead load appears in a frame a quarter turn later.
 Vector quarter_turn(const Vector& f) {
   Vector turned(f.size());
   for (Eigen::Index i = 0; i < f.size(); i += 2) {
@@ -37,7 +37,7 @@ Vector quarter_turn(const Vector& f) {
   return turned;
 }
 
-/// The pressure of a load alone, which turns with the body, and what keeps its direction.
+/// The pressure of a load, which turns with the body, and the part that keeps its direction.
 std::pair<Vector, Vector> parts(const mesh::Mesh& mesh, base::Analysis analysis, fem::BoundaryLoad load) {
   fem::BoundaryLoad dead = load;
   dead.pressure_MPa = 0.0;
@@ -102,7 +102,7 @@ struct LinearBody::Impl {
     return {a, b};
   }
 
-  /// B, and the terms that it was made of let go.
+  /// B; the terms that it was made of are released.
   SparseMatrix expansion() {
     SparseMatrix expansion = columns.expansion();
     columns.terms = {};

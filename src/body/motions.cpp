@@ -13,7 +13,7 @@ namespace {
 /// A rigid motion m = (a, b, w L): u(X) = (a, b) + w e_3 x (X - c), L the size of the body; all in mm.
 using Row = Eigen::RowVector3d;
 
-/// What acts on the motions, one linear form per row, scaled to order one.
+/// The constraints and loads on rigid motions, one linear form per row, scaled to order one.
 class MotionSpace {
  public:
   MotionSpace(const mesh::Mesh& mesh, bool axisymmetric) : centre_(box_centre(mesh)) {

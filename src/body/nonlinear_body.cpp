@@ -30,7 +30,7 @@ struct NonlinearBody::Linearised::Kept {
 struct NonlinearBody::Impl : NonlinearEquations {
   using NonlinearEquations::NonlinearEquations;
 
-  /// What is out of balance at u, r = [r_i; r_c], as the factorised tangent condenses it.
+  /// The unbalanced forces at u, r = [r_i; r_c], condensed by the factorised tangent.
   void condense(Vector r, const Vector& u, Linearised& out) const {
     Linearised::Kept& kept = *out.kept;
     kept.r = std::move(r);

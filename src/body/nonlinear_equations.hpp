@@ -16,7 +16,7 @@ struct NonlinearLoad {
   std::optional<fem::FollowerPressure> pressure;
 };
 
-/// u = u(y, q), r = B^T (f_int - sum factor_i f_i), and what the tangent B^T K B lacks.
+/// u = u(y, q), r = B^T (f_int - sum factor_i f_i), and the tangent terms that B^T K B lacks.
 struct NonlinearEquations {
   ShapePtr shape;
   std::string name;
@@ -35,7 +35,8 @@ struct NonlinearEquations {
   bool symmetric() const;  ///< of the tangent
 
   TwoPart all(const TwoPart& y, const TwoPart& q) const;  ///< [y; q]
-  /// Unknowns without rigid translation, which costs no force: all but positions is made of them.   [README (8)]
+  /// Unknowns without rigid translation, which costs no force: everything but positions is computed from them. [README
+  /// (8)]
   Vector deformation(const TwoPart& y, const TwoPart& q) const { return translation.without(all(y, q)); }
   Vector displacement(const Vector& unknowns) const;           ///< 2 per node
   base::SparseMatrix expansion(const Vector& unknowns) const;  ///< B = du/d(y, q)
@@ -43,7 +44,7 @@ struct NonlinearEquations {
   /// f_int - sum factor_i f_i on the nodes.
   Vector unbalanced(const fem::InternalForce& f, const Vector& u, const Vector& factors) const;
   void subtract_load_tangent(const Vector& u, const Vector& factors, base::SparseMatrix& K) const;
-  /// What d^2 u / dtheta^2 adds to the tangent: the nodes of an edge accelerate towards its centre.
+  /// Adds the term of d^2 u / dtheta^2 to the tangent: the nodes of an edge accelerate towards its centre.
   void add_turning(const Vector& unbalanced, const Vector& unknowns, base::SparseMatrix& K) const;
 
   /// Runs `task`; a failure of the material names the body.

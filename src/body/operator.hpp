@@ -16,7 +16,7 @@
 #include "material/elastic_part.hpp"
 #include "material/tensor.hpp"
 
-/// The body operator: what contact and solver see of a body, whatever it is inside.
+/// The body operator: a body as contact and solver see it, independent of its kind.
 namespace reye::body {
 
 using base::Matrix;
@@ -30,7 +30,8 @@ struct Term {
 };
 
 /// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point. On a
-/// linear body that turns dx/dangle has a part of its own: forces do no work on it, for the body balances them on X.
+/// linear body that turns dx/dangle has a part beside the terms: forces do no work on it, since the body balances them
+/// on X.
 struct NodePosition {
   Vec2 x;
   std::array<Term, 4> terms;
@@ -64,8 +65,8 @@ struct NodeFreedom {
   Vec2 direction{0.0, 0.0};  ///< the free one when free == 1
 };
 
-/// What a body is built from. Supports and loads are those of the scene that act on this body,
-/// with their edges already resolved to boundaries of the mesh.
+/// The input of a body: the supports and loads of the scene that act on it, with their edges already resolved to
+/// boundaries of the mesh.
 struct BodyInput {
   std::string name;
   material::Material material;
@@ -77,11 +78,14 @@ struct BodyInput {
   std::vector<fem::PointLoad> point_loads;
   std::vector<fem::BodyForce> body_forces;
   std::vector<std::string> contact_boundaries;  ///< their nodes are retained
-  bool keeps_direction = false;                 ///< bonded to a body that does: together they are one of small strain
-  Vec2 centre{0.0, 0.0};  ///< what a linear body turns about where no support says it; does not change with the shape
+  bool keeps_direction =
+      false;  ///< bonded to a body that keeps its direction: together they are one body of small strain
+  Vec2 centre{
+      0.0,
+      0.0};  ///< the centre of rotation of a linear body where no support defines it; it does not change with the shape
 };
 
-/// Calls take(load) for each load, in the order of `loads()` of the body that is made of them.
+/// Calls take(load) for each load, in the order of `loads()` of the body made from them.
 template <class Take>
 void for_each_load(const BodyInput& input, Take&& take) {
   for (const auto& load : input.boundary_loads) take(load);
@@ -92,14 +96,14 @@ void for_each_load(const BodyInput& input, Take&& take) {
 /// Linear elastic body of small strain, condensed to its retained dofs q:
 /// contact nodes first (in the order of `contact_nodes`), then the columns of its supports, then the angle of a body
 /// that turns without a support that names it. A body that can turn (`pivot_of`) does: its strain is small in a frame
-/// that goes along, in which the columns of contact nodes are counted; motions of supports are counted along their own
-/// axes.
+/// that turns with it, in which the columns of contact nodes are counted; motions of supports are counted along their
+/// own axes.
 class LinearBody {
  public:
-  /// `known`: the analysis of the body at an earlier shape; on the same cells it serves again.
+  /// `known`: the analysis of the body at an earlier shape, reused on the same cells.
   LinearBody(ShapePtr shape, const BodyInput& input, algebra::SchurAnalysisPtr known = {});
 
-  const algebra::SchurAnalysisPtr& analysis() const;  ///< all that another shape can use of this one
+  const algebra::SchurAnalysisPtr& analysis() const;  ///< the part that another shape can reuse
 
   int dofs() const;
   const std::vector<int>& contact_nodes() const;  ///< mesh nodes; of a body that turns two more may follow
@@ -108,22 +112,24 @@ class LinearBody {
   const std::vector<CurvedEdge>& curved_edges() const;  ///< on contact boundaries, mesh nodes
   const Matrix& stiffness() const;                      ///< S, constant, in the body's frame
   std::shared_ptr<const Matrix> shared_stiffness() const;
-  /// What stands for S where contact goes round the body, made when it is first asked for; null where it keeps its
+  /// The inverse that replaces S where contact moves round the body, made on first use; null where it keeps its
   /// direction.
   std::shared_ptr<const algebra::Compliance> compliance() const;
   const Turning* turning() const;       ///< null where the body keeps its direction
-  double angle(const Vector& q) const;  ///< it has turned by; 0 where it keeps its direction
-  Vector residual(const Vector& q, const Vector& load_factors) const;      ///< S q - sum factor_i f_hat_i, in the frame
-  Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;  ///< its derivative: S, where nothing turns
+  double angle(const Vector& q) const;  ///< rotation of the body; 0 where it keeps its direction
+  Vector residual(const Vector& q, const Vector& load_factors) const;  ///< S q - sum factor_i f_hat_i, in the frame
+  Matrix tangent(const Vector& q, const Vector& load_factors = {})
+      const;  ///< derivative of the residual: S, where the body does not turn
   Vector at_supports(const TwoPart& q,
-                     const Vector& load_factors) const;        ///< of the residual the support columns, else 0
+                     const Vector& load_factors) const;        ///< the residual at the support columns, else 0
   Vector load(const Vector& load_factors) const;               ///< sum factor_i f_hat_i, of a body that does not turn
-  TurningLoad turning_load(const Vector& load_factors) const;  ///< and of one that does
+  TurningLoad turning_load(const Vector& load_factors) const;  ///< the load of a body that turns
   double strain_energy(const Vector& q) const;
-  const Translation& translation() const;  ///< costs no force: of q the residual needs `translation().without(q)` alone
+  const Translation& translation()
+      const;  ///< a translation costs no force: the residual needs `translation().without(q)` alone
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const Vector& q, const Vector& load_factors) const;
-  /// The same in the frame: w, of which the stress is made.
+  /// Displacement w of all mesh nodes in the body's frame, from which the stress follows.
   std::vector<Vec2> recover_in_frame(const Vector& q, const Vector& load_factors) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
@@ -152,7 +158,7 @@ class RigidBody {
   const std::vector<int>& contact_nodes() const;
   NodePosition position(int contact_node, const Vector& q) const;
   NodeFreedom freedom(int contact_node) const;
-  /// Derivative of `residual`: what the moment of dead loads changes with the rotation (zero without factors),
+  /// Derivative of `residual`: the change of the moment of dead loads with the rotation (zero without factors),
   /// and one on the diagonal of a motion the body itself holds (see below).
   Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;
   Vector residual(const Vector& q, const Vector& load_factors) const;
@@ -161,7 +167,7 @@ class RigidBody {
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const { return 3; }
 
-  /// d^2 x / d theta^2 contracted with forces at the contact nodes: what the tangent gains at (theta, theta).
+  /// d^2 x / d theta^2 contracted with forces at the contact nodes: the term they add to the tangent at (theta, theta).
   double geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const;
 
  private:
@@ -169,19 +175,19 @@ class RigidBody {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// What a nonlinear body carries beside q.
+/// The state of a nonlinear body beside q.
 struct Interior {
   TwoPart y;                                    ///< free dofs of the nodes not in contact
   std::vector<material::PlasticState> history;  ///< per Gauss point, cell by cell; empty for an elastic material
   std::vector<material::Gradient<double>> F0;   ///< likewise, from unstressed to X; empty where X is unstressed
 };
 
-/// Which tangent a nonlinear body is linearised by. F-bar and pressures that follow make it unsymmetric by about stress
-/// over modulus: its symmetric part leads nearly as fast, at a third of the price.
+/// Which tangent a nonlinear body is linearised by. F-bar and follower pressures make it unsymmetric by about stress
+/// over modulus; its symmetric part converges nearly as fast, at a third of the cost.
 enum class Tangent { exact, symmetric_part };
 
-/// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q as a LinearBody is, but anew
-/// at every state. With r = f_int - sum factor_i f_i, split into interior i and retained c,
+/// Body of small-strain plasticity or of finite strain, condensed to its retained dofs q like a LinearBody, but at
+/// every state. With r = f_int - sum factor_i f_i, split into interior i and retained c,
 ///   S = K_cc - K_ci K_ii^-1 K_ic,  r_hat = r_c - K_ci K_ii^-1 r_i,  dy = -K_ii^-1 (r_i + K_ic dq),
 /// which together are the full Newton step. S need not be symmetric. At finite strain a rigid edge turns by a true
 /// rotation and a pressure follows the surface; tractions, point and body forces keep their direction and size.
@@ -200,14 +206,15 @@ class NonlinearBody {
 
   const Translation& translation() const;  ///< costs no force, by q alone: S T = 0
 
-  /// Whether the tangent is: with a law and a cure that keep it so (fem::Solid::symmetric), and no pressure that
-  /// follows.
+  /// Whether the tangent is symmetric: with a law and an element that keep it so (fem::Solid::symmetric), and no
+  /// follower pressure.
   bool symmetric() const;
 
   /// No displacement, virgin material, X unstressed.
   Interior start() const;
 
-  /// The same body, which keeps the plastic strain it has and answers by its elasticity alone (material::unyielding).
+  /// This body without yielding: it keeps its plastic strain and responds by its elasticity alone
+  /// (material::unyielding).
   NonlinearBody unyielding() const;
 
   /// The equations at one state, with the factorisation that `interior_step` needs. Reused from call to call: the
@@ -217,33 +224,34 @@ class NonlinearBody {
     Vector r;                        ///< r_hat, size dofs()
     double interior_residual = 0.0;  ///< largest entry of r_i
     double force_scale = 0.0;        ///< largest nodal force that the cells exert, before they add up to balance
-    double deformation = 0.0;        ///< largest displacement but for rigid translation: what is rounded
+    double deformation = 0.0;  ///< largest displacement without rigid translation, for the size of rounding errors
     struct Kept;
     std::shared_ptr<Kept> kept;
   };
   /// The symmetric part is factorised where it is definite, else the exact tangent.
   void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                  Linearised& out, Tangent tangent = Tangent::exact) const;
-  /// r at another state, condensed by the tangent that `at` has: what a chord needs. Costs no factorisation.
+  /// r at another state, condensed by the tangent of `at`, for chord steps. Needs no factorisation.
   void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
   std::string least_balanced(const Linearised& at) const;
 
-  /// r_c alone: what the retained dofs carry. No factorisation.
+  /// r_c alone, the forces on the retained dofs. Needs no factorisation.
   Vector retained_residual(const Interior& before, const TwoPart& y, const TwoPart& q,
                            const Vector& load_factors) const;
   /// y with the history that the deformation from `before` to (y, q) leaves.
   Interior accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const;
-  /// What F0 becomes when x = X + u of an accepted state does become the new X (fem::deformation). Finite strain only.
+  /// The new F0 when x = X + u of an accepted state becomes the new X (fem::deformation). Finite strain only.
   std::vector<material::Gradient<double>> deformation(const Interior& now, const TwoPart& q) const;
-  /// What stress and yielding of an accepted state depend on, per Gauss point; empty without history.
+  /// The elastic states, on which stress and yielding depend, of an accepted state per Gauss point; empty without
+  /// history.
   std::vector<material::ElasticState> elastic_states(const Interior& now, const TwoPart& q) const;
   /// The history with which the deformation (y, q) from F0 leaves these elastic states (fem::compatible).
   std::vector<material::PlasticState> compatible(const Interior& now, const TwoPart& q,
                                                  const std::vector<material::ElasticState>& states) const;
-  /// Elastic, of an accepted state (fem::strain_energy).
+  /// Elastic strain energy of an accepted state (fem::strain_energy).
   double strain_energy(const Interior& now, const TwoPart& q) const;
   /// Displacement of all mesh nodes.
   std::vector<Vec2> recover(const TwoPart& q, const TwoPart& y) const;
@@ -252,7 +260,7 @@ class NonlinearBody {
   /// leave them free; the support columns of q are given and stay.
   void seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) const;
 
-  /// Per column, the sum over contact nodes of d^2 x / dq^2 . force: what turning rigid edges adds to the diagonal of
+  /// Per column, the sum over contact nodes of d^2 x / dq^2 . force, which turning rigid edges add to the diagonal of
   /// the tangent (zero at small strain, and where no contact node lies on a rigid edge).
   Vector geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const;
 
@@ -269,14 +277,14 @@ using Operator = std::variant<RigidBody, LinearBody, NonlinearBody>;
 /// body has a contact and either friction acts there or some load or loaded support does work on the motion.
 std::vector<std::string> unheld_motions(const mesh::Mesh& mesh, const BodyInput& input, bool friction);
 
-/// A body by where it is held.
+/// A body as its mesh and its supports.
 struct HeldBody {
   const mesh::Mesh* mesh = nullptr;
   const std::vector<Support>* supports = nullptr;
 };
 
-/// The same of bodies that touch one another, moved as one: contacts among them hold none of these motions, and no load
-/// has anything to lean on. Forces do not count.
+/// Rigid motions that nothing holds of bodies that touch one another, moved as one: contacts among them hold none of
+/// these motions, and loads do not hold them either.
 std::vector<std::string> unheld_together(const std::vector<HeldBody>& bodies, bool axisymmetric);
 
 }  // namespace reye::body

@@ -7,8 +7,8 @@
 
 namespace reye::body {
 
-/// A load as a rigid body feels it: force = sum f_i and spread = sum f_i (X_i - c)^T. The work on the velocity of
-/// a rotation R(theta) about c is the entrywise product R' : spread.
+/// The resultant of a load on a rigid body: force = sum f_i and spread = sum f_i (X_i - c)^T. The work on the velocity
+/// of a rotation R(theta) about c is the entrywise product R' : spread.
 struct Resultant {
   base::Vec2 force{0.0, 0.0};
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();

@@ -37,7 +37,7 @@ struct RigidBody::Impl {
   std::array<Vec2, 2> axes{Vec2{1.0, 0.0}, Vec2{0.0, 1.0}};
   std::array<bool, 3> held{};  ///< by the body itself, at zero
   std::vector<int> contact_nodes;
-  base::Points contact_X;  ///< of the points that contact sees
+  base::Points contact_X;  ///< contact nodes, control points in place of mid nodes
   std::vector<SupportColumn> supports;
   std::vector<LoadColumn> names;
   std::vector<Resultant> loads;
@@ -62,7 +62,7 @@ struct RigidBody::Impl {
     const auto places = place_all(shape->mesh, input.supports);
     centre = places.empty() ? box_centre(shape->mesh) : places.front().centre;
     if (!places.empty() && !axisymmetric) axes = {places.front().x_axis.front(), places.front().y_axis.front()};
-    // Motions that do something come first; the free ones of rigid edges are shown only where nothing else acts.
+    // Held, moved and loaded motions come first; free ones of rigid edges get a column only where nothing else acts.
     for (bool idle : {false, true})
       for (int s = 0; s < static_cast<int>(places.size()); ++s) add_columns(s, input.supports[s], places[s], idle);
     for (size_t s = 0; s < places.size(); ++s)
@@ -104,7 +104,7 @@ RigidBody::RigidBody(ShapePtr shape, const BodyInput& input)
 const std::vector<int>& RigidBody::contact_nodes() const { return impl_->contact_nodes; }
 const std::vector<SupportColumn>& RigidBody::support_columns() const { return impl_->supports; }
 const std::vector<LoadColumn>& RigidBody::loads() const { return impl_->names; }
-NodeFreedom RigidBody::freedom(int) const { return {0, {0.0, 0.0}}; }  // no node can yield to a multiplier alone
+NodeFreedom RigidBody::freedom(int) const { return {0, {0.0, 0.0}}; }  // no node can move by itself under a multiplier
 
 NodePosition RigidBody::position(int contact_node, const Vector& q) const {
   const Vec2& X = impl_->contact_X[contact_node];

@@ -10,7 +10,7 @@ namespace {
 
 std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
-/// Both supports of one motion: same in value, and none a force.
+/// Whether both supports of one motion impose equal values, and neither is a force.
 bool agree(const Motion& a, const Motion& b) {
   Imposed of_a, of_b;
   add(of_a, a, 1.0);

@@ -20,7 +20,7 @@ void set_free(const std::vector<Term>& free, const Vec2& rest, Vector& values) {
 
 namespace {
 
-/// Displacements of the points that contact sees in place of contact nodes.
+/// Displacements of the contact nodes, with control points in place of mid nodes.
 std::vector<Vec2> seen_by_contact(const LinearBody& body, const std::vector<Vec2>& u) {
   std::unordered_map<int, std::size_t> place;
   for (std::size_t k = 0; k < u.size(); ++k) place[body.contact_nodes()[k]] = k;

@@ -6,7 +6,7 @@
 
 namespace reye::body {
 
-/// The unstressed shape of what is left of a body: immutable, shared between states.
+/// The unstressed shape of a worn body: immutable, shared between states.
 struct Shape {
   mesh::Mesh mesh;                              ///< on X
   std::shared_ptr<const mesh::Mesh> born;       ///< the mesh as it was generated, before any wear moved it

@@ -8,16 +8,16 @@
 
 namespace reye::body {
 
-/// What one motion of a support does. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
-/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A far end
-/// of the spring that moves is a force, stiffness times its way, among the parts.
+/// Kind of one motion of a support. `moved` imposes the sum of its parts, `loaded` applies it as a force (or moment)
+/// and leaves the motion to the equations, a spring beside it that pulls back by stiffness times the motion. A moving
+/// far end of the spring is a force, stiffness times its displacement, among the parts.
 enum class Drive { free, fixed, moved, loaded };
 
 struct Motion {
   Drive drive = Drive::free;
   base::Parts parts{};  ///< mm or rad (moved); N per mm or N (loaded); N*mm per mm (rotation loaded)
   double stiffness =
-      0.0;  ///< > 0, of what is loaded: a spring between edge and ground, force (or moment) per mm (or rad)
+      0.0;  ///< > 0, of a loaded motion: a spring between edge and ground, force (or moment) per mm (or rad)
 };
 
 /// A support on an edge or at a point. Its axes are x, y turned by angle_deg; with `edge_axes`
@@ -37,7 +37,7 @@ struct Support {
   Motion x, y, rotation;
 };
 
-/// Whether a motion is left no freedom, or a spring stands against it.
+/// Whether a motion is fixed or imposed, or a spring acts against it.
 inline bool holds(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved || m.stiffness > 0.0; }
 
 /// Whether any part of a motion is other than zero.

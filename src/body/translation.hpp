@@ -8,14 +8,13 @@ using base::TwoPart;
 using base::Vec2;
 using base::Vector;
 
-/// How the columns q of a body hold its rigid translation: q = T a + v. S T = 0, but in numbers S T a is rounding,
-/// and where a stiff body moves far under a small force no balance is left. Without T a what is rounded is S v. The
-/// same of the columns [y; q] of a nonlinear body and its stress.   [README (8)]
+/// How the columns q of a body hold its rigid translation: q = T a + v. S T = 0, but computed S T a is a rounding
+/// error, which hides equilibrium where a stiff body moves far under a small force. Without T a only S v is rounded.
+/// The same of the columns [y; q] of a nonlinear body and its stress.   [README (8)]
 class Translation {
  public:
   Translation() = default;
-  /// T, one row per column of q: what it becomes when the body moves by one along x, along y; zero where that is not
-  /// rigid.
+  /// T, one row per column of q: its value when the body moves by one along x, along y; zero where that is not rigid.
   explicit Translation(const Matrix& T);
   Translation part(const std::vector<int>& columns) const { return Translation(T_(columns, Eigen::all)); }
 

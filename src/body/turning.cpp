@@ -10,10 +10,10 @@ namespace reye::body {
 
 namespace {
 
-/// Whether a support does anything.
+/// Whether a support acts at all.
 bool acts(const Support& s) { return is_rigid(s) || s.x.drive != Drive::free || s.y.drive != Drive::free; }
 
-/// Whether the supports leave a rotation once the rotations of rigid edges are free to go where they are led.
+/// Whether the supports leave a rotation free once the rotations of rigid edges are free.
 bool may_rotate(const mesh::Mesh& mesh, BodyInput input) {
   for (Support& s : input.supports) {
     s.rigid = is_rigid(s);

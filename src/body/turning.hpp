@@ -23,7 +23,7 @@ inline Eigen::Matrix2d rotation_rate(double angle) {
   return Eigen::Matrix2d{{-s, -c}, {c, -s}};
 }
 
-/// What a body turns about.
+/// The pivot, about which a body turns.
 struct Pivot {
   int support = -1;  ///< a rigid edge, or a point that is held along both axes; -1: contact alone guides the body
   bool names_angle = false;  ///< a rigid edge: its rotation is theta; else w without rotation fixes theta
@@ -32,7 +32,7 @@ struct Pivot {
 };
 
 /// The pivot of a body; empty where it keeps its direction, or in axisymmetry. A body turns where no support holds its
-/// rotation but for a motion or a moment of a rigid edge, and nothing of fixed direction acts on it beside that.
+/// rotation, except by a motion or a moment of a rigid edge, and no other support of fixed direction acts on it.
 std::optional<Pivot> pivot_of(const mesh::Mesh& mesh, const BodyInput& input);
 
 /// The support because of which the rotation of a body is taken as small although nothing holds it; empty where there
@@ -43,8 +43,8 @@ std::string keeps_direction(const mesh::Mesh& mesh, const BodyInput& input);
 /// in the frame.
 std::array<int, 2> chord_nodes(const mesh::Mesh& mesh, const BodyInput& input, const Pivot& pivot);
 
-/// Loads on the columns, in the body's frame: what turns with the body, and dead loads at theta = 0 and a quarter turn
-/// on.
+/// Loads on the columns, in the body's frame: loads that turn with the body, and dead loads at theta = 0 and a quarter
+/// turn later.
 struct TurningLoad {
   Vector still, along, across;
 
@@ -52,8 +52,8 @@ struct TurningLoad {
   Vector rate(double angle) const { return std::cos(angle) * across - std::sin(angle) * along; }
 };
 
-/// The columns of a body that turns. Its stiffness acts on w: that of the columns q, but for the pivot, which is held
-/// along axes that do not turn, and theta, which does not strain.
+/// The columns of a body that turns. Its stiffness acts on w, which equals q except at the pivot, held along axes that
+/// do not turn, and at theta, which causes no strain.
 struct Turning {
   int angle = -1;                    ///< column of theta
   std::array<int, 2> pivot{-1, -1};  ///< columns of the motions of the pivot; -1: none
@@ -62,9 +62,8 @@ struct Turning {
   std::vector<std::pair<int, double>>
       chord;  ///< sum of factor q[column] = 0 fixes theta; empty where a support names it
 
-  std::vector<int> named()
-      const;  ///< all columns that are named here: held, they leave the frame and the body nowhere to go
-  /// The same of a choice of columns, which holds all that are named here.
+  std::vector<int> named() const;  ///< all columns of this struct: when held, neither the frame nor the body can move
+  /// The turning in a choice of columns, which contains all columns of this struct.
   Turning part(const std::vector<int>& columns) const;
 
   double angle_of(const Vector& q) const { return q[angle]; }

@@ -2,16 +2,16 @@
 
 #include "contact/interface.hpp"
 
-/// What is bonded: each node stays on what it lay opposite to on X, D and M of which never change.     [README (9)]
+/// Bonds: each node stays on the point it lies opposite to on X, whose D and M never change.     [README (9)]
 namespace reye::contact {
 
-/// The secondary facet that a node's drawn offset turns with.
+/// The secondary facet with which a node's drawn offset turns.
 mortar::Facet Interface::carrier(int node) const {
   const auto& s = setup_->secondary;
   return s.facets[s.before[node] >= 0 ? s.before[node] : s.after[node]];
 }
 
-/// The offset that a node was drawn with, turned as its facet has.
+/// The offset of a node as drawn, turned like its facet.
 Vec2 Interface::turned_offset(int node) const {
   const auto facet = carrier(node);
   const Vec2 before = setup_->secondary.X[facet[1]] - setup_->secondary.X[facet[0]];
@@ -21,8 +21,8 @@ Vec2 Interface::turned_offset(int node) const {
   return {c * g.x() - s * g.y(), s * g.x() + c * g.y()};
 }
 
-/// Along which a node stays on what it lies opposite to. Where supports hold both along one direction, only across it:
-/// along that direction the bond carries nothing, and nothing asks it to.
+/// The directions along which a node stays on the point opposite to it. Where supports hold both along one direction,
+/// only across it: along that direction the bond has no force to carry.
 std::array<Vec2, 2> Interface::directions(int node) const {
   const Vec2& first = unmoved_[node] ? setup_->freedom[node].direction : normal_[node];
   return {first, Vec2(-first.y(), first.x())};

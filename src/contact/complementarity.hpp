@@ -18,25 +18,25 @@ struct NodeScalars {
   T D{};
   T off{};          ///< shares of control points without multiplier: they slide as this node does
   T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and what stands at control points without
-                    ///< multiplier, this increment's included
-  T share{};        ///< held shear only: what the contact as a whole must add to stay in balance, times pressure
+                    ///< multiplier, this increment's wear included
+  T share{};        ///< held shear only: the traction that the whole contact adds to stay in balance, times pressure
 };
 
-/// What stays fixed while the equations of one increment are solved.
+/// Data of a node that stay fixed while the equations of one increment are solved.
 struct NodeConstants {
   double friction = 0.0;
   double sign = 0.0;            ///< direction of slip, frozen for the iteration; 0: out of the plane
   double depth = 0.0;           ///< the secondary's depth at the start of the increment [mm]
   double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
   wear::Law law;
-  wear::Start start;            ///< the node as the law finds it
-  double arc_over_chord = 1.0;  ///< of the way that the sides slide while supports turn them
+  wear::Start start;            ///< the node's data that the wear law needs
+  double arc_over_chord = 1.0;  ///< ratio of arc to chord of the sliding while supports turn the sides
   bool imposed = false;         ///< slip is a number: D * imposed_slip
   double imposed_slip = 0.0;
   bool out_of_plane =
       false;                ///< slip is out of the plane: there friction is mu lambda_n, and none is left in the plane
   bool held = false;        ///< shear is given: re-equilibration after the shape moved
-  bool unmoved = false;     ///< neither side can yield along the surface nor slides: a sticking node's shear is given
+  bool unmoved = false;     ///< neither side can move along the surface, nor slides: a sticking node's shear is given
   double held_shear = 0.0;  ///< the shear that is given
   double held_pressure = 0.0, compliance = 0.0;  ///< re-equilibration on springs [MPa, mm/MPa]
   bool anchor = false;
@@ -55,7 +55,7 @@ struct NodeConditions {
 ///   on springs:  weighted gap + D compliance (lambda_n - held pressure) = 0 with `held` and a compliance;
 ///   stick:       weighted slip = 0;      slip: lambda_t - mu lambda_n sign = 0
 ///   held shear:  lambda_t = the given shear (plus its share of the balance), cut to the friction bound;
-///                the anchor node sticks instead, so that a body that only friction holds has a place.
+///                the anchor node sticks instead, so that a body that only friction holds has a unique position.
 /// A node that a support holds along the surface obeys the same conditions: its shear loads the support.
 template <class T>
 NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, ContactStatus status) {
@@ -65,7 +65,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : c.arc_over_chord * mortar::dot(tangent, s.motion);
   r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
-  if (c.friction == 0.0) r.drag = T(0.0);  // what rounding leaves of the shear works on nothing
+  if (c.friction == 0.0) r.drag = T(0.0);  // the rounding error of the shear does no work
   if (status == ContactStatus::slip && !c.held)
     r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.drag, r.slip, s.D + s.off}, c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;

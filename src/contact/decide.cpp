@@ -16,8 +16,8 @@ bool yields_along(const body::NodeFreedom& freedom, const Vec2& d) {
 
 }  // namespace
 
-/// Of a node that its support holds along the surface, opposite to one that is held so, too: the slip that supports
-/// impose. Empty where one of the two can yield: there the node is judged like others.
+/// The slip that supports impose on a node held along the surface, opposite to one that is held as well. Empty where
+/// one of the two can move: there the node is judged like others.
 std::optional<double> Interface::support_slip(int node) const {
   if (mobility_.secondary.empty() || !mobility_.secondary[node] || rows_[node].M.empty()) return std::nullopt;
   const Vec2& free = setup_->freedom[node].direction;
@@ -31,7 +31,7 @@ std::optional<double> Interface::support_slip(int node) const {
   if (yields_along(mobility_.primary[opposite], held)) return std::nullopt;
   const Vec2 moved = x - placement_.xs_before[node] - (xm[opposite] - placement_.xm_before[opposite]);
   const Vec2 tangent(-normal_[node].y(), normal_[node].x());
-  return moved.dot(held) * held.dot(tangent);  // what closes the gap is no slip
+  return moved.dot(held) * held.dot(tangent);  // the motion that closes the gap is not slip
 }
 
 /// The shear that the node carried when the increment began.
@@ -40,7 +40,7 @@ double Interface::shear_before(int node) const {
   return n.x() * before_->lambda[node].y() - n.y() * before_->lambda[node].x();
 }
 
-/// The way that imposed sliding goes; where nothing slides in this increment, the way that friction points already.
+/// The direction of imposed sliding; where nothing slides in this increment, the direction of the present friction.
 double Interface::sliding_sign() const {
   double way = options_.imposed_slip;
   for (std::size_t j = 0; way == 0.0 && j < before_->lambda.size(); ++j) way = shear_before(static_cast<int>(j));
@@ -105,14 +105,14 @@ Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const 
   const double opened = (gap_[node] + worn_before_[node] + (by.spread ? others_wear(node) : 0.0)) / rows_[node].D;
   const bool was = status_last_[node] != ContactStatus::inactive;
   // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
-  // Taken as sticking it would be dragged along by the whole slip of the increment and open again for ever.
+  // As a sticking node it would be dragged by the whole slip of the increment, and open and close for ever.
   const double bound = was ? lambda_n : lambda_n - by.c_normal * stiffness * opened;
   const bool springs = options_.compliance > 0.0;
   if (springs) return {options_.held_pressure[node] > 0.0, was, bound};
   // Nodes that touch at zero gap start active: the first matrix would be singular without them.
   if (by.unjudged && (was || opened <= 1e-9 * setup_->secondary.area[node])) return {true, was, bound};
-  // Late, an active node stays for its pressure alone: the wear that a pulling node ascribes to itself would hold it.
-  // What neither presses nor gapes stays as it was: either status holds there.
+  // In late iterations an active node stays active for its pressure alone: the wear that a node in tension ascribes to
+  // itself would keep it active. A node with neither pressure nor gap keeps its status, as both are consistent there.
   const double closing = by.late && was ? 0.0 : by.c_normal * stiffness * opened;
   return {!(lambda_n - closing <= (was ? -faint : faint)), was, bound};
 }

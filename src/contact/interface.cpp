@@ -53,7 +53,7 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   begin_wear();
 }
 
-/// Primary nodes where the gap is measured to: inside their body while a drawn overlap is left.
+/// Places of primary nodes to which the gap is measured: inside their body while a drawn overlap remains.
 void Interface::place_primary(const Points& xm) {
   placement_.xm = xm;
   for (std::size_t l = 0; l < inset_.size(); ++l) placement_.xm[l] += inset_[l];
@@ -163,9 +163,9 @@ double Interface::faces(const FacetRecord& record) const {
   return std::max(0.0, own.dot(opposite)) / (own.norm() * opposite.norm());
 }
 
-/// At a corner the facet decides that covers more of what it faces: where wear has left a corner between the worn
-/// surface and a flank, the flank is covered as well, but the node bears on the worn surface. With the flank's normal
-/// its friction would pull it in: pressure there would close the gap, and no status would fit.
+/// At a corner the normal is that of the facet that covers more of what it faces: where wear has left a corner between
+/// the worn surface and a flank, the flank is covered as well, but the node bears on the worn surface. With the flank's
+/// normal its friction would pull it in: pressure there would close the gap, and no status would be consistent.
 mortar::NormalStencil Interface::stencil(int node) const {
   const auto cover = [&](int side) {
     const int r = record_of_[node][side];
@@ -175,7 +175,7 @@ mortar::NormalStencil Interface::stencil(int node) const {
   return mortar::normal_stencil(setup_->secondary, node, after ? 1 : 0);
 }
 
-/// Where the covered length on X changed (on x stretch changes it too), the difference of D and M is no measure of
+/// Where the covered length on X changed (on x stretch changes it too), the difference of D and M does not measure
 /// slip; the motion itself is.
 bool Interface::uses_drift(int node) const {
   if (options_.held) return true;  // the reference belongs to the shape before
@@ -195,7 +195,7 @@ Vec2 Interface::motion(int node) const {
   return earlier - offset_[node];
 }
 
-/// What the anchor carries beyond its held shear, per pressure, times this node's pressure.
+/// The traction of the anchor beyond its held shear, per pressure, times this node's pressure.
 double Interface::share(int node, const std::vector<Vec2>& lambda) const {
   const int k = options_.anchor;
   if (k < 0) return 0.0;
@@ -211,7 +211,7 @@ NodeConstants Interface::constants(int node) const {
   c.depth = secondary_start_[node];
   c.law = o.wear;
   if (!options_.wear) c.law.kind = wear::LawKind::none;
-  // The energy of control points that wear with the node stands at them: the node's density counts for all of its
+  // The energy of control points that wear with the node is stored at them: the node's density counts for all of its
   // length.
   const double worn = worn_length_[node], own = worn / setup_->secondary.area[node];
   const double spent =
@@ -220,7 +220,7 @@ NodeConstants Interface::constants(int node) const {
   if (o.implicit_wear)
     c.depth_per_work =
         o.wear.secondary * options_.jump / worn_length_[node] * thickness(options_.thickness_secondary, node);
-  // What turns by t has slid by r t; its motion, seen along the tangent where it ends, is r sin t.
+  // A side that turns by t slides by r t; its motion along the tangent at the end is r sin t.
   if (mobility_.turn != 0.0) c.arc_over_chord = mobility_.turn / std::sin(mobility_.turn);
   c.imposed = o.imposed;
   c.imposed_slip = options_.imposed_slip + options_.imposed_turn * placement_.xs_before[node].x();

@@ -10,40 +10,40 @@
 
 namespace reye::contact {
 
-/// What one increment asks of a contact; the same through all its Newton iterations.
+/// Data of one increment for a contact, constant through its Newton iterations.
 struct IncrementOptions {
   double jump = 1.0;  ///< cycles that this increment stands for
   bool wear = true;
   double duration_s = 0.0;         ///< of one play of this increment; read where wear has a speed exponent only
   std::optional<double> friction;  ///< mu in this increment; empty: that of the contact
-  double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the way friction points
-  double first_way = 1.0;     ///< that way, 1 or -1, where nothing slides in this increment and no shear tells it
-  double inset = 0.0;         ///< the primary side lies so far inside its body: what is left of a drawn overlap [mm]
+  double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the direction of friction
+  double first_way = 1.0;     ///< that direction, 1 or -1, where nothing slides in this increment and no shear gives it
+  double inset = 0.0;         ///< distance of the primary side inside its body: the rest of a drawn overlap [mm]
   double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
   std::vector<double> held_pressure;
-  /// With `held` alone [mm/MPa]: 0, or a nodal gap opens by this times what the pressure falls short of
-  /// `held_pressure`, in the nodes that had one, and in no others.
+  /// With `held` alone [mm/MPa]: 0, or the gap of a node that had pressure opens by this times the deficit of pressure
+  /// against `held_pressure`.
   double compliance = 0.0;
   int anchor = -1;  ///< where nothing but friction holds a body along the contact: the node that sticks;
                     ///< what it takes beyond its held shear all nodes share in proportion to held_pressure
-  /// Per node: what a worn layer of one unit on X opens in the present gap (1 / |F^-T N| of theory's w = W / |F^-T N|);
+  /// Per node: opening of the present gap by a worn layer of one unit on X (1 / |F^-T N| of theory's w = W / |F^-T N|);
   /// empty: one everywhere. It scales depth in the gap, never volume.
   std::vector<double> thickness_secondary, thickness_primary;
-  /// Per node, of a boundary on which other contacts wear, too: volume that they have booked and that waits in the gap,
-  /// and frictional work that they have done there; empty: none. It opens this gap, and counts to the threshold; it
-  /// stays theirs.
+  /// Per node, of a boundary on which other contacts wear, too: volume that they have removed and that waits in the
+  /// gap, and frictional work that they have done there; empty: none. It opens this gap and counts towards the
+  /// threshold, but stays in their ledger.
   std::vector<double> waiting_secondary, waiting_primary, energy_elsewhere;
 };
 
-/// What Newton starts an increment from. sticking: what was active stays so and sticks. sheared: it keeps the shear it
-/// has, so that it slides wherever it is driven, and is judged by that motion. predicted: a state to be judged at once.
+/// Start of Newton in an increment. sticking: active nodes stay active and stick. sheared: they keep their shear, so
+/// that they slide wherever they are driven, and are judged by that motion. predicted: a state to be judged at once.
 enum class Start { sticking, sheared, predicted };
 
-/// What supports leave of the motions of a contact's nodes in one increment, and impose on them.
+/// Motions of a contact's nodes in one increment as supports restrict or impose them.
 struct Mobility {
-  double turn = 0.0;                       ///< by which they turn one side against the other [rad]
+  double turn = 0.0;                       ///< angle by which supports turn one side against the other [rad]
   std::vector<char> secondary;             ///< per node: held along one direction, which nothing but its support moves
   std::vector<body::NodeFreedom> primary;  ///< per node: the directions in which forces move it
 };
@@ -51,7 +51,7 @@ struct Mobility {
 /// The thickness factor of a node.
 inline double thickness(const std::vector<double>& factors, int node) { return factors.empty() ? 1.0 : factors[node]; }
 
-/// What other contacts have left at a node.
+/// The contribution of other contacts at a node.
 inline double elsewhere(const std::vector<double>& values, std::size_t node) {
   return values.empty() ? 0.0 : values[node];
 }
@@ -75,14 +75,13 @@ class Interface {
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 
-  /// Tells which nodes no force moves along the surface in this increment, and how far the sides are turned.
+  /// Sets which nodes no force moves along the surface in this increment, and how far the sides are turned.
   void hold(Mobility mobility) { mobility_ = std::move(mobility); }
 
-  /// Begins with the conditions that are expected to hold, slipping as these multipliers drag.
+  /// Begins with the expected conditions; slip points as these multipliers drag.
   void expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda);
 
-  /// Limits the integrals to the facets between marked nodes; empty marks: all.
-  /// A bond keeps all of its own.
+  /// Limits the integrals to the facets between marked nodes; empty marks: all. A bond keeps all its facets.
   void limit_to(std::vector<char> secondary, std::vector<char> primary) {
     if (setup_->options.bonded) return;
     placement_.secondary_near = std::move(secondary);
@@ -92,14 +91,14 @@ class Interface {
   /// Mortar integrals at the current positions.
   void integrate(const Points& xs, const Points& xm);
 
-  /// Leaves nodes of the secondary to another contact that meets them, as slivers are left: the nodes beside them carry
-  /// their share. What covers `facets` is left out.
+  /// Leaves nodes of the secondary to another contact that meets them, like slivers: the nodes beside them carry their
+  /// share. Integrals over `facets` are left out.
   void leave(const std::vector<int>& nodes, const std::vector<int>& facets);
 
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
   /// In iteration 0 the start decides.
   void decide(const std::vector<Vec2>& lambda, int iteration, Start from = Start::sticking);
-  /// Takes back what the last `decide` did to a node.
+  /// Reverts the last decision on a node.
   void keep(int node) {
     status_[node] = status_last_[node];
     sign_[node] = sign_last_[node];
@@ -217,7 +216,8 @@ class Interface {
   Mobility mobility_;
   double friction_ = 0.0;
   mortar::Placement placement_;
-  Points inset_;  ///< per primary node: its way into its body, of what is left of a drawn overlap; empty where none is
+  Points
+      inset_;  ///< per primary node: its displacement into the body by the rest of a drawn overlap; empty without one
   mortar::Integrator integrator_;
   std::vector<mortar::FacetRecord>* records_ = nullptr;
   /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.

@@ -28,8 +28,8 @@ void Interface::leave(const std::vector<int>& nodes, const std::vector<int>& fac
   sum_start_of_increment();
 }
 
-/// A node of which hardly anything is covered carries no multiplier; its share goes to the other node of the
-/// facet, or forces would be lost there: the dual functions of the others alone do not add up to one.
+/// Cuts nodes whose covered length is nearly zero: such a node carries no multiplier; its share goes to the other node
+/// of the facet, or forces would be lost there: the dual functions of the others alone do not add up to one.
 bool Interface::leave_out_slivers() {
   bool found = false;
   for (std::size_t j = 0; j < rows_.size(); ++j) {

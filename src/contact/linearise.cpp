@@ -79,7 +79,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
   both(2 * node, own);
 }
 
-/// add(column, value) for everything a node's scalar depends on but the wear of others.
+/// add(column, value) for all dependencies of a node's scalar except the wear of others.
 template <class Add>
 void Interface::chain(int node, const Eleven& quantity, Add add) const {
   const auto& d = quantity.d;

@@ -25,12 +25,12 @@ struct ContactOptions {
   /// Imposed slip [mm]: a part without history is shared evenly by each play of a step, others go as their histories
   /// are played.
   base::Parts imposed_sliding{};
-  base::Parts imposed_turn{};  ///< the same by an angle about the axis [rad]: slip = angle x r
+  base::Parts imposed_turn{};  ///< imposed turn about the axis [rad]: slip = angle x r
   bool bonded = false;         ///< a bond: it neither opens nor slips, and nothing of it wears
   bool implicit_wear = true;   ///< this increment's wear inside the equations
   DualOrder dual = DualOrder::quadratic;
   double search_mm = 0.0;  ///< facing facets farther apart than this are not paired; 0: chosen from the bodies
-  double drawn_mm = 0.0;   ///< how far apart the sides are drawn: a chosen search sees so far
+  double drawn_mm = 0.0;   ///< distance of the sides as drawn: a chosen search covers it
   double c_normal = 1.0;   ///< dimensionless factors of the complementarity functions
   double c_tangential = 1.0;
 };

@@ -19,8 +19,8 @@ std::vector<SurfaceNode> located(int body, const std::vector<int>& mesh_nodes, c
   return nodes;
 }
 
-/// A fifth of the side's extent; where the sides are drawn farther apart, half as far again, for normals need not point
-/// along the shortest way.
+/// A fifth of the side's extent; where the sides are drawn farther apart, one and a half times that distance, since
+/// normals need not point along the shortest way.
 double chosen_search(const mortar::Surface& s, double drawn_mm) {
   Eigen::AlignedBox2d box;
   for (const auto& x : s.X) box.extend(x);

@@ -8,7 +8,7 @@
 
 namespace reye::contact {
 
-/// Where a surface node belongs.
+/// The body and contact node of a surface node.
 struct SurfaceNode {
   int body = 0;
   int mesh_node = 0;
@@ -27,8 +27,8 @@ struct Setup {
   std::vector<double> length;              ///< per secondary node: of a facet, the mean of those beside it [mm]
   std::vector<double> stiffness;           ///< c_n = c_t per secondary node: E / h [MPa/mm]
   double search = 0.0;
-  /// A traction that is none [MPa]: 1e-30 of the pair's modulus, far below what rounding leaves of any other. Bodies at
-  /// rest without load press so, and neither sign nor status follows from it.
+  /// Traction that counts as zero [MPa]: 1e-30 of the pair's modulus, far below the rounding error of any other. Bodies
+  /// at rest without load have such tractions, and neither sign nor status follows from them.
   double faint = 0.0;
 
   int secondary_count() const { return secondary.node_count(); }
@@ -37,7 +37,7 @@ struct Setup {
   bool between(int node) const { return cut[node] && secondary.is_control_point(node); }
 };
 
-/// Where a boundary of the scene lies.
+/// A boundary of the scene and its body.
 struct BoundaryRef {
   int body = 0;
   std::string boundary;

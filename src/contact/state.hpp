@@ -13,11 +13,11 @@ using base::Vector;
 
 enum class ContactStatus : unsigned char { inactive, stick, slip };
 
-/// One row of the mortar matrices: what secondary node j meets.
+/// One row of the mortar matrices, that of secondary node j.
 struct MortarRow {
   double D = 0.0;
   double cover = 0.0;                       ///< int N_j over the covered part, on X whatever the measure
-  double covered = 0.0;                     ///< the same with that of the nodes in `off`
+  double covered = 0.0;                     ///< `cover` and that of the nodes in `off`
   std::vector<std::pair<int, double>> off;  ///< (secondary node that carries no multiplier, its share int psi_j N_k)
   std::vector<std::pair<int, double>> M;    ///< (primary node, M_jl)
 
@@ -29,15 +29,15 @@ struct MortarRow {
   }
 };
 
-/// All of a contact that evolves; a new member is entered in `fields.hpp`, too. Volumes are stored, depth is derived: `removed` / full nodal length on X. Where the
-/// shape evolves, `removed` is measured on it: depth below the unworn outline times that length; what is exact is the
-/// ledger.
+/// The evolving state of a contact; a new member is entered in `fields.hpp`, too. Volumes are stored, depth is derived:
+/// `removed` / full nodal length on X. Where the shape evolves, `removed` is measured on it: depth below the unworn
+/// outline times that length; what is exact is the ledger.
 struct ContactState {
   std::vector<Vec2> lambda;  ///< per secondary node [MPa]; lambda . n > 0 in compression
   std::vector<Vec2> normal;  ///< unit normal per secondary node on x, zero before the first increment
   std::vector<ContactStatus> status;
   std::vector<MortarRow> reference;       ///< D and M of the last accepted state: the slip reference
-  std::vector<double> pending_secondary;  ///< removed volume per node that still stands in the gap
+  std::vector<double> pending_secondary;  ///< removed volume per node that is still in the gap
   std::vector<double> pending_primary;
   std::vector<double> removed_secondary;  ///< removed volume per node since the start
   std::vector<double> removed_primary;

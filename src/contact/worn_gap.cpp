@@ -1,6 +1,6 @@
 #include "contact/interface.hpp"
 
-/// Depths of both sides in the gap, and which nodes share them.
+/// Depths of both sides in the gap, and the nodes that share them.
 namespace reye::contact {
 
 /// Depths at the start, in the gap's own measure, and which control points wear with a node.
@@ -57,7 +57,8 @@ void Interface::spread_wear() {
   }
 }
 
-/// What the node's multiplier carries of control points that have none, and of nodes that are left to another contact.
+/// The shares of control points without multiplier, and of nodes left to another contact, that a node's multiplier
+/// carries.
 double Interface::shares_between(int node) const {
   double sum = 0.0;
   for (const auto& [k, share] : rows_[node].off)
@@ -65,7 +66,7 @@ double Interface::shares_between(int node) const {
   return sum;
 }
 
-/// What the depths of other nodes open in the gap of this one.
+/// The opening of this node's gap by the depths of other nodes.
 double Interface::worn_others(int node) const {
   double worn = 0.0;
   for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];

@@ -10,7 +10,7 @@ namespace reye::fem {
 
 namespace {
 
-/// What one Gauss point adds to the means.
+/// Contribution of one Gauss point to the means.
 struct Share {
   double strain = 0.0, rotation = 0.0, weight = 0.0;
 };

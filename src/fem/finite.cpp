@@ -201,7 +201,7 @@ History updated(const Mesh& mesh, const Solid& solid, const Vector& u, const Gau
 
 namespace {
 
-/// at(what the law sees, its Gauss point, the number of that in the mesh) for every Gauss point.
+/// Calls at(inputs of the law, Gauss point, its number in the mesh) for every Gauss point.
 template <class At>
 void for_each_point(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, At at) {
   const bool bar = barred(solid, mesh.kind);

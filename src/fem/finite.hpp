@@ -23,7 +23,7 @@ History virgin(const mesh::Mesh& mesh, const Solid& solid);
 /// F0 = dX/d(unstressed) of every Gauss point in the same order, (11, 12, 21, 22, 33); empty: X is unstressed.
 using Prestrain = std::vector<material::Gradient<double>>;
 
-/// What the Gauss points know before an increment, as a view.
+/// State of the Gauss points before an increment, as a view.
 struct GaussState {
   std::span<const material::PlasticState> history;  ///< plastic metric of the unstressed material
   std::span<const material::Gradient<double>> F0;   ///< empty at small strain; det F0 > 0; F0_33 = 1 in plane stress
@@ -44,14 +44,15 @@ struct InternalForce {
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
                     InternalForce& f);
 
-/// The same with K = df/du, made by `pattern.zero()`; nothing is allocated.
+/// f as `internal_force` gives it, and K = df/du, made by `pattern.zero()`; nothing is allocated.
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
              const Pattern& pattern, InternalForce& f, base::SparseMatrix& K);
 
 /// History after the deformation u; errors as above.
 History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);
 
-/// What stress and yielding of an accepted state depend on, per Gauss point; empty without history.
+/// The elastic states, on which stress and yielding of an accepted state depend, per Gauss point; empty without
+/// history.
 using ElasticStates = std::vector<material::ElasticState>;
 ElasticStates elastic_states(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& now);
 
@@ -62,9 +63,8 @@ History compatible(const mesh::Mesh& mesh, const Solid& solid, const base::Vecto
 /// Stored elastic energy of an accepted state [mJ per mm; mJ on the whole ring in axisymmetry].
 double strain_energy(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& now);
 
-/// F from unstressed to x = X + u that the law sees, F-bar where that is the cure: what becomes F0 when x becomes the
-/// new X. On the same mesh that leaves every stress and nodal force as it is. Finite strain only; F33 = 1 in plane
-/// stress.
+/// F from unstressed to x = X + u as the law uses it (F-bar where that is active), the new F0 when x becomes the new X.
+/// On the same mesh that leaves every stress and nodal force as it is. Finite strain only; F33 = 1 in plane stress.
 Prestrain deformation(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const Prestrain& F0);
 
 /// Cauchy stress (11, 22, 12, 33) [MPa] and accumulated plastic strain at the nodes: extrapolated from the Gauss points

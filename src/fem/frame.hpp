@@ -4,7 +4,7 @@
 
 #include "base/linalg.hpp"
 
-/// Fields of a body that has turned, seen from a frame that turns with it and back.
+/// Fields of a body that has turned, transformed to a frame that turns with it and back.
 namespace reye::fem {
 
 /// Displacements in a frame that has turned by `angle`: w = R^T (X + u) - X, but for a translation.

@@ -7,8 +7,8 @@
 
 namespace reye::fem {
 
-/// What a load covers of one edge of the outline: its nodes (first, last, or first, mid, last) and the covered part in
-/// the parameter of the edge, from -1 (first) to 1 (last).
+/// The part of one edge of the outline that a load covers: the nodes of the edge (first, last, or first, mid, last) and
+/// the covered part in the parameter of the edge, from -1 (first) to 1 (last).
 struct LoadedEdge {
   std::array<int, 3> nodes{-1, -1, -1};
   int count = 2;

@@ -5,7 +5,7 @@
 
 namespace reye::fem {
 
-/// What the cells of a mesh are made of and how they deform.
+/// The material of the cells of a mesh, and how they deform.
 struct Solid {
   material::Material material;
   base::Analysis analysis = base::Analysis::plane_strain;
@@ -13,7 +13,7 @@ struct Solid {
   bool cure = true;  ///< quad4 in plane strain and axisymmetry: B-bar at small strain, F-bar at finite; else ignored
 
   bool has_history() const;
-  /// Whether the tangent is symmetric: always but with F-bar.
+  /// Whether the tangent is symmetric, as it always is without F-bar.
   bool symmetric(mesh::CellKind kind) const;
 };
 

@@ -75,7 +75,7 @@ struct SmallStrain {
     return material::stress(solid.material, solid.analysis, x, state);
   }
 
-  /// What the law sees.
+  /// The input of the law.
   static const std::array<double, 4>& seen(bool, const std::array<double, 4>& x) { return x; }
 };
 
@@ -97,7 +97,7 @@ struct FiniteStrain {
     return s;
   }
 
-  /// What the law sees: F, or F-bar.
+  /// The input of the law: F, or F-bar.
   static material::Gradient<double> seen(bool bar, const std::array<double, 6>& x) {
     material::Gradient<double> H = gradient_of(x);
     if (bar) stretch_by(stretch(x), H);
@@ -186,7 +186,7 @@ struct FiniteStrain {
     return on_X / unstressed;
   }
 
-  /// J0 - 1 and its derivative, the same at all points.
+  /// J0 - 1 and its derivative, equal at all points.
   template <int n>
   static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, double growth,
                          Samples<inputs, n>& s) {

@@ -38,14 +38,14 @@ inline double energy_of(const NeoHookean& m, const Symmetric<double>& b, double 
   return rest + 0.5 * lambda * std::log(J) * std::log(J);
 }
 
-/// Of a strain (11, 22, gamma_12, 33).
+/// Energy of a strain (11, 22, gamma_12, 33).
 inline double strain_energy(const Material& m, base::Analysis analysis, const Voigt<double>& strain,
                             const PlasticState& state) {
   const auto e = elastic_state(m, analysis, strain, state).strain;
   return std::visit([&](const auto& law) { return quadratic_energy(law, e); }, m);
 }
 
-/// Of a deformation gradient; of the Hencky law of sigma, which has none, that of tau. Throws as `kirchhoff`.
+/// Energy of a deformation gradient; for the Hencky law of sigma, which has none, that of tau. Throws as `kirchhoff`.
 inline double strain_energy(const Material& m, base::Analysis analysis, Gradient<double> F, const PlasticState& state) {
   F[4] = thickness_stretch(m, analysis, F, state);
   return std::visit(

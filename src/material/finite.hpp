@@ -7,8 +7,9 @@
 
 #include "material/stress.hpp"
 
-/// Stress at finite strain, one formula for values and tangents. All that vanishes with the strain is made of H = F -
-/// I, B = b - I and j = J - 1: made of F it would be a difference of ones, a stress of rounding in stiff materials.
+/// Stress at finite strain, one formula for values and tangents. Quantities that vanish with the strain are computed
+/// from H = F - I, B = b - I and j = J - 1: from F they would be differences of ones, whose rounding is a stress in
+/// stiff materials.
 namespace reye::material {
 
 /// tau of an isotropic elastic law from B = F F^T - I and j = det F - 1 [MPa].
@@ -118,7 +119,7 @@ T condensed_stretch(const Law& m, const Gradient<T>& H, const PlasticState& befo
 /// `after`, if given, gets the state at its end (untouched by laws without history).
 /// Plane strain and axisymmetric use F33 as given; in plane stress it is not read but condensed from tau_33 = 0.
 /// Throws base::SolveError when F is not a regular deformation, a local iteration fails or the stress is not finite;
-/// std::logic_error for a law that is not made for finite strain (`supports`).
+/// std::logic_error for a law without finite strain (`supports`).
 template <class T>
 Voigt<T> kirchhoff_from(const Material& material, base::Analysis analysis, const Gradient<T>& H,
                         const PlasticState& before = {}, PlasticState* after = nullptr) {
@@ -147,7 +148,7 @@ Gradient<T> first_piola_from(const Material& material, base::Analysis analysis, 
           (tau[1] * F[0] - tau[2] * F[2]) * f, thin ? T(0.0) : T(tau[3] / F[4])};
 }
 
-/// The same from F.
+/// Kirchhoff stress from F.
 template <class T>
 Voigt<T> kirchhoff(const Material& material, base::Analysis analysis, const Gradient<T>& F,
                    const PlasticState& before = {}, PlasticState* after = nullptr) {

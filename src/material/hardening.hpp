@@ -25,7 +25,7 @@ T yield_stress(const SwiftHardening& h, const T& p) {
   return exp(log(p + h.offset) * h.exponent) * h.strength_MPa;
 }
 
-/// At a corner the slope is that to its right: loading goes on.
+/// At a corner the slope is that to its right: loading continues.
 template <class T>
 T yield_stress(const TableHardening& h, const T& p) {
   const auto beyond = [](double x, const std::array<double, 2>& point) { return x < point[0]; };

@@ -10,7 +10,7 @@
 /// Local scalar equations inside a stress function: solved in double, differentiated by one more step in T.
 namespace reye::material {
 
-/// Where a root is looked for: the first guess and bounds that hold it.
+/// The search for a root: the first guess and bounds that enclose it.
 struct Search {
   double start, low, high;
 };
@@ -42,7 +42,7 @@ std::optional<Root> root(const F& f, Search s) {
   return std::nullopt;
 }
 
-/// The same numbers as constants of another scalar.
+/// Numbers as constants of another scalar.
 template <class S, class T, std::size_t n>
 std::array<S, n> lifted(const std::array<T, n>& numbers) {
   std::array<S, n> result;

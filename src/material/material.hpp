@@ -65,9 +65,9 @@ struct HenckyJ2 {
 
 using Material = std::variant<LinearElastic, StVenantKirchhoff, NeoHookean, Hencky, HenckyJ2>;
 
-/// What a plastic material point remembers, at either kinematics: the plastic strain as tensor components
-/// (11, 22, 12, 33), at finite strain of E_p = 1/2 ln C_p on X. Flow gives it no trace; what trace there is comes from
-/// a transfer to another mesh (elastic_part.hpp).
+/// The history of a plastic material point, at either kinematics: the plastic strain as tensor components
+/// (11, 22, 12, 33), at finite strain of E_p = 1/2 ln C_p on X. Plastic flow leaves its trace zero; a trace comes only
+/// from a transfer to another mesh (elastic_part.hpp).
 struct PlasticState {
   std::array<double, 4> strain{};
   double accumulated = 0.0;  ///< p >= 0

@@ -2,7 +2,7 @@
 #include "base/analysis.hpp"
 #include "material/material.hpp"
 
-/// Elastic constants of any law (all are given by E and nu) and what a law can do.
+/// Elastic constants of any law (all are given by E and nu) and the abilities of a law.
 namespace reye::material {
 
 /// mu = E / (2 (1 + nu)) [MPa].

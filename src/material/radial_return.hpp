@@ -7,7 +7,7 @@
 /// Return mapping of J2 plasticity on a trial elastic strain, small or logarithmic.
 namespace reye::material {
 
-/// Stress and what of the trial strain became plastic.
+/// Stress, and the part of the trial strain that became plastic.
 template <class T>
 struct Returned {
   Symmetric<T> stress;
@@ -38,7 +38,7 @@ Returned<T> radial_return(const HenckyJ2& m, const Symmetric<T>& eps, double p) 
   const Symmetric<T> dev{eps[0] - mean, eps[1] - mean, eps[2], eps[3] - mean};
   const T square = (dev[0] * dev[0] + dev[1] * dev[1] + 2.0 * (dev[2] * dev[2]) + dev[3] * dev[3]) * (2.0 / 3.0);
   const T pressure = trace * bulk_modulus(m);
-  // A state that lies on the yield surface but for round-off is elastic.
+  // A state on the yield surface, up to round-off, is elastic.
   const bool plastic = 3.0 * mu * std::sqrt(base::value(square)) > yield * (1.0 + 1e-12);
   if (!plastic) return {.stress = combined(dev, T(2.0 * mu), pressure)};
 

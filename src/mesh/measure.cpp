@@ -41,7 +41,7 @@ Eigen::Vector3d shares(const QuadraticEdge& edge) {
 
 double enclosed_area(const Points& X, const Chain& loop, int order) {
   double twice = 0.0;
-  const Vec2 shift = X[loop.front()];  // near the loop: no digits lost far from the origin
+  const Vec2 shift = X[loop.front()];  // shifted to the loop, so that no digits are lost far from the origin
   for (std::size_t i = 0; i + order < loop.size(); i += order) {
     twice += base::cross(X[loop[i]] - shift, X[loop[i + order]] - shift);
     if (order == 2) twice += 2.0 * edge_at(X, loop, i).segment_area();

@@ -3,7 +3,7 @@
 
 namespace reye::mesh {
 
-/// Where a point lies against a body.
+/// The place of a point relative to a body.
 struct Place {
   bool inside = false;
   Vec2 nearest{0.0, 0.0};  ///< the place of the outline nearest to it
@@ -11,7 +11,8 @@ struct Place {
   double facet = 0.0;      ///< length of the outline's facet there [mm]
 };
 
-/// Against the polygon of the outline, quadratic edges as two chords; in a hole it lies outside. Needs an outline.
+/// The place of a point relative to the polygon of the outline, quadratic edges as two chords; a point in a hole lies
+/// outside. Needs an outline.
 Place place_of(const Mesh& mesh, const Vec2& point);
 
 }  // namespace reye::mesh

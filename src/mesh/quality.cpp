@@ -42,7 +42,7 @@ double jacobian(const Points& X, CellKind kind, const Cell& cell, const Vec2& xi
   return base::cross(J.col(0), J.col(1));
 }
 
-/// Where the Jacobian of a cell of second order is looked at: its nodes, its centre, and between centre and corners.
+/// Sample points of the Jacobian of a cell of second order: its nodes, its centre, and between centre and corners.
 std::vector<Vec2> samples(CellKind kind) {
   std::vector<Vec2> points;
   for (int a = 0; a < nodes_per_cell(kind); ++a) points.push_back(reference_node(kind, a));
@@ -141,7 +141,7 @@ double scaled_jacobian(const Points& X, CellKind kind, const Cell& cell) {
 }
 
 double smallest_angle(const Points& X, CellKind kind, const Cell& cell) {
-  // Where the unit square |x| + |y| = 1 is met tells corners apart without an arc tangent each: from -2 to 2.
+  // Where the unit square |x| + |y| = 1 is met separates corners without an arc tangent each: from -2 to 2.
   const double met = smallest_over_corners(X, kind, cell, [](const Vec2& a, const Vec2& b) {
     const double x = a.dot(b), y = base::cross(a, b), sum = std::abs(x) + std::abs(y);
     if (!(sum > 0.0)) return 0.0;

@@ -21,9 +21,9 @@ struct PoorestCell {
 };
 PoorestCell poorest_cell(const Mesh& mesh);
 
-/// The promises of `Mesh`: finite nodes, indices in range, positive Jacobians, no orphan node, a closed outline that
-/// is that of the cells with the outer loop first and counter-clockwise, boundaries made of outline edges in outline
-/// direction. Throws base::MeshError naming the cell or node and where it is.
+/// Checks the invariants of `Mesh`: finite nodes, indices in range, positive Jacobians, no orphan node, a closed
+/// outline that is that of the cells with the outer loop first and counter-clockwise, boundaries made of outline edges
+/// in outline direction. Throws base::MeshError naming the cell or node and where it is.
 void check(const Mesh& mesh);
 
 }  // namespace reye::mesh

@@ -14,7 +14,7 @@ void for_each_chain(Mesh& mesh, Change change) {
     for (Chain& chain : boundary) change(chain);
 }
 
-/// The node in the middle of the edge a, b, made when it is asked for first.
+/// The node in the middle of the edge a, b, made on first request.
 struct MidNodes {
   Points& X;
   std::map<std::pair<int, int>, int> known;

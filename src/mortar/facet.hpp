@@ -7,8 +7,8 @@
 #include "mortar/shape_functions.hpp"
 #include "mortar/surface.hpp"
 
-/// One secondary facet with what lies opposite, for any scalar: double gives values, base::Dual exact derivatives.
-/// Numbers in brackets refer to the room's README.
+/// One secondary facet with the primary facets opposite, for any scalar: double gives values, base::Dual exact
+/// derivatives. Numbers in brackets refer to the room's README.
 namespace reye::mortar {
 
 using base::Kinematics;
@@ -53,7 +53,7 @@ Pair<T> averaged(const Pair<T>& n1, const Pair<T>& n2) {
   return n * (1.0 / sqrt(dot(n, n)));
 }
 
-/// Where a secondary facet and the primary facets opposite it are. Local primary nodes are numbered 0.. in
+/// The positions of a secondary facet and of the primary facets opposite it. Local primary nodes are numbered 0.. in
 /// `xm`; `pairs` are primary facets in these numbers.
 template <class T>
 struct FacetInput {

@@ -8,7 +8,7 @@ namespace reye::mortar {
 
 namespace {
 
-/// Out of both facets at their common node by one: at a cusp no farther than twice that.
+/// Step that moves both facets at their common node outwards by one; at a cusp not longer than two.
 Vec2 miter(const Vec2& n1, const Vec2& n2) { return (n1 + n2) / std::max(0.5, 1.0 + n1.dot(n2)); }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::array<Pair<T>, 3> normals_of(const Stencil& nodes, const std::array<Pair<T>
 
 Pair<double> pair_of(const Vec2& x) { return {x.x(), x.y()}; }
 
-/// Takes two local dofs.
+/// A pair of scalars from two local dofs.
 template <class T, class Make>
 Pair<T> scalars(const Vec2& x, int& dof, Make make) {
   dof += 2;
@@ -74,7 +74,7 @@ int load_secondary(const Placement& p, const FacetRecord& record, FacetInput<T>&
   return dof;
 }
 
-/// What lies opposite, from local dof `dof` on.
+/// The primary facets opposite, from local dof `dof` on.
 template <class T, class Make>
 void load_primary(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make make, int dof = 0) {
   in.xm.clear();
@@ -95,8 +95,8 @@ double plain_value(double x, int) { return x; }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__)
-/// Compiled twice, for what any processor has and for vectors of four doubles; the program takes what it finds. Without
-/// fused operations: both give the same bits.
+/// Compiled twice, for any processor and for vectors of four doubles; the program chooses at run time. Without fused
+/// operations both give the same bits.
 #define REYE_WIDE __attribute__((flatten, target_clones("avx2", "default")))
 #else
 #define REYE_WIDE
@@ -104,7 +104,7 @@ double plain_value(double x, int) { return x; }
 
 REYE_WIDE void integrate_duals(Workspace<base::Dual<16>>& w) { integrate(w); }
 
-/// How far a curve leaves its chord.
+/// Distance of a curve from its chord.
 double sag(const Points& x, const Facet& f) {
   return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm();
 }

@@ -6,7 +6,7 @@
 
 namespace reye::mortar {
 
-/// Where the two sides of a contact are. Surface dofs: 2 * node + component of the secondary side, then the
+/// The positions of the two sides of a contact. Surface dofs: 2 * node + component of the secondary side, then the
 /// primary side after all secondary ones.
 struct Placement {
   const Surface* secondary = nullptr;
@@ -69,7 +69,7 @@ class Integrator {
  public:
   /// Values of all facets that meet a primary facet. The records stay valid until the next call.
   std::vector<FacetRecord>& values(const Placement& placement);
-  /// Values of one record anew, after its nodes' `cut` changed in the placement.
+  /// Recomputes the values of one record after its nodes' `cut` changed in the placement.
   void renew(const Placement& placement, FacetRecord& record);
   /// Fills dofs and slope of one record, with the same placement.
   void differentiate(const Placement& placement, FacetRecord& record);

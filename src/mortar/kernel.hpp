@@ -2,7 +2,7 @@
 #include "mortar/dual_basis.hpp"
 #include "mortar/projection.hpp"
 
-/// The mortar integrals of one secondary facet, once, for any scalar. Numbers in brackets refer to the room's README.
+/// The mortar integrals of one secondary facet, for any scalar. Numbers in brackets refer to the room's README.
 namespace reye::mortar {
 
 /// The integrals per node j of the facet, over its covered part.
@@ -25,11 +25,11 @@ struct Workspace {
   std::vector<Quadrature<T>> points;
 };
 
-/// A facet covered by less than this share has no usable dual basis and takes no part at all: neither in D and M
-/// nor where wear is spread (its T_jl would remove volume that no work of D_jj pays for).
+/// A facet covered by less than this share has no usable dual basis and takes no part at all: neither in D and M nor
+/// where wear is spread (its T_jl would remove volume without work in D_jj).
 constexpr double least_cover = 1e-3;
 
-/// factor * |dp/dxi|, times 2 pi r in axisymmetry, of the facet with nodes p: those on X or on x.
+/// factor * |dp/dxi|, times 2 pi r in axisymmetry, of the facet with nodes p, given on X or on x.
 template <class T, class S>
 T length_element(const FacetInput<T>& in, const std::array<Pair<S>, 3>& p, const Quadrature<T>& q, double factor) {
   using std::sqrt;

@@ -30,8 +30,8 @@ std::array<Pair<double>, 3> values(const std::array<Pair<T>, 3>& p) {
   return v;
 }
 
-/// The same on a curved facet: a quartic, positive at -1 and negative at 1 when the root is inside. Newton's method,
-/// held inside the bracket.   (3)
+/// Image of p on a curved facet: the root of a quartic, positive at -1 and negative at 1 when the root is inside.
+/// Newton's method, held inside the bracket.   (3)
 template <class T>
 T curved_image(const FacetInput<T>& in, const Pair<T>& p) {
   const auto x = values(in.x), n = values(in.n);

@@ -21,7 +21,7 @@ std::array<double, 3> straight_shares(const Vec2& a, const Vec2& b, Analysis ana
   return {c * (2.0 * a.x() + b.x()), c * (a.x() + 2.0 * b.x()), 0.0};
 }
 
-/// The same over a curve, by the rule that the integrals of the contact use.
+/// Nodal shares of the length of a curve, by the rule that the integrals of the contact use.
 std::array<double, 3> curved_shares(const Vec2& a, const Vec2& b, const Vec2& c, Analysis analysis) {
   std::array<double, 3> shares{};
   for (std::size_t g = 0; g < gauss5.xi.size(); ++g) {

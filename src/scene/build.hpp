@@ -19,7 +19,7 @@ std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues)
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues);
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
-/// Boundary, point and body loads, told apart by their keys.
+/// Boundary, point and body loads, distinguished by their keys.
 void add_loads(const Entry& root, Scene& scene, Issues& issues);
 std::map<std::string, History> histories_of(const Entry& root);
 /// All steps as they are played: those of a spectrum as often as it says.

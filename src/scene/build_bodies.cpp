@@ -69,7 +69,7 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues) {
 
 namespace {
 
-/// A profile that rises like a wall is none: heights in another unit than arc lengths do.
+/// The rule against a profile that is too steep, as with heights in a unit other than that of arc lengths.
 std::string too_steep(const cad::Profile& profile) {
   constexpr double steepest = 5.0;
   for (std::size_t i = 1; i < profile.arc_mm.size(); ++i) {

@@ -12,7 +12,7 @@ namespace {
 /// 1 mm^3/J = 1e-3 mm^2/N.
 constexpr double per_J = 1e-3;
 
-/// Exponent and reference of one factor of the rate; a reference is asked for by its exponent, and by nothing else.
+/// Exponent and reference of one factor of the rate; a reference needs its exponent, and an exponent its reference.
 void add_factor(const Entry& wear, std::string_view exponent_key, std::string_view ref_key, double& exponent,
                 double& ref, Issues& issues) {
   exponent = wear.number(exponent_key);
@@ -22,7 +22,7 @@ void add_factor(const Entry& wear, std::string_view exponent_key, std::string_vi
   if (!wear.given(exponent_key)) refuse(wear, {ref_key}, "has no use without " + std::string(exponent_key), issues);
 }
 
-/// The coefficients of the named law; those of the other one are refused, they would be ignored.
+/// The coefficients of the named law; those of the other law, which would be ignored, are refused.
 wear::Law wear_of(const Entry& wear, Issues& issues) {
   wear::Law law;
   if (!wear.is_table()) return law;
@@ -81,7 +81,7 @@ void check_sides(const Entry& entry, const contact::ContactOptions& contact, Iss
 }
 
 void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
-  // a friction that is no number, or below zero, has its own issue
+  // a friction that is not a number, or below zero, has its own issue
   const auto& table = contact.friction_over_cycles;
   const bool zeros = !table.empty() && std::all_of(table.begin(), table.end(), [](auto& row) { return row[1] == 0.0; });
   const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
@@ -94,7 +94,7 @@ void check_friction(const Entry& entry, const contact::ContactOptions& contact, 
     issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
 }
 
-/// What slides: a number that each play of a step shares evenly, or parts that may follow histories.
+/// Imposed sliding: a number that each play of a step shares evenly, or parts that may follow histories.
 base::Parts sliding_of(const Entry& entry, std::string_view key) {
   base::Parts parts;
   for (const auto& part : entry.parts(key)) parts.push_back({part.number("value"), part.text("history")});

@@ -8,7 +8,7 @@ namespace {
 
 const base::Vec2 none(0.0, 0.0);
 
-/// The parts of a load, each a load of its own: they add up. Without a list the load itself is the only one.
+/// The parts of a load, which add up. Without a list the load itself is the only one.
 std::vector<Entry> parts_of(const Entry& entry, Issues& issues) {
   if (!entry.given("parts")) return {entry};
   refuse(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3", "history"},

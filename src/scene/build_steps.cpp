@@ -7,7 +7,8 @@ namespace reye::scene {
 
 namespace {
 
-/// A step that wears and says no jump is controlled by half of the accuracy, where one is asked for.
+/// Sets the jump of a step; one that wears and gives none is controlled by half of the accuracy, where one is asked
+/// for.
 void set_jump(const Entry& entry, double accuracy, Step& step) {
   const auto control = entry.at("jump");
   const bool by_accuracy = accuracy > 0.0 && !entry.given("jump") && step.wear && step.cycles > 0.0;

@@ -92,7 +92,7 @@ bool listed(std::string_view choices, const std::string& value) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// A motion may also be a table, or a list of them; the message must not hide that.
+/// The addition to a message that a motion may also be a table, or a list of them.
 std::string or_a_table(const Spec& place) {
   std::string names;
   for (const auto& [name, child] : place.named)

@@ -14,7 +14,7 @@ using Issues = std::vector<base::Issue>;
 
 void check(const Node& root, const Spec& spec, Issues& issues);
 
-/// The rule of a range in words, e.g. `must lie in (-1, 0.5)`; empty when every number will do.
+/// The rule of a range in words, e.g. `must lie in (-1, 0.5)`; empty when every number is allowed.
 std::string rule_of(const Key& key);
 
 /// `"a", "b" or "c"` from `a|b|c`; without quotes for numbers.

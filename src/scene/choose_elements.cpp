@@ -7,7 +7,7 @@ namespace reye::scene {
 
 namespace {
 
-/// What is played cycle by cycle while contacts wear.
+/// The histories that are played cycle by cycle while contacts wear.
 std::set<std::string> cycled_histories(const Scene& scene) {
   std::set<std::string> names;
   for (const auto& step : scene.steps)

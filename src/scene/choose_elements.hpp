@@ -3,29 +3,29 @@
 
 /// The order of elements and the multipliers' basis, chosen by the contact where the scene leaves them open.
 ///
-/// A contact that only forces drive cannot slide as a whole: the force would carry its body away. It slips in part, and
-/// as wear empties the annulus around the stick zone, pressure and shear become singular at its edge. Elements of first
-/// order make a sheared edge up to 1.2 times as strong as a pressed one, and sticking recedes
-/// (results/partial_slip_life); second order with linear multipliers has a ratio of 0.99. What moves a body by a given
-/// way may slide it as a whole: there first order stays.
+/// A contact that only forces drive cannot slide as a whole, since the force would accelerate its body. It slips in
+/// part, and as wear empties the annulus around the stick zone, pressure and shear become singular at its edge.
+/// Elements of first order make a sheared edge up to 1.2 times as strong as a pressed one, and sticking recedes
+/// (results/partial_slip_life); second order with linear multipliers has a ratio of 0.99. A prescribed motion may slide
+/// a body as a whole: there first order stays.
 namespace reye::scene {
 
-/// What one contact takes because the scene leaves it open.
+/// The choice for one contact where the scene leaves it open.
 struct ElementChoice {
   std::size_t contact = 0;                ///< its place in the scene
   std::vector<std::string> second_order;  ///< bodies; none where the scene gives the order of one
   bool linear = false;                    ///< multipliers
 };
 
-/// True where forces vary over a cycle that wears and nothing is moved by a given way.
+/// True where forces vary over a cycle that wears and no motion is prescribed.
 bool only_forces_drive(const Scene& scene);
 
 std::vector<ElementChoice> element_choices(const Scene& scene);
 
-/// Takes them.
+/// Applies the element choices to the scene.
 void choose_elements(Scene& scene);
 
-/// What was chosen, and why.
+/// The choice and its reason, in words.
 std::string in_words(const Scene& scene, const ElementChoice& choice);
 
 }  // namespace reye::scene

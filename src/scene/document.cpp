@@ -47,7 +47,7 @@ struct Source {
   /// Byte of a place in the whole text.
   std::size_t byte(const toml::source_position& place) const { return starts.at(place.line - 1) + offset(place); }
 
-  /// A value on one line; long or broken values are shortened, they help nobody in a message.
+  /// A value on one line; long or broken values are shortened for messages.
   std::string slice(const toml::source_region& region) const {
     const auto& line = lines.at(region.begin.line - 1);
     const auto from = offset(region.begin);
@@ -114,14 +114,14 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
   return node;
 }
 
-/// The parser's words; of a text that goes on beyond its line it only sees the line's end.
+/// The message of the parser, which for a text that continues beyond its line only sees the line's end.
 std::string in_words(const std::string& description) {
   const bool open = description.find("parsing string") != std::string::npos &&
                     description.find("control characters") != std::string::npos;
   return open ? "a text lacks its closing quotation mark" : description;
 }
 
-/// The parser goes one call deeper for each part of a dotted key, and knows no end of it.
+/// Limits the parts of dotted keys, since the parser recurses for each without a bound.
 void check_depth(const std::vector<std::string>& lines) {
   constexpr int most = 32;
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -15,7 +15,7 @@ struct Node {
   std::string key;   ///< whole key: "material.steel.nu", "step[0].cycles"
   std::string name;  ///< its last part
   int line = 1;
-  std::string written;  ///< the value as it stands in the file; empty for tables
+  std::string written;  ///< the value as written in the file; empty for tables
   /// Bytes [begin, end) of the value in the text; of a headed table its header, of one made by a dotted key that part
   /// of it.
   std::size_t begin = 0, end = 0;

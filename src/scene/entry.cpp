@@ -74,8 +74,7 @@ double Entry::number(std::string_view name) const {
 
 int Entry::whole(std::string_view name) const {
   constexpr double most = 1e9;
-  const auto* key =
-      spec_->find(name)->key;  // what lies outside its range has been reported; nothing must be made of it
+  const auto* key = spec_->find(name)->key;  // a value outside its range has been reported and must not be used
   const double low = key ? std::max(key->range.low, -most) : -most, high = key ? std::min(key->range.high, most) : most;
   return static_cast<int>(std::clamp(number(name), low, high));
 }

@@ -31,10 +31,10 @@ class Entry {
   /// Named tables or elements of a list of tables below, in the order of the file.
   std::vector<Entry> all(std::string_view name) const;
 
-  /// A table by itself below, or the tables of a list; none where neither is given.
+  /// A single table below, or the tables of a list; none where neither is given.
   std::vector<Entry> parts(std::string_view name) const;
 
-  /// True when a list is given and nothing stands in it.
+  /// True when a list is given and empty.
   bool empty_list(std::string_view name) const;
   std::string text(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
@@ -47,7 +47,7 @@ class Entry {
   std::vector<double> numbers(std::string_view name) const;
   /// A list of pairs.
   std::vector<std::array<double, 2>> curve(std::string_view name) const;
-  /// The lists of pairs that stand right here, by name.
+  /// The lists of pairs directly in this table, by name.
   std::map<std::string, std::vector<std::array<double, 2>>> histories() const;
 
  private:

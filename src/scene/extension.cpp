@@ -18,20 +18,20 @@ struct Document {
   const std::string& text;
 };
 
-/// Every difference between two trees: values that are others, and the outermost of what one of them lacks.
+/// Every difference between two trees: values that differ, and the outermost entries that one of them lacks.
 void add_differences(const Node& was, const Node& now, const Document& before, const Document& after, Issues& issues) {
   for (const auto& child : now.children)
-    if (!was.find(child.name)) issues.push_back({child.key, child.written, "was not in the run that is to go on"});
+    if (!was.find(child.name)) issues.push_back({child.key, child.written, "was not in the run to be resumed"});
   for (const auto& child : was.children) {
     const auto* other = now.find(child.name);
     if (!other)
-      issues.push_back({child.key, "",
-                        "is missing, and was " + (child.written.empty() ? "" : child.written + ' ') +
-                            "in the run that is to go on"});
+      issues.push_back(
+          {child.key, "",
+           "is missing, and was " + (child.written.empty() ? "" : child.written + ' ') + "in the run to be resumed"});
     else if (is_branch(child) && is_branch(*other))
       add_differences(child, *other, before, after, issues);
     else if (value_of(child, before.text) != value_of(*other, after.text))
-      issues.push_back({child.key, other->written, "was " + child.written + " in the run that is to go on"});
+      issues.push_back({child.key, other->written, "was " + child.written + " in the run to be resumed"});
   }
 }
 
@@ -41,7 +41,7 @@ bool counts(const Node& root, const std::string& cycles_key) {
   return cycles && cycles->number > 0.0;
 }
 
-/// Limits that are new or reached elsewhere; the scatter of wear changes none.
+/// Limits that are new or have another bound; the scatter of wear does not count.
 std::set<std::string> changed_limits(const Document& before, const Document& after) {
   std::set<std::string> names;
   const auto* were = before.root.find("limit");
@@ -77,15 +77,15 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
   }
   if (wrong.empty() && fixed_part(before.root, was) != fixed_part(after.root, now.text))
     wrong.push_back(
-        {"", "", std::string("tables stand in another order than in the run that is to go on") + only_these});
+        {"", "", std::string("tables stand in a different order than in the run to be resumed") + only_these});
   if (wrong.empty() && was_fixed != now.fixed_sha256)
     wrong.push_back(
         {"geometry", "",
-         std::string("its files, or those of profiles, are not those of the run that is to go on") + only_these});
+         std::string("its files, or those of profiles, differ from those of the run to be resumed") + only_these});
   if (wrong.empty() && now.accuracy > 0.0)
     wrong.push_back({"accuracy", shown(now.accuracy),
-                     "chose elements and jumps for the run as it was; write the sizes that its plan tells as "
-                     "`size_mm`, and `jump`, in its place, and run anew"});
+                     "chose elements and jumps for the run as it was; write the sizes that its plan reports as "
+                     "`size_mm`, and `jump`, in its place, and start a new run"});
   if (!wrong.empty()) throw located(now, wrong);
   return extension;
 }

@@ -6,10 +6,10 @@
 #include "scene/document.hpp"
 #include "scene/scene.hpp"
 
-/// A run that goes on with more than was asked of it at first: other limits, or more cycles of its last step.
+/// Extensions of a run beyond its first scene: other limits, or more cycles of its last step.
 namespace reye::scene {
 
-/// What makes a scene the extension of another one.
+/// The differences by which a scene extends another one.
 struct Extension {
   std::vector<std::string> changes;  ///< in words, "step[1].cycles = 800, was 400"
   std::set<std::string> limits;      ///< names of those that are new, measured otherwise or bound otherwise
@@ -17,7 +17,7 @@ struct Extension {
 };
 
 /// How `now` extends the scene of the text `was`, whose `fixed_sha256` was `was_fixed`. Throws base::InputError with a
-/// line per value that may not be another.
+/// line per value that may not differ.
 Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now);
 
 }  // namespace reye::scene

@@ -5,17 +5,17 @@
 
 namespace reye::scene {
 
-/// All of a scene that a run cannot change when it goes on, value by value in the order of the file: everything but
+/// All of a scene that a run cannot change when it resumes, value by value in the order of the file: everything but
 /// limits and the number of cycles of the last step, where no spectrum repeats that. `document`: the tree of `text`.
 std::string fixed_part(const Node& document, const std::string& text);
 
-/// Of the last step, where its cycles are those of one step of the run.
+/// The key of the cycles of the last step, where they are those of one step of the run.
 std::string cycles_key_of(const Node& root);
 
-/// Tables, and lists of tables, have a shape of their own; anything else is a value.
+/// Whether a node is a table or a list of tables; everything else is a value.
 bool is_branch(const Node& node);
 
-/// As it is written in the text.
+/// The value of a leaf as written in the text.
 std::string value_of(const Node& leaf, const std::string& text);
 
 }  // namespace reye::scene

@@ -4,19 +4,19 @@
 
 #include "scene/scene.hpp"
 
-/// What histories drive, and how far.
+/// The values that histories drive, and their extent.
 namespace reye::scene {
 
-/// The largest factor of a history in size; of none, 1.
+/// The largest factor of a history in size; 1 without a history.
 double largest_factor(const Scene& scene, const std::string& history);
 
-/// The most that parts add up to in size, should all of them be at their largest at once.
+/// The largest possible sum of parts in size, if all of them peak at once.
 double largest_value(const Scene& scene, const base::Parts& parts);
 
-/// Least and largest value of parts whose histories begin at nothing, should all of them be there at once.
+/// Least and largest possible sum of parts whose histories begin at zero, if all of them peak at once.
 std::array<double, 2> range_of(const Scene& scene, const base::Parts& parts);
 
-/// The way that parts take in one play of a step, each there and back by itself.
+/// The path of parts in one play of a step, each back and forth by itself.
 double path_of(const Scene& scene, const Step& step, const base::Parts& parts);
 
 /// Histories that a motion, a load or an imposed sliding names.

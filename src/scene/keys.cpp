@@ -28,7 +28,7 @@ constexpr Key table[] = {
 
     {"material.*.law", Type::text, "", "linear_elastic",
      one_of("linear_elastic|st_venant_kirchhoff|neo_hookean|hencky|hencky_cauchy|hencky_j2"),
-     "stress law; `linear_elastic` is for small strain alone, at which the other elastic laws are the same as it; "
+     "stress law; `linear_elastic` is for small strain only, where the other elastic laws reduce to it; "
      "hencky: Kirchhoff stress linear in log strain, hencky_cauchy: Cauchy stress"},
     {"material.*.E_MPa", Type::number, "MPa", "required", positive, "Young's modulus"},
     {"material.*.nu", Type::number, "", "required",
@@ -56,10 +56,10 @@ constexpr Key table[] = {
     {"body.*.material", Type::text, "", "", any, "one of the materials; a rigid body takes none"},
     {"body.*.rigid", Type::flag, "", "false", any, "the body does not deform"},
     {"body.*.b_bar", Type::flag, "", "", any,
-     "cure against volumetric locking, B-bar or (finite) F-bar; without it on for quads of order 1 in plane strain and axisymmetry"},
+     "remedy for volumetric locking, B-bar or (finite) F-bar; without it on for quads of order 1 in plane strain and axisymmetry"},
     {"body.*.kinematics", Type::text, "", "small", one_of("small|finite|auto"),
      "strain measure; of the secondary body also that of its contact: per length on X (small) or on x (finite); auto: small "
-     "where a trial estimates its error at 1 % or less, else finite, as `plan` tells; linear_elastic is then hencky. At small "
+     "where a trial estimates its error at 1 % or less, else finite, as `plan` reports; linear_elastic is then hencky. At small "
      "strain linear_elastic bodies that can turn do so by any angle; strain above 1 % is a warning, and above 5 % ends a run "
      "whose scene leaves this key out"},
     {"body.*.order", Type::whole, "", "", one_of("1|2"),
@@ -91,14 +91,14 @@ constexpr Key table[] = {
     {"contact.*.dual", Type::text, "", "", one_of("linear|quadratic"),
      "basis of the multipliers where the secondary body is of order 2; on order 1 it is linear; without it quadratic, but "
      "linear with friction and wear that only forces drive"},
-    {"contact.*.implicit", Type::flag, "", "true", any, "an increment's own wear stands inside its equations"},
+    {"contact.*.implicit", Type::flag, "", "true", any, "wear is implicit: it enters the contact equations of its own increment"},
     {"contact.*.imposed_sliding_mm", Type::number, "mm", "", any,
-     "slip as a number, shared evenly by each play of a step; or a table of the keys below, or a list of such tables, which add "
+     "imposed slip, distributed evenly over each play of a step; or a table of the keys below, or a list of such tables, which add "
      "up; without it slip comes from the motion"},
     {"contact.*.imposed_out_of_plane_mm", Type::number, "mm", "", any,
-     "the same out of the plane: friction mu p works and wears there and leaves no shear in the plane"},
+     "imposed slip out of the plane: friction mu p works and wears there and leaves no shear in the plane"},
     {"contact.*.imposed_turn_rad", Type::number, "rad", "", any,
-     "the same about the axis, axisymmetric problems: slip = angle x r"},
+     "imposed turn about the axis, axisymmetric problems: slip = angle x r"},
     {"contact.*.{imposed_sliding_mm,imposed_out_of_plane_mm}[?].value", Type::number, "mm", "required", any, "slip at factor 1"},
     {"contact.*.imposed_turn_rad[?].value", Type::number, "rad", "required", any, "angle at factor 1"},
     {"contact.*.{imposed_sliding_mm,imposed_out_of_plane_mm,imposed_turn_rad}[?].history", Type::text, "", "", any,
@@ -190,7 +190,7 @@ constexpr Key table[] = {
     {"step[].period_s", Type::number, "s", "", positive,
      "how long one play of the step lasts; only a speed exponent asks for it"},
 
-    {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played again and again in this order"},
+    {"spectrum.steps", Type::texts, "", "required", any, "steps that follow one another, played over and over in this order"},
     {"spectrum.times", Type::whole, "", "required", from_to(1.0, 1e5), "how often"},
 
     {"limit.*.contact", Type::text, "", "required", any, "contact that is watched"},
@@ -200,14 +200,14 @@ constexpr Key table[] = {
     {"limit.*.volume_mm3", Type::number, "mm^3", "", positive, "worn volume, axisymmetric problems"},
     {"limit.*.stop", Type::flag, "", "false", any, "true: the run ends there"},
     {"limit.*.wear_factor", Type::pair, "", "", positive,
-     "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is told as a band, life / factor"},
+     "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is reported as a band, life / factor"},
 
     {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
      "cycles between frames; without this and the next ones: first and last state of each step only"},
     {"output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "a frame after each so many blocks of a step"},
     {"output.frames.per_decade", Type::whole, "", "0", at_least(0.0),
      "so many frames while the cycles grow to ten times as many, at most one per block"},
-    {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a body meshed anew"},
+    {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a body remeshed"},
     {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
     {"output.frames.paraview", Type::flag, "", "true", any,
@@ -217,14 +217,14 @@ constexpr Key table[] = {
     {"output.checkpoint_s", Type::number, "s", "1", at_least(0.0),
      "least wall time between two checkpoints; 0: one at each block end. However the run ends, its last block end is kept"},
     {"output.estimate_error", Type::flag, "", "", any,
-     "without it true with `accuracy`, else false; true: the run is played again on elements twice as long, which tells the error of the mesh; takes some 0.4 of a long run's time"},
+     "without it true with `accuracy`, else false; true: the run is repeated on elements twice as large, which gives the error of the mesh and takes some 0.4 of a long run's time"},
     {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any, "its displacement is reported; on the body, or at most a quarter of an element beside it"},
 
     {"remesh.automatic", Type::flag, "", "true", any,
-     "a worn body is meshed anew when one of the bounds below is passed; false: the run ends there"},
+     "a worn body is remeshed when one of the bounds below is passed; false: the run ends there"},
     {"remesh.every_blocks", Type::whole, "", "0", at_least(0.0),
-     "bodies in contact are meshed anew after each so many blocks, needed or not; 0: only when needed"},
+     "bodies in contact are remeshed after each so many blocks, needed or not; 0: only when needed"},
     {"remesh.min_scaled_jacobian", Type::number, "", "0.3", {.low = 0.0, .high = 0.8, .low_open = true},
      "smallest sine of an element's corner angle"},
     {"remesh.min_angle_deg", Type::number, "degree", "15", {.low = 0.0, .high = 50.0}, "smallest corner angle"},

@@ -6,9 +6,9 @@
 /// The one table of keys of a scene: reading, errors and the reference text all come from it.
 namespace reye::scene {
 
-/// What a key takes. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at least
-/// one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the
-/// grammar knows and this version does not build; its doc is the rule shown.
+/// The type of a key's value. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at
+/// least one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the grammar knows
+/// and this version does not build; its doc is the rule shown.
 enum class Type { text, texts, number, whole, flag, pair, triple, box, numbers, curve, history, refused };
 
 /// The values a key may take; numbers always finite. Choices are separated by '|'.
@@ -23,7 +23,7 @@ struct Range {
 };
 
 /// One key. Pattern: names joined by '.', where `*` is a name the user gives, `{a,b}` is one of several
-/// names, `step[]` is an element of a list of tables, and `fine_zone[?]` one of those or a table by itself.
+/// names, `step[]` is an element of a list of tables, and `fine_zone[?]` one of those or a single table.
 struct Key {
   std::string_view pattern;
   Type type;

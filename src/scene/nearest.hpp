@@ -4,7 +4,7 @@
 
 #include "scene/spec.hpp"
 
-/// What the user may have meant.
+/// Suggestions of the name that the user may have meant.
 namespace reye::scene {
 
 /// The name nearest to `name` by edit distance; empty when none is near.

@@ -106,7 +106,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   choose_elements(scene);
 }
 
-/// The files that make the scene what it is: geometry, then profiles.
+/// The files on which the scene depends: geometry, then profiles.
 std::vector<std::string> files_of(const Scene& scene) {
   auto files = scene.geometry.files;
   for (const auto& boundary : scene.geometry.boundaries)

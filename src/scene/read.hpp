@@ -7,13 +7,12 @@
 
 namespace reye::scene {
 
-/// The scene in the file at `path`. Everything wrong with it is collected and thrown as one
-/// base::InputError, one line per issue, in the order of the file:
-/// `scene.toml:9: material.steel.nu = 0.5: must lie in (-1, 0.5)`, with `path` as the caller gave it.
-/// Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
+/// The scene in the file at `path`. All its errors are collected and thrown as one base::InputError, one line per
+/// issue, in the order of the file: `scene.toml:9: material.steel.nu = 0.5: must lie in (-1, 0.5)`, with `path` as the
+/// caller gave it. Edges that no [boundary] names are not resolved here, they may be physical curves of the geometry.
 Scene read(const std::string& path);
 
-/// The same of a text that stands, or is to stand, in the file at `path`.
+/// The scene in a text that is, or will be, the content of the file at `path`.
 Scene read_text(const std::string& text, const std::string& path);
 
 /// The bytes of the scene file; base::InputError when there is none.
@@ -23,7 +22,7 @@ std::string text_of(const std::string& path);
 /// that the file has (line 1 when it has none).
 base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues);
 
-/// The table of keys as markdown, for the README.
+/// The table of keys as markdown, for geo/REFERENCE.md.
 std::string reference();
 
 }  // namespace reye::scene

@@ -34,7 +34,7 @@ std::string type_name(Type type) {
   return {};
 }
 
-/// What a key takes: its choices, or its type and range.
+/// The values of a key: its choices, or its type and range.
 std::string takes(const Key& key) {
   if (!key.range.choices.empty()) return choices_of(key);
   const auto rule = rule_of(key);

@@ -11,7 +11,7 @@ namespace reye::scene {
 
 namespace {
 
-/// The innermost place of the file that holds the key, and what of the key lies below it.
+/// The innermost place of the file that holds the key, and the rest of the key below it.
 struct Place {
   const Node* node;
   std::string below;
@@ -63,7 +63,7 @@ std::string added(std::string text, const Node& table, const std::string& name, 
   return end == std::string::npos ? text + '\n' + line + '\n' : text.insert(end + 1, line + '\n');
 }
 
-/// Whether the text can be read and says `value` at `key`.
+/// Whether the text can be read and has `value` at `key`.
 bool says(const std::string& text, const std::string& key, const std::string& value) {
   try {
     const auto root = parse(text);
@@ -90,7 +90,7 @@ std::optional<std::string> with_value(const std::string& text, const std::string
   const auto root = parse(text);
   const auto [node, below] = place_of(root, key);
   const bool table = node->kind == NodeKind::table;
-  const bool on_its_own = table && (node->key.empty() || text[node->begin] != '{');  // no value could take its place
+  const bool on_its_own = table && (node->key.empty() || text[node->begin] != '{');  // a value could not replace it
   if (below.empty() && on_its_own) return {};
   auto changed = text;
   if (table && !below.empty())

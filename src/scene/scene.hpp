@@ -16,7 +16,7 @@
 #include "fem/loads.hpp"
 #include "material/material.hpp"
 
-/// The input as plain structs, made of the option structs of the rooms below.
+/// The input as plain structs, composed of the option structs of the rooms below.
 namespace reye::scene {
 
 /// A table over the progress of a step: [progress, factor], progress increasing from 0 to 1.
@@ -26,7 +26,7 @@ struct BodyMaterial {
   std::string material;       ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
   std::optional<base::Kinematics> kinematics = base::Kinematics::small;  ///< empty: the run chooses
-  bool kinematics_given = false;  ///< else small strain that turns out to be wrong ends the run
+  bool kinematics_given = false;  ///< else small strain that turns out to be too inaccurate ends the run
 };
 
 struct Step {
@@ -34,7 +34,7 @@ struct Step {
   std::vector<std::string> play;
   int increments = 1;
   bool wear = true;
-  double cycles = 0.0;          ///< 0: a load step, which is no cycle
+  double cycles = 0.0;          ///< 0: a load step, which does not count as a cycle
   double jump = 1.0;            ///< cycles per block; of the first one where a tolerance chooses the others
   double jump_tolerance = 0.0;  ///< error that the run chooses its jumps by; 0: fixed
   double jump_most = std::numeric_limits<double>::infinity();  ///< cycles no block may exceed under a tolerance
@@ -58,12 +58,12 @@ struct Probe {
   base::Vec2 at_mm{0.0, 0.0};
 };
 
-/// When a frame is written, besides the first and last state of each step; 0 and false: not for this reason.
+/// Rules of frames besides the first and last state of each step; 0 and false: rule not active.
 struct FrameRules {
   double every_cycles = 0.0;
   int every_blocks = 0;      ///< of a step
   int per_decade = 0;        ///< log-spaced: so many per factor of ten in cycles
-  bool at_remeshes = false;  ///< at the end of a block in which a body was meshed anew
+  bool at_remeshes = false;  ///< at the end of a block in which a body was remeshed
   bool every_increment = false;
   bool last_block = false;  ///< at each increment of the last block of every step
   bool paraview = true;     ///< false: rows of the surface tables alone
@@ -77,7 +77,7 @@ struct Output {
   std::vector<Probe> probes;
 };
 
-/// When a worn body is meshed anew, and how.
+/// When a worn body is remeshed, and how.
 struct Remesh {
   bool automatic = true;
   int every_blocks = 0;  ///< 0: only when a trigger asks for it
@@ -89,12 +89,12 @@ struct Remesh {
 struct Scene {
   std::string title;
   base::Analysis analysis = base::Analysis::plane_strain;
-  double accuracy = 0.0;          ///< relative, that sizes and jumps left open are for; 0: none
+  double accuracy = 0.0;          ///< relative, for sizes and jumps left open; 0: none
   cad::GeometryOptions geometry;  ///< files, bodies, boundaries, fine zones; size 0: left to `accuracy`
   std::map<std::string, material::Material> materials;
   std::map<std::string, BodyMaterial> body_material;  ///< by body name
   std::vector<contact::ContactOptions> contacts;
-  std::vector<contact::ContactOptions> bonds;  ///< what is joined for good: name and sides alone count
+  std::vector<contact::ContactOptions> bonds;  ///< bodies joined permanently: only name and sides count
   std::vector<body::Support> supports;
   std::vector<fem::BoundaryLoad> boundary_loads;
   std::vector<fem::PointLoad> point_loads;
@@ -113,10 +113,10 @@ struct Scene {
   std::string path;
   std::string text;          ///< of the file
   std::string sha256;        ///< over scene, geometry files and profiles
-  std::string fixed_sha256;  ///< the same without what may be another when a run goes on (`extension`)
+  std::string fixed_sha256;  ///< over these without what may differ when a run resumes (`extension`)
   /// Line of each key as "material.steel.nu"; array tables as "step[0].cycles".
   std::map<std::string, int> lines;
-  /// What is suspicious but no error, one line each as in an InputError.
+  /// Suspicious values that are not errors, one line each as in an InputError.
   std::vector<std::string> warnings;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* option = "--vary";
 constexpr double most_members = 1e5;
 
-/// Trouble with one `--vary`.
+/// The error of one `--vary`.
 base::InputError wrong(const std::string& words, const std::string& rule) {
   return base::InputError({{option, words, rule}});
 }
@@ -29,7 +29,7 @@ std::optional<double> number_of(const std::string& text) {
   return fits ? std::optional(value) : std::nullopt;
 }
 
-/// Parts between commas that stand in no bracket and no quotes.
+/// Parts between commas outside of brackets and quotes.
 std::vector<std::string> listed(const std::string& text) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -60,7 +60,7 @@ constexpr const char* range_rule =
     "must be key=a:b:n or key=log:a:b:n, numbers a and b (for log both > 0) and a whole number n >= 2, "
     "or key=v1,v2,...";
 
-/// The numbers of a range; empty when it is none.
+/// The numbers of a range; empty when it is not a range.
 std::vector<std::string> numbers_of(std::vector<std::string> parts) {
   const bool logarithmic = parts.front() == "log";
   if (logarithmic) parts.erase(parts.begin());
@@ -114,7 +114,7 @@ void check_places(const std::string& text, const Variation& variation, Issues& i
       issues.push_back({option, variation.key + '=' + value, "cannot be put there"});
 }
 
-/// All variations, each with a key that the scene can take; everything wrong is thrown at once.
+/// All variations, each with a key that the scene can take; all errors are thrown at once.
 std::vector<Variation> checked(const std::vector<std::string>& variations, const std::string& text) {
   const auto root = parse(text);
   std::vector<Variation> good;
@@ -184,7 +184,7 @@ Variation variation_of(const std::string& words) {
 
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {
   const auto text = text_of(path);
-  read_text(text, path);  // its own faults are told once, not once per member
+  read_text(text, path);  // its own errors are reported once, not once per member
   const auto variations = checked(words, text);
   Sweep sweep;
   std::size_t count = 1;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-/// A scene many times over: each member has other values at the keys that are varied.
+/// Variations of a scene: each member has other values at the keys that are varied.
 namespace reye::scene {
 
 /// One key and the values it takes, as written in TOML.
@@ -12,7 +12,7 @@ struct Variation {
 };
 
 /// `key=a:b:n`: n numbers from a to b, both included; `key=log:a:b:n`: with equal ratios;
-/// `key=v1,v2,...`: these values, what is no number, truth value, list, table or quoted text is a text.
+/// `key=v1,v2,...`: these values; one that is not a number, truth value, list, table or quoted text is a text.
 /// Throws base::InputError with the rule that is broken.
 Variation variation_of(const std::string& words);
 
@@ -27,7 +27,7 @@ struct Sweep {
 };
 
 /// The members of the scene at `path` under all variations, none of them read yet.
-/// Throws base::InputError with everything that is wrong with the variations: a key that is unknown, that stands where
+/// Throws base::InputError with all errors of the variations: a key that is unknown, that stands where
 /// the scene has no table of that name, is varied twice or cannot be set.
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& variations);
 

@@ -17,7 +17,8 @@ constexpr double smallest_mm3_per_J = 1e-12;
 constexpr double largest_per_MPa = 1e-2;    ///< of Archard's law: chalk has less
 constexpr double smallest_per_MPa = 1e-14;  ///< diamond-like coatings have 1e-11
 constexpr double least_motion_mm = 1e-6,
-                 smallest_motion_mm = 1e-4;  ///< between them a way is one in metres; a smaller one is meant
+                 smallest_motion_mm =
+                     1e-4;  ///< a motion between the two is probably in metres; a smaller one is intended
 
 template <class... Args>
 std::string text(const char* format, Args... args) {

@@ -136,7 +136,7 @@ void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
   if (!root.given("step")) issues.push_back({"step", "", "missing; a scene has at least one [[step]]"});
 }
 
-/// A finite-strain body needs a law that knows finite strain.
+/// A finite-strain body needs a law of finite strain.
 void check_kinematics(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& body : root.all("body")) {
     const auto found = scene.materials.find(body.text("material"));
@@ -160,7 +160,7 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& probe : root.at("output").all("probes")) refer(probe, "body", "body", bodies, issues);
 }
 
-/// Why lives do not go as 1 / (wear coefficient); empty when they do. With a fixed jump of N cycles a run depends on
+/// Why lives do not scale as 1 / (wear coefficient); empty when they do. With a fixed jump of N cycles a run depends on
 /// coefficient x N alone: coefficients times c and jumps over c give the same states, each at 1 / c of the cycles.
 std::string no_band_rule(const Scene& scene) {
   for (const auto& contact : scene.contacts) {
@@ -188,7 +188,7 @@ void check_bands(const Entry& root, const Scene& scene, Issues& issues) {
       issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"), "must be [lowest, highest]"});
     if (!why.empty())
       issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"),
-                        why + ", so that lives do not go as 1 / factor; vary the coefficients in a sweep instead"});
+                        why + ", so that lives do not scale as 1 / factor; vary the coefficients in a sweep instead"});
   }
 }
 
@@ -212,7 +212,8 @@ int order_of(const Scene& scene, const std::string& name) {
   return 1;
 }
 
-/// Elements that lock: triangles of order 1, and quads without their cure, where volume is (nearly) kept.
+/// Warns of elements that lock: triangles of order 1, and quads without B-bar, where the material is (nearly)
+/// incompressible.
 void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
   if (scene.analysis == base::Analysis::plane_stress) return;
   for (const auto& body : root.all("body")) {
@@ -225,7 +226,7 @@ void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
     if (!triangles && body.maybe_flag("b_bar").value_or(true)) continue;
     found.push_back({body.key("material"), body.written("material"),
                      std::string(triangles ? "triangles of order 1" : "quads of order 1 without b_bar") +
-                         " lock where the material (nearly) keeps its volume, " +
+                         " lock where the material is (nearly) incompressible, " +
                          (plastic ? "as plastic flow does" : "as nu > 0.45 does") + "; take " +
                          (triangles ? "quads or order = 2" : "b_bar = true or order = 2")});
   }

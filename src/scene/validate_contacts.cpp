@@ -36,8 +36,8 @@ void check_bodies(const Entry& entry, const Scene& scene, const contact::Contact
                         "\"" + edge + "\" lies on the body of the secondary side, \"" + secondary->name + "\""});
 }
 
-/// What is bonded carries traction everywhere: such an edge is secondary once. Contacts may share one, each against
-/// other edges.
+/// A bonded edge carries traction everywhere, so it is secondary once. Contacts may share a secondary edge, each
+/// against other edges.
 void check_shared_secondary(const std::vector<Entry>& entries, const std::vector<contact::ContactOptions>& joints,
                             Issues& issues) {
   const auto kind = [&](std::size_t i) { return std::string(joints[i].bonded ? "bond" : "contact"); };
@@ -53,8 +53,9 @@ void check_shared_secondary(const std::vector<Entry>& entries, const std::vector
             {entries[i].key("secondary"), entries[i].written("secondary"),
              "is already the secondary side of " + named(j) + "; give one bond all its primary boundaries"});
       else if (joints[i].bonded || joints[j].bonded)
-        issues.push_back({entries[i].key("secondary"), entries[i].written("secondary"),
-                          "is already the secondary side of " + named(j) + ", and what is bonded meets nothing else"});
+        issues.push_back(
+            {entries[i].key("secondary"), entries[i].written("secondary"),
+             "is already the secondary side of " + named(j) + ", and a bonded boundary can have no other contact"});
       else if (both != mine.end())
         issues.push_back({entries[i].key("primary"), entries[i].written("primary"),
                           '"' + *both + "\" meets \"" + joints[i].secondary + "\" in " + named(j) + " already"});

@@ -4,21 +4,19 @@
 
 #include "solver/increment.hpp"
 
-/// What is out of balance in an increment, and how much of it is rounding.
+/// The unbalanced forces of an increment, and the part of them that is rounding.
 namespace reye::solver {
 
 namespace {
 
 constexpr double tiny = std::numeric_limits<double>::min();
-constexpr double nothing =
-    1e-30;  ///< of a stiffness times a length: what is not asked to be in balance where nothing acts
-constexpr double digits =
-    64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of what is summed up from many terms
+constexpr double nothing = 1e-30;  ///< of a stiffness times a length: imbalance that is ignored where nothing acts
+constexpr double digits = 64.0 * std::numeric_limits<double>::epsilon();  ///< relative, of sums of many terms
 
 double largest_of(const Vector& v) { return v.size() ? v.lpNorm<Eigen::Infinity>() : 0.0; }
 
-/// The largest length that the position of a node is made of: what its rounding is relative to. An angle has lost what
-/// many turns cost it.
+/// The largest length in the sum that gives the position of a node, to which its rounding is relative. An angle loses
+/// digits over many turns.
 double extent_of(const PlacedNode& node, const Vector& q) {
   const double turned = node.angle < 0 ? 0.0 : std::abs(q[node.angle]) * node.position.swing.norm();
   return std::max(node.position.x.norm(), turned);
@@ -32,8 +30,8 @@ const Matrix& Increment::stiffness(std::size_t body) const {
   return tangent ? *tangent : reduction().stiffness(static_cast<int>(body));
 }
 
-/// Per deformable body its deformation v on the reduced columns, in which no rigid translation is rounded; of nonlinear
-/// ones since the anchor.
+/// Per deformable body its deformation v on the reduced columns, without the rounding of its rigid translation; of
+/// nonlinear ones since the anchor.
 std::vector<Vector> Increment::deformations(const System& system, const base::TwoPart& q) const {
   std::vector<Vector> v(system.bodies.size());
   for (std::size_t b = 0; b < v.size(); ++b) {
@@ -71,7 +69,8 @@ Vector Increment::residual(const System& system, const Controls& controls, const
   return r;
 }
 
-/// Of a linear body S v is rounded, not S q: rigid motion leaves nothing. Of a nonlinear one so is the stress.
+/// For a linear body S v is rounded, not S q, so that rigid motion adds no error; for a nonlinear one the stress of v
+/// is.
 Increment::Rounding Increment::rounding(const System& system, const base::TwoPart& q,
                                         const std::vector<Vector>& v) const {
   Rounding result;
@@ -111,7 +110,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
       if (!face.active(node)) continue;
       multiplier = std::max({multiplier, lambda_[c][j].norm(), face.setup().faint});
       const double D = face.rows()[j].D, traction = face.setup().stiffness[j] / D;
-      // What rounding of positions leaves of a gap can not be asked to vanish.
+      // The rounding error of positions in a gap cannot be required to vanish.
       const double rounding = digits * extent_of(nodes[j], q.high) * D;
       const auto overlap = [&](double r) { return traction * std::max(0.0, std::abs(r) - rounding); };
       const auto count = [&](double r) {
@@ -127,7 +126,7 @@ Iteration Increment::measure(const System& system, const Controls& controls, con
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* turning = reduction().turning(static_cast<int>(b)); turning && !turning->chord.empty())
       balance_[reduction().first(static_cast<int>(b)) + turning->angle] =
-          0.0;  // its balance is that of the other columns
+          0.0;  // its balance is in that of the other columns
   const Rounding rounding = this->rounding(system, q, v);
   largest = std::max({largest, nonlinear_.force_scale(), rounding.scale});
   const double inside = fresh ? nonlinear_.inside_imbalance() : 0.0;

@@ -2,11 +2,13 @@
 
 namespace reye::solver {
 
-/// Tells when Newton may go on a chord, with the matrix of an earlier iteration: to build and factorise a new one costs
-/// several times what the residuals do. It may while no node changes status and every step takes the error to a tenth.
+/// Decides when Newton may take chord steps with the matrix of an earlier iteration: building and factorising a new one
+/// costs several times as much as the residuals. It may while no node changes status and every step takes the error to
+/// a tenth.
 class ChordRule {
  public:
-  /// Of every iteration before its step: error of the state and number of nodes that changed status.
+  /// To be called in every iteration before its step, with the error of the state and the number of nodes that changed
+  /// status.
   bool allows(double error, int changes) {
     const bool allowed = changes == 0 && error < 0.1 * last_;
     last_ = error;

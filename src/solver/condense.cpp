@@ -26,7 +26,7 @@ void Condenser::again(const Vector& rhs) {
   b_.head(rhs.size()) = rhs;
 }
 
-/// What turns with q turns the arms of its forces, too: second derivatives of positions in the tangent.
+/// Nodes that turn with q turn the arms of their forces, too: adds the second derivatives of positions to the tangent.
 void Condenser::turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
                      const Window& window, const Vector& q) {
   turned_.resize(system.bodies.size());
@@ -51,7 +51,7 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
   }
 }
 
-/// Of linear bodies that turn the columns of the nodes themselves turn.
+/// For linear bodies that turn the columns of the nodes themselves turn.
 void Condenser::turn(const std::vector<PlacedNode>& nodes, const Vector& force) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const auto& p = nodes[k].position;

@@ -16,12 +16,13 @@ struct PlacedNode {
   int free = 0;                               ///< number of its own free columns: they come last
 };
 
-/// The same column: those that contact acts on are all in the window. Throws std::logic_error for one that is not.
+/// Returns the column, which is in the window as all are that contact acts on. Throws std::logic_error for one that is
+/// not.
 int inside(int column);
 
 /// Newton's matrix with the multipliers eliminated. D is diagonal, so the balance of an active secondary node gives
-/// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. Once solved,
-/// the matrix serves other residuals, too: `again`.
+/// dlambda = D^-1 (b - A dq); it goes into the rows it loads, and the node's rows become its conditions. The factorised
+/// matrix can be reused for other residuals: `again`.
 class Condenser {
  public:
   /// An empty matrix; `rhs`: minus the unbalanced forces, those of contact included. A multiplier along a direction
@@ -29,7 +30,7 @@ class Condenser {
   void start(const System& system, const Vector& rhs, const std::vector<contact::Interface>& faces,
              const std::vector<std::vector<PlacedNode>>& nodes);
 
-  /// The last matrix with another right-hand side; of what follows, `eliminate`, `fix` and `solve` renew that alone.
+  /// Keeps the last matrix with another right-hand side; `eliminate`, `fix` and `solve` after it renew only that.
   void again(const Vector& rhs);
 
   /// Tangent of a body whose columns start at `at`.
@@ -40,10 +41,10 @@ class Condenser {
   /// A spring from a column to the ground.
   void stiffen(int column, double stiffness) { At_(column, column) += stiffness; }
 
-  /// Where the tangent of a body whose columns start at `at` stands, transposed.
+  /// The block of the transposed tangent of a body whose columns start at `at`.
   Eigen::Ref<Matrix> tangent(int at, Eigen::Index size) { return At_.block(at, at, size, size); }
 
-  /// Derivatives of conditions and forces, per contact: what the next matrix is made of.
+  /// Derivatives of conditions and forces, per contact, from which the next matrix is made.
   const std::vector<contact::Linearised>& linearise(std::vector<contact::Interface>& contacts,
                                                     const std::vector<std::vector<Vec2>>& lambda);
 

@@ -15,8 +15,8 @@ using base::Vector;
 class Condensed {
  public:
   Condensed() = default;
-  /// `near` and `far`: columns n and f of S. `inverse`: what stands for S where choices follow one another, or null.
-  /// Where nothing is left out both are shared. Throws base::SolveError when S_ff is not definite.
+  /// `near` and `far`: columns n and f of S. `inverse`: the inverse to use in place of S where choices follow one
+  /// another, or null. Where no column is left out both are shared. Throws base::SolveError when S_ff is not definite.
   Condensed(std::shared_ptr<const Matrix> S, std::shared_ptr<const algebra::Compliance> inverse, std::vector<int> near,
             std::vector<int> far);
   /// A choice of the columns kept.
@@ -29,7 +29,7 @@ class Condensed {
   const std::vector<int>& near() const { return near_; }
   const std::vector<int>& far() const { return far_; }
 
-  /// Forces f on all columns: f' on those kept, and what f_f moves.
+  /// Forces f on all columns: f' on those kept, and the displacements q_f by f_f.
   struct Load {
     Vector near, own;
   };

@@ -13,8 +13,8 @@ namespace {
 constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
 constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
 
-/// Nodes just out of reach go along with their neighbour in reach. Left behind, a slide of more than a facet in one
-/// increment would turn the facet at the rim round, and with it the averaged normal beside it.
+/// Nodes just out of reach move with their neighbour in reach. Otherwise a slide of more than a facet in one increment
+/// would reverse the facet at the rim, and with it the averaged normal beside it.
 void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, const std::vector<Vec2>& before,
                std::vector<Vec2>& x) {
   for (const auto& facet : surface.facets)
@@ -30,7 +30,7 @@ bool ContactsInReach::choose(const System& system, const SolverState& before, bo
   limited_ = limited;
   reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
   reduction_ = Reduction(system, reach_);
-  // Before anything touches, or where contact outran its reach, the next increment chooses anew.
+  // Before anything touches, or where contact outran its reach, the next increment chooses again.
   chosen_ = !(reach_ == Reach::all(system)) || !limited;
   return true;
 }

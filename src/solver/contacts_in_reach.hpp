@@ -6,30 +6,31 @@
 
 namespace reye::solver {
 
-/// The contacts of an increment on the columns in reach: which of their nodes take part, where these are, what is
-/// integrated there. The reach is kept between increments until `forget`.
+/// The contacts of an increment on the columns in reach: the nodes that take part, their positions, and the integrals
+/// there. The reach is kept between increments until `forget`.
 class ContactsInReach {
  public:
   void forget() { chosen_ = false; }
-  /// Which nodes take part; `limited`: those near the contact, unless `everything` shall. False: those that did.
+  /// Chooses the nodes that take part; `limited`: those near the contact, unless `everything` is set. False: the choice
+  /// is unchanged.
   bool choose(const System& system, const SolverState& before, bool everything, bool limited);
-  /// From the accepted state.
+  /// Starts an increment from the accepted state.
   void begin(const System& system, const SolverState& before, const Controls& controls, const Guess* guess);
 
   /// Moves the nodes in reach to where the reduced q puts them, and integrates.
   void place(const System& system, const Vector& q) { integrate(system, reduction_.scatter(q), false); }
-  /// The same with all nodes and the global q.
+  /// Moves all nodes to where the global q puts them, and integrates.
   void place_all(const System& system, const Vector& q) { integrate(system, q, true); }
 
-  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it.
+  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it.
   bool narrow(const System& system, base::TwoPart& q);
-  /// Back to all nodes.
+  /// Returns to all nodes.
   void widen(const System& system, base::TwoPart& q) { change(system, Reach::all(system), q); }
-  /// Round the contact that was found among all nodes, or all nodes.
+  /// Chooses the reach round the contact that was found among all nodes, or all nodes.
   void follow(const System& system, base::TwoPart& q);
   /// Whether contact, placed among all nodes, stayed inside the reach.
   bool enclosed() const { return enclosed_by(reach_); }
-  /// Placed among all nodes: which node went through the other side unseen, in words; empty: none.
+  /// After `place_all`: the node that went through the other side undetected, in words; empty: none.
   std::string passed_through() const;
 
   bool limited() const { return limited_; }
@@ -50,7 +51,7 @@ class ContactsInReach {
   Reduction reduction_;
   bool chosen_ = false, limited_ = true;
   std::vector<contact::Interface> faces_;
-  std::vector<Sides> sides_, start_;  ///< where the surface nodes are, and where the increment found them
+  std::vector<Sides> sides_, start_;  ///< positions of the surface nodes, now and at the start of the increment
   std::vector<std::vector<PlacedNode>> nodes_;
 };
 

@@ -29,7 +29,7 @@ double claim(const contact::Interface& face, int node) {
   return active * row.cover / (1.0 + open / (near * face.setup().length[node]));
 }
 
-/// What a contact leaves to others.
+/// The nodes and facets that a contact leaves to others.
 struct Left {
   std::set<int> nodes, facets;
 };

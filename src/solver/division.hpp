@@ -4,21 +4,21 @@
 
 #include "contact/interface.hpp"
 
-/// Which contact carries a place that several list on their secondary side: a place can meet one other side only.
+/// The contact that carries a place which several list on their secondary side: a place can meet one other side only.
 namespace reye::solver {
 
-/// What lies on the secondary side of several contacts: per place, its number in each.
+/// Places on the secondary side of several contacts: per place, its number in each.
 struct SharedSecondary {
   using Places = std::vector<std::pair<int, int>>;  ///< (contact, node or facet of its secondary surface)
   std::vector<Places> nodes, facets;
 };
 
-/// Of contacts; bonds give way as a whole (`make_system`).
+/// The shared places of contacts; bonds give way as a whole (`make_system`).
 SharedSecondary shared_secondary(const std::vector<contact::Setup>& contacts);
 
 /// Leaves every node that several contacts meet to the one that covers most of it and is near, and every facet between
 /// nodes of two contacts to the one that covers most of it. A node that is active stays where it is until another
-/// contact has twice as much: no two answers call one another for ever.   (README, 5)
+/// contact has twice as much: so decisions cannot alternate for ever.   (README, 5)
 void divide(const SharedSecondary& shared, std::vector<contact::Interface>& faces);
 
 }  // namespace reye::solver

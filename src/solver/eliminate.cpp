@@ -2,7 +2,7 @@
 
 #include "solver/condense.hpp"
 
-/// The multipliers of active nodes, out of Newton's matrix.   [README (2)]
+/// Eliminates the multipliers of active nodes from Newton's matrix.   [README (2)]
 namespace reye::solver {
 
 /// Columns of slope for the components of dlambda of active nodes.
@@ -143,14 +143,14 @@ void Condenser::conditions(const contact::Interface& face, const std::vector<Pla
       At_(inside(node.column[t]), condition.column) += value * node.position.terms[t].direction[e.col % 2];
     if (node.angle >= 0) At_(node.angle, condition.column) += value * node.position.swing[e.col % 2];
   }
-  for (auto& s : elim.met) {  // a weight that passed through zero is met twice, and counts once
+  for (auto& s : elim.met) {  // a weight that passed through zero is listed twice, and counts once
     s.factor = std::exchange(weight_(s.component, s.column), 0.0);
     s.column = elim.conditions[s.column].column;
     At_.col(s.column) += s.factor * elim.slope.col(s.component);
   }
 }
 
-/// What elimination makes of the residuals.
+/// The right-hand side after elimination.
 void Condenser::right_hand_side(const System& system, const std::vector<contact::Interface>& faces) {
   for (auto& elim : elimination_) elim.constant.setZero(elim.slope.cols());
   for (const auto& turn : turns_) {

@@ -9,8 +9,8 @@ using contact::ContactStatus;
 
 namespace {
 
-/// Multipliers whose shear points the way that an increment slides where sliding is imposed: that it reverses is known,
-/// and wear by what friction works, |shear x slip|, has no slope to be found across zero.
+/// Multipliers whose shear points along imposed sliding: its reversal is known, and frictional work |shear x slip| has
+/// no slope through which Newton could find it across zero.
 std::vector<Vec2> along_sliding(const contact::ContactState& before, double slip) {
   auto lambda = before.lambda;
   for (std::size_t j = 0; j < lambda.size(); ++j) {
@@ -53,7 +53,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
   if (guess) q += reduction().restrict_to(guess->dq);
   if (continues > 0.0) q += continues * reduction().restrict_to(last_step_);
-  // A nonlinear body is led to what is imposed by its tangent, not torn there.
+  // The tangent leads a nonlinear body to its imposed motion, without distorting the elements beside it.
   for (const auto& [column, value] : controls.prescribed)
     if (guess || !nonlinear_.own(column)) {
       q.high[reduction().index(column)] = value;
@@ -152,7 +152,7 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
   return true;
 }
 
-/// Tells the window where the bodies that turn are.
+/// Gives the window the rotations of the bodies that turn.
 void Increment::turn_window(const System& system, const base::TwoPart& q) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b);
@@ -170,7 +170,7 @@ void Increment::turn_window(const System& system, const base::TwoPart& q) {
   }
 }
 
-/// Where no support names the angle of a body: what the frame turns by is what its chord does.
+/// Where no support names the angle of a body, the frame turns with its chord.
 void Increment::tie_angles(const System& system, const base::TwoPart& q) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b), at = reduction().first(body);

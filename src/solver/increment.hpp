@@ -9,50 +9,51 @@
 
 namespace reye::solver {
 
-/// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: what an iteration
-/// places, decides, measures and solves. Work space is kept between increments; so are the reach and the last
-/// increment, until `forget`.
+/// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: an iteration places,
+/// decides, measures and solves them. Work space is kept between increments; so are the reach and the last increment,
+/// until `forget`.
 class Increment {
  public:
   void forget();
-  /// `accepted` is the state that this increment has led to.
+  /// Remembers the increment from `before` to the state `accepted`.
   void remember(const SolverState& before, const SolverState& accepted);
   /// Whether `before` is of the system whose last increment is remembered.
   bool follows(const SolverState& before) const { return last_step_.size() == before.q.size(); }
 
-  /// Which contact nodes take part; `limited`: those near the contact, unless `everything` shall.
+  /// Chooses the contact nodes that take part; `limited`: those near the contact, unless `everything` is set.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
-  /// From `before`, or where the guess, or else the last increment gone on with, is predicted to lead. Returns q;
-  /// throws base::SolveError when a nonlinear body can not be linearised there.
+  /// Starts from `before`, or from the state that the guess, or else the continuation of the last increment, predicts.
+  /// Returns q; throws base::SolveError when a nonlinear body cannot be linearised there.
   base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
                       body::Tangent tangent);
 
   /// Moves the surfaces to where q puts them, and integrates.
   void place(const System& system, const base::TwoPart& q) { contacts_.place(system, q.high); }
-  /// Number of nodes that ask for another status; those that are allowed to get it.
+  /// Decides the status of all nodes, as far as `allowed`; returns the number of nodes that ask for another status.
   int decide(int iteration, contact::Start from, Allowed allowed);
-  /// Where no earlier increment has told the reach: narrows it round what is active by now, if that is worth it. Newton
-  /// goes on as it would have, on a smaller matrix. True: q has to be placed and measured again.
+  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it. Newton
+  /// continues as it would have, on a smaller matrix. True: q has to be placed and measured again.
   bool narrow(const System& system, const Controls& controls, base::TwoPart& q);
-  /// Back to all nodes.
+  /// Returns to all nodes.
   void widen(const System& system, const Controls& controls, base::TwoPart& q);
-  /// Where `accept` has found that contact outran its reach: round the contact that it has found, or all nodes; Newton
-  /// goes on from there. False: with nonlinear bodies it can not.
+  /// After `accept` has found that contact outran its reach: chooses the reach round that contact, or all nodes, and
+  /// Newton continues from there. False: not possible with nonlinear bodies.
   bool follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
-  /// One semi-smooth Newton step about (q, lambda), or on a `chord`: with the matrix of the last one. Returns dq and
-  /// takes lambda along. Throws base::SolveError when the matrix is singular.
+  /// One semi-smooth Newton step about (q, lambda), or a chord step with the last matrix. Returns dq and updates
+  /// lambda. Throws base::SolveError when the matrix is singular.
   Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
-  /// Takes nonlinear bodies to where contact left them, with the tangent they have. Returns why it can not be done.
+  /// Moves nonlinear bodies to the state in which contact left them, with their present tangent. Returns why this
+  /// fails, or nothing.
   std::string renew(base::TwoPart& q);
-  /// Linearises them there. Returns why it can not be done.
+  /// Linearises nonlinear bodies there. Returns why this fails, or nothing.
   std::string linearise(const base::TwoPart& q, body::Tangent tangent);
-  /// Solves back what was out of reach and takes the state over. False: contact did not stay inside the reach.
+  /// Recovers the nodes out of reach and stores the state. False: contact did not stay inside the reach.
   bool accept(const System& system, const base::TwoPart& q, SolverState& state);
 
-  /// After `accept`: which node went through the other side of its contact unseen, in words; empty: none.
+  /// After `accept`: the node that went through the other side of its contact undetected, in words; empty: none.
   std::string passed_through() const { return contacts_.passed_through(); }
 
   bool nonlinear() const { return nonlinear_.any(); }
@@ -65,8 +66,8 @@ class Increment {
 
  private:
   struct Rounding {
-    double inside = 0.0;  ///< force that the rounding of a body's own forces may leave
-    double scale = 0.0;   ///< force that the rounding of positions makes: where none is larger, nothing is loaded
+    double inside = 0.0;  ///< possible rounding error of a body's own forces
+    double scale = 0.0;   ///< force due to the rounding of positions: where none is larger, nothing is loaded
   };
   const Reduction& reduction() const { return contacts_.reduction(); }
   void take_columns(const System& system, const Controls& controls);

@@ -3,7 +3,7 @@
 
 namespace reye::solver {
 
-/// Columns of which some are left out; those kept are numbered anew, body by body.
+/// Columns of which some are left out; those kept are renumbered, body by body.
 struct KeptColumns {
   std::vector<int> column;  ///< of each one kept
   std::vector<int> index;   ///< of each column among those kept, -1 left out

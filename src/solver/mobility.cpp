@@ -10,7 +10,7 @@ namespace reye::solver {
 
 namespace {
 
-/// The directions in which the columns that nothing prescribes move a node.
+/// The directions in which a node is moved by the columns that nothing prescribes.
 body::NodeFreedom freedom_of(const body::NodePosition& position, int offset, const std::vector<char>& prescribed) {
   constexpr double parallel = 1e-3;
   body::NodeFreedom freedom{0, Vec2::Zero()};
@@ -26,14 +26,14 @@ body::NodeFreedom freedom_of(const body::NodePosition& position, int offset, con
   return freedom;
 }
 
-/// The column of the angle that a body turns by; -1 where it has none.
+/// The column of the rotation of a body; -1 where it has none.
 int angle_column(const System& system, int body) {
   if (std::holds_alternative<body::RigidBody>(system.bodies[body])) return system.offset[body] + body::RigidBody::angle;
   const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
   return linear && linear->turning() ? system.offset[body] + linear->turning()->angle : -1;
 }
 
-/// What supports turn a side by; nothing where it is made of several bodies.
+/// The angle by which supports turn a side; zero where it is made of several bodies.
 double imposed_turn(const System& system, const std::vector<contact::SurfaceNode>& side, const Vector& q,
                     const Controls& controls) {
   const int body = side.front().body;

@@ -23,7 +23,7 @@ double facet_length(const contact::Setup& setup) {
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-/// Whether a body is turned so far in one increment that contact finds other nodes of it than those in reach.
+/// Whether a body is turned so far in one increment that contact moves to nodes out of reach.
 bool turns_beyond_reach(const System& system, const SolverState& before, const Controls& controls) {
   constexpr double facets = 4.0;  // the reach has a margin of six
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -40,7 +40,7 @@ bool turns_beyond_reach(const System& system, const SolverState& before, const C
   return false;
 }
 
-/// Whether a contact is loaded whose friction this increment decides.
+/// Whether a loaded contact has friction that this increment has to decide.
 bool rubs(const System& system, const SolverState& before, const Controls& controls) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& options = system.contacts[c].options;
@@ -65,10 +65,10 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
     attempts.push_back({Start::predicted, options_.chords});
   attempts.push_back({Start::sticking, options_.chords});
-  // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is lost
-  // on the way. There friction starts as it was, and gives way.
+  // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is then
+  // lost. Such an increment starts with the former friction, which then yields.
   if (rubs(system, before, controls)) attempts.push_back({Start::sheared, options_.chords});
-  // Far from the solution kept and symmetric tangents may lead astray where Newton's own do not.
+  // Far from the solution kept or symmetric tangents may diverge where Newton's own do not.
   if (options_.chords && nonlinear(system)) {
     if (attempts.front().from == Start::predicted) attempts.push_back({Start::predicted, false});
     attempts.push_back({Start::sticking, false});

@@ -3,10 +3,10 @@
 
 namespace reye::solver {
 
-/// Semi-smooth Newton (primal-dual active set) for one increment. Nonlinear bodies are linear ones that are renewed:
-/// contact settles on their linearisation, then they are linearised anew where it left them, until both are met. Each
-/// renewal is a Newton step of the whole, with the active set of its end. Work space is kept between calls; so are the
-/// reach and the last increment, which steer but do not decide the result: `reset` forgets them.
+/// Semi-smooth Newton (primal-dual active set) for one increment. Nonlinear bodies are treated as linear ones that are
+/// renewed: contact settles on their linearisation, then they are linearised again in that state, until both are met.
+/// Each renewal is a Newton step of the whole system, with the active set of its end. Work space is kept between calls;
+/// so are the reach and the last increment, which steer but do not decide the result: `reset` forgets them.
 class Newton {
  public:
   Newton() = default;

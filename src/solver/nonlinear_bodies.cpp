@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_halvings = 5;    ///< of a step that turns an element inside out
 constexpr int most_shortened = 3;   ///< of one that makes the imbalance grow
-constexpr double unbalanced = 0.1;  ///< of the forces: less than that is no sign of a step too long
+constexpr double unbalanced = 0.1;  ///< of the forces: a smaller imbalance does not show that a step is too long
 
 }  // namespace
 

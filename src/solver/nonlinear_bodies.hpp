@@ -10,11 +10,11 @@ namespace reye::solver {
 using Multipliers = std::vector<std::vector<Vec2>>;
 
 /// The nonlinear bodies of a system while one increment is solved: linear ones that are renewed.   [README (4)]
-/// Holds their interiors and their last linearisation, about an anchor. All calls but `begin` and `any` speak of the
-/// increment that `begin` started; what it was given must live as long.
+/// Holds their interiors and their last linearisation, about an anchor. All calls but `begin` and `any` refer to the
+/// increment that `begin` started; its arguments must live as long.
 class NonlinearBodies {
  public:
-  /// From the accepted state; a guess says where that will lead, `share` > 0 goes on by that share of the last
+  /// Starts from the accepted state; a guess predicts its end, `share` > 0 continues by that share of the last
   /// increment.
   void begin(const System& system, const SolverState& before, const Controls& controls, const Reduction& reduction,
              const Guess* guess, double share);
@@ -24,16 +24,16 @@ class NonlinearBodies {
   bool own(int column) const;
 
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
-  /// out or a stress can not be found.
+  /// out or a stress cannot be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
-  /// Takes the interiors to where q has gone since the anchor and measures there what is out of balance; where that can
-  /// not be done, or is far worse balanced, half the way is tried, and so on. The tangent stays. Returns why it can not
-  /// be done at all.
+  /// Moves the interiors after the change of q since the anchor and measures the imbalance there; where that fails, or
+  /// the imbalance is far larger, half the step is tried, and so on. The tangent stays. Returns why no step succeeds,
+  /// or nothing.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
 
   /// S of a body; null when it is not nonlinear.
   const Matrix* tangent(int body) const;
-  /// v of q - q_anchor of a body: what of the way costs force.
+  /// v of q - q_anchor of a body: its part without rigid translation.
   Vector deformation(int body, const base::TwoPart& q) const;
   /// Adds r + S v of a body.
   void add_residual(int body, const Vector& v, Vector& r) const;

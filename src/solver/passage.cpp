@@ -8,12 +8,12 @@ namespace reye::solver {
 
 namespace {
 
-constexpr double least_depth = 0.5;  ///< of the search: what lies less deep and faces the other side is seen
+constexpr double least_depth = 0.5;  ///< of the search: a node less deep that faces the other side is detected
 
-/// A side of a contact as straight pieces, where the increment found it and where it is; a curved facet has two.
+/// A side of a contact as straight pieces, at the start of the increment and now; a curved facet has two.
 struct Line {
   Points before, now;
-  std::vector<char> seen;  ///< per point: the integrals know what is opposite
+  std::vector<char> seen;  ///< per point: the integrals have found its opposite facets
   std::vector<std::array<int, 2>> pieces;
 };
 

@@ -31,7 +31,7 @@ void widen(const mortar::Surface& surface, std::vector<char>& mark, int margin) 
 
 }  // namespace
 
-/// One contact more; false where none of its nodes is active.
+/// Adds one contact; false where none of its nodes is active.
 bool Reach::add(const contact::Setup& setup, const std::vector<ContactStatus>& status,
                 const std::vector<contact::MortarRow>& rows, Margin margin) {
   std::vector<char> near_secondary(setup.secondary.X.size(), 0), near_primary(setup.primary.X.size(), 0);
@@ -83,7 +83,7 @@ Reach Reach::of_derivatives(const std::vector<contact::Interface>& contacts,
     for (const auto& e : derivatives[c].force) touched[e.row / 2] = touched[e.col / 2] = 1;
     for (const auto& e : derivatives[c].rows)
       if (e.col < 2 * all && face.active(e.row / 2)) touched[e.col / 2] = 1;
-    // Where nothing touches, a body may hang on nothing but what is kept.
+    // Where nothing touches, a body may be held by nothing but the columns kept.
     if (std::find(touched.begin(), touched.end(), 1) == touched.end()) touched.assign(all, 1);
     reach.secondary.emplace_back(touched.begin(), touched.begin() + ns);
     reach.primary.emplace_back(touched.begin() + ns, touched.end());

@@ -12,11 +12,11 @@ struct Reach {
 
   static Reach all(const System& system);
 
-  /// Nodes beyond the contact: some, and one more for each so many active ones (0: none).
+  /// Number of nodes beyond the contact: a fixed one, plus one for each so many active ones (0: none).
   struct Margin {
     int nodes = 0, active_per_node = 0;
   };
-  /// The nodes that are active and what they meet, with a margin on either side. Everything while a contact has none.
+  /// The active nodes and those they meet, with a margin on either side. Everything while a contact has none.
   static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin);
   static Reach round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin);
 

@@ -21,8 +21,8 @@ class Reduction {
   int first(int body) const { return columns_.first[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
-  /// Forces of all loads, f' on the kept columns; remembers what they move out of reach for `expand`. Those of bodies
-  /// that turn go along with them: `turning_load`.
+  /// Forces of all loads, f' on the kept columns; remembers the displacements out of reach for `expand`. The loads of
+  /// bodies that turn depend on the rotation: `turning_load`.
   Vector loads(const System& system, const std::vector<Vector>& load_factors);
   const body::TurningLoad& turning_load(int body) const { return parts_[body].load; }
   const body::Turning* turning(int body) const { return parts_[body].turning ? &*parts_[body].turning : nullptr; }
@@ -43,7 +43,7 @@ class Reduction {
     body::Translation near_translation, far_translation;
     std::optional<body::Turning> turning;
     body::TurningLoad load;  ///< f' of a body that turns
-    body::TurningLoad own;   ///< what loads move out of reach; where nothing turns all of it is `still`
+    body::TurningLoad own;   ///< displacements by loads out of reach; where nothing turns all of it is `still`
 
     base::TwoPart in_frame(base::TwoPart near) const { return turning ? turning->in_frame(std::move(near)) : near; }
   };

@@ -53,7 +53,7 @@ std::string no_convergence(const System& system, const Placed& nodes, const Susp
     unmet.push_back("forces are out of balance by " + short_number(last.force) + " of the largest" +
                     at(least_balanced(system, nodes, suspects)));
   if (last.condition > options.condition_tolerance)
-    unmet.push_back("a gap or shear misses its condition by " + short_number(last.condition) +
+    unmet.push_back("a gap or shear violates its condition by " + short_number(last.condition) +
                     " of the largest traction" + at(named(system, nodes, suspects.unmet)));
   if (suspects.circles)
     unmet.push_back("no consistent contact status exists" + at(named(system, nodes, suspects.asking)));

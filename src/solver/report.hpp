@@ -4,7 +4,7 @@
 
 #include "solver/condense.hpp"
 
-/// What is asked of the solver and what it tells.
+/// What is asked of the solver and what it reports.
 namespace reye::solver {
 
 struct NewtonOptions {
@@ -49,19 +49,19 @@ struct SolveResult {
   SolveReport report;
 };
 
-/// What stands out where no state is found.
+/// The nodes concerned where no state is found.
 struct Suspects {
   struct Node {
     int contact = -1, node = -1;  ///< a secondary node; -1: none
   };
   int unbalanced = -1;   ///< reduced column with the largest unbalanced force, -1: inside a body
   std::string inside;    ///< the place there, in words
-  Node unmet;            ///< the condition that was met worst
+  Node unmet;            ///< the condition with the largest error
   Node asking;           ///< the first node that asked for another status in the last decision
-  bool circles = false;  ///< the active set went round in circles, whatever the rule
+  bool circles = false;  ///< the active set cycled under every rule
 };
 
-/// Why there is no state, in words: how far off, and where. `nodes`: per contact, secondary ones first.
+/// Why no state was found, in words: the errors that remain, and where. `nodes`: per contact, secondary ones first.
 std::string no_convergence(const System& system, const std::vector<std::vector<PlacedNode>>& nodes,
                            const Suspects& suspects, const std::vector<Iteration>& table, const NewtonOptions& options);
 

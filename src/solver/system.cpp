@@ -44,7 +44,7 @@ std::vector<int> ordered(const std::vector<contact::Setup>& contacts) {
   return order;
 }
 
-/// A node carries one multiplier: where it is secondary in a contact, or in an earlier bond, a bond goes without.
+/// A node carries one multiplier: where it is secondary in a contact, or in an earlier bond, a bond has none.
 void cut_shared(std::vector<contact::Setup>& contacts) {
   std::set<Key> taken;
   for (const bool bonded : {false, true})

@@ -6,7 +6,7 @@
 #include "body/operator.hpp"
 #include "solver/division.hpp"
 
-/// Bodies and contacts joined into one system of equations, and what drives it.
+/// Bodies and contacts joined into one system of equations, with its controls.
 namespace reye::solver {
 
 using base::Matrix;
@@ -24,28 +24,29 @@ struct System {
   std::vector<int> elimination;          ///< order in which the multipliers of the contacts are eliminated
   SharedSecondary shared;                ///< nodes and facets that are secondary in several contacts
   double extent = 0.0;                   ///< of all contact surfaces [mm]
-  /// Per column, what makes its rotation a motion and its moment a force: `extent` where it turns, else one.
+  /// Per column, the arm that converts a rotation to a motion and a moment to a force: `extent` for rotations, else
+  /// one.
   Vector arm;
 
   auto part(const Vector& q, int body) const {
     return q.segment(offset[body], std::visit([](const auto& b) { return b.dofs(); }, bodies[body]));
   }
-  /// The same of all bodies.
+  /// The parts of all bodies.
   std::vector<Vector> parts(const Vector& q) const;
 };
 
 /// Places the bodies in q and orders the contacts: one whose primary nodes are secondary elsewhere comes first.
 System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setup> contacts);
 
-/// What evolves in the solver.
+/// The evolving state of the solver.
 struct SolverState {
   Vector q;
-  Vector q_low;                           ///< what rounding took from q: forces of stiff bodies need q + q_low
+  Vector q_low;                           ///< the rounding error of q: forces of stiff bodies need q + q_low
   std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;
 };
 
-/// What an increment is expected to lead to: where Newton starts. It steers, it does not decide the result.
+/// The expected end of an increment, from which Newton starts. It speeds up the search and does not decide the result.
 struct Guess {
   Vector dq;
   std::vector<Vector> inside;             ///< change of Interior::y, per body; empty but for nonlinear ones
@@ -59,7 +60,7 @@ struct Spring {
   double stiffness = 0.0, rest = 0.0;
 };
 
-/// What is imposed at the end of one increment, and how its contacts behave during it.
+/// The values imposed at the end of one increment, and the data of its contacts.
 struct Controls {
   std::vector<std::pair<int, double>> prescribed;  ///< global column, value
   std::vector<std::pair<int, double>> forces;      ///< global column, force conjugate to it
@@ -67,7 +68,7 @@ struct Controls {
   std::vector<Vector> load_factors;  ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
   const Guess* guess = nullptr;
-  double continues = 0.0;  ///< > 0: this increment goes on as the last one did, this many times as far
+  double continues = 0.0;  ///< > 0: this increment continues as the last one did, this many times as far
 };
 
 /// Positions of the nodes of both sides of a contact at q.
@@ -79,8 +80,8 @@ Sides positions(const System& system, const contact::Setup& setup, const Vector&
 /// Contact forces of all contacts added up in the global columns.
 Vector contact_forces(const System& system, const std::vector<contact::ContactState>& contacts, const Vector& q);
 
-/// Force that each support column carries: residual of the bodies plus contact forces at that column; what other
-/// columns hold is not that sum.
+/// Force that each support column carries: residual of the bodies plus contact forces at that column; for other columns
+/// the sum is not the force that holds them.
 Vector reactions(const System& system, const SolverState& state, const Controls& controls);
 
 }  // namespace reye::solver

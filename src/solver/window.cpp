@@ -2,8 +2,7 @@
 
 namespace reye::solver {
 
-constexpr int spare =
-    1;  ///< nodes beyond what is needed, for a contact that goes on: to choose anew costs half a matrix
+constexpr int spare = 1;  ///< nodes beyond what is needed, for a contact that grows: a new choice costs half a matrix
 
 void Window::choose(const System& system, const Reduction& reduction, const Reach& needed) {
   if (chosen_ && reach_.holds(needed)) return;

@@ -3,20 +3,20 @@
 
 namespace reye::solver {
 
-/// The reduced columns that Newton's matrix is built on: those of nodes that are active, of what they meet and of what
-/// shapes them there. Of the others in reach, which contact may come to, the equations are a linear body's alone: they
-/// are condensed out exactly, and solved back with each step. The window goes along with the contact.
+/// The reduced columns that Newton's matrix is built on: those of active nodes, of the nodes they meet and of those
+/// that shape the surface there. The equations of the others in reach are those of a linear body alone: they are
+/// condensed out exactly, and recovered with each step. The window moves with the contact.
 class Window {
  public:
   void forget() { chosen_ = false; }
-  /// Kept while the nodes `needed` lie inside.
+  /// Chooses the window; the present one is kept while the nodes `needed` lie inside.
   void choose(const System& system, const Reduction& reduction, const Reach& needed);
 
   int index(int column) const { return columns_.index[column]; }                ///< of a reduced column, -1 outside
   int first(int body) const { return columns_.first[body]; }                    ///< of a body's first column inside
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
 
-  /// Where a body that turns is linearised: its reduced columns, the forces on its pivot that are out of balance in its
+  /// The state at which a body that turns is linearised: its reduced columns, the unbalanced forces on its pivot in its
   /// frame, and the rate of its loads with the angle.
   void turn(int body, const Vector& q, const Vector& forces, const Vector& rate);
   /// Makes the transposed stiffness of a body inside its transposed tangent, where it turns.
@@ -32,7 +32,7 @@ class Window {
   KeptColumns columns_;             ///< of the reduced ones
   std::vector<int> first_reduced_;  ///< per body
   struct Part : Condensed {
-    Vector own;                                   ///< what the right-hand side moves outside
+    Vector own;                                   ///< displacements outside by the right-hand side
     std::optional<body::Turning> whole, turning;  ///< on all reduced columns, on those inside
     Vector q, forces;                             ///< where it is linearised
     Condensed::Load rate;

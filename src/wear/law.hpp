@@ -3,7 +3,7 @@
 
 #include "base/dual.hpp"
 
-/// Wear laws: from pressure, shear and slip to removed volume, and the book that is kept of it.
+/// Wear laws: from pressure, shear and slip to removed volume, and the ledger that is kept of it.
 namespace reye::wear {
 
 /// none: no wear. energy: removed volume = alpha times frictional work. archard: = k times pressure times slip.
@@ -20,12 +20,12 @@ struct Law {
   double pressure_ref = 1.0;  ///< MPa
   double speed_exponent = 0.0;
   double speed_ref = 1.0;  ///< mm/s
-  double threshold = 0.0;  ///< energy law: what a node must dissipate per area before it wears [mJ/mm^2]
+  double threshold = 0.0;  ///< energy law: energy per area that must be dissipated at a node before it wears [mJ/mm^2]
 
   bool wears() const { return kind != LawKind::none && (secondary > 0.0 || primary > 0.0); }
 };
 
-/// What a node's slip does to the surface, before the coefficient: frictional work |lambda_t slip| (energy)
+/// The work of a node's slip on the surface, before the coefficient: frictional work |lambda_t slip| (energy)
 /// or |lambda_n slip| (archard). lambda [MPa], weighted slip [mm^2 per mm] give [mJ per mm].
 template <class T>
 T work(const Law& law, const T& lambda_n, const T& lambda_t, const T& weighted_slip) {
@@ -44,7 +44,7 @@ struct Sliding {
   T D{};                     ///< covered length: slip = weighted_slip / D [mm]
 };
 
-/// What the laws need of a node besides: fixed while the equations of one increment are solved.
+/// Further data of a node that the laws need, fixed while the equations of one increment are solved.
 struct Start {
   double jump = 1.0;        ///< cycles that the increment stands for
   double duration_s = 0.0;  ///< of the increment in each of them; read where the law has a speed exponent only
@@ -71,7 +71,7 @@ T beyond_threshold(double threshold, const Start& start, const T& work) {
   return base::value(beyond) > 0.0 ? beyond : T(0.0);
 }
 
-/// The whole law's measure of a node's wear in one cycle: removed volume = coefficient x jump x work.    [README (1)]
+/// The work of the whole law at a node in one cycle: removed volume = coefficient x jump x work.    [README (1)]
 /// Without exponents and threshold bit by bit the plain work.
 template <class T>
 T work(const Law& law, const Sliding<T>& s, const Start& start) {
@@ -85,7 +85,7 @@ T work(const Law& law, const Sliding<T>& s, const Start& start) {
   return w;
 }
 
-/// The book of one contact: what the law's work ought to remove against what was removed.
+/// The ledger of one contact: the volume that the law's work should remove beside the volume that was removed.
 struct Ledger {
   double work = 0.0;               ///< sum of the law's work over increments and nodes, times the cycle jump
   double removed_secondary = 0.0;  ///< removed by shape steps as strips, plus what still waits in the gap

@@ -41,7 +41,7 @@ TEST(Points, StayThroughWearAndRemeshes) {
   }
 }
 
-// Boundaries must go on counting arc length from the end that was chosen at first, though wear turns which end lies
+// Boundaries must continue to count arc length from the end that was chosen at first, though wear turns which end lies
 // left.
 TEST(Points, ArcLengthCountsFromTheSameEnd) {
   auto shape = std::make_shared<body::Shape>(*support::shape_of(support::block_drawing()));

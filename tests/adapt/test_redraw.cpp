@@ -235,7 +235,7 @@ TEST(Redraw, MeshWithoutDrawing) {
   EXPECT_NEAR(mesh::length(fresh.shape->mesh.X, fresh.shape->mesh.boundaries.at("right")), std::numbers::pi, 2e-3);
 }
 
-// A mesh that came without drawing and with a fine face is made anew with about as many elements there.
+// A mesh that came without drawing and with a fine face is remeshed with about as many elements there.
 TEST(Redraw, FineFacesStayFine) {
   const auto mesh = mapped(rectangle({.size = {2.0, 1.0}, .nx = 40, .ny = 16}), [](Vec2 x) {
     return Vec2(1.0 + (x.x() - 1.0) * (0.2 + 0.8 * std::pow(std::abs(x.x() - 1.0), 2)), x.y());
@@ -258,7 +258,7 @@ TEST(Redraw, OwnMesh) {
   EXPECT_FALSE(redraw(*wear(shape, "top", scar(0.01, 1.0, 0.4))).drawing.part.mesh);
 }
 
-// A named boundary that has worn away is told by its name.
+// A boundary that has worn away is reported by its name.
 TEST(Redraw, VanishedBoundary) {
   const auto shape = shape_of(block_drawing());
   auto gone = std::make_shared<body::Shape>(*shape);

@@ -15,8 +15,8 @@ using testing::MatchesRegex;
 
 constexpr auto plane = Analysis::plane_strain;
 
-// A mesh that wear has ruined is told with the element, its place, its quality and the cause; the moved shape is there,
-// because its outline is sound.
+// A mesh that wear has degraded is reported with the element, its place, its quality and the cause; the moved shape is
+// there, because its outline is sound.
 TEST(Refusal, PoorElementIsNamed) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 8, .ny = 4});
   auto shape = make_shape(mesh);

@@ -52,7 +52,7 @@ TEST(Remesh, ContentOfAWornBlock) {
     }
 }
 
-// On a worn disc the worn run keeps its content; the circles on both sides are only divided anew.
+// On a worn disc the worn run keeps its content; the circles on both sides are only redivided.
 TEST(Remesh, ContentOfAWornRunOnADisc) {
   const auto shape = wear(shape_of(half_disc({.far_size = 0.05})), "round", scar(0.01, 0.0, 0.3));
   const auto fresh = remesh(shape, plane, {{{}, {0.0, 1.0}, 0.4, 0.1, 0.011}});
@@ -94,7 +94,7 @@ TEST(Remesh, RefitConverges) {
   for (int k : {0, 1}) EXPECT_GT(std::log2(error[k] / error[k + 1]), 2.9) << error[k];
 }
 
-// Two hundred times worn and meshed anew, a block has lost what its strips add up to.
+// Two hundred times worn and remeshed, a block has lost what its strips add up to.
 TEST(Remesh, LedgerOverTwoHundredRemeshes) {
   const auto born = shape_of(block_drawing());
   auto shape = born;

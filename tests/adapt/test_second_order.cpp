@@ -51,7 +51,7 @@ TEST(SecondOrderStrip, FlatFace) {
   expect_exact(mesh, worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.2 + std::sin(5.0 * x.x())); }));
 }
 
-// The same on a convex and on a hollow arc of few edges.
+// The strip is exact on a convex and on a hollow arc of few edges.
 TEST(SecondOrderStrip, CurvedFaces) {
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = 6, .kind = CellKind::quad8});
   const auto profile = [](Vec2 x) { return 0.01 * (1.0 + x.x() * x.y()); };
@@ -59,7 +59,7 @@ TEST(SecondOrderStrip, CurvedFaces) {
   expect_exact(mesh, worn_by(mesh, "left", profile));
 }
 
-// The same with volumes of revolution: faces from the axis on, along it, and curved in the meridian.
+// Volumes of revolution are exact: faces from the axis on, along it, and curved in the meridian.
 TEST(SecondOrderStrip, Axisymmetric) {
   const auto even = [](Vec2) { return 0.015; };
   const auto leaning = [](Vec2 x) { return 0.01 * (1.0 + x.y()); };

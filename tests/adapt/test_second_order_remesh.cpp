@@ -9,7 +9,7 @@
 #include "mesh/quality.hpp"
 #include "support/surfaces.hpp"
 
-/// Bodies of second order meshed anew, and fields of their surfaces carried over.
+/// Bodies of second order remeshed, and fields of their surfaces carried over.
 namespace reye {
 namespace {
 
@@ -33,7 +33,7 @@ adapt::WornBoundary losses(const mesh::Mesh& mesh, const support::curved::Depth&
   return worn;
 }
 
-/// A worn block has lost `removed` after it was meshed anew, whether its outline keeps its nodes or is divided anew.
+/// A worn block has lost `removed` after it was remeshed, whether its outline keeps its nodes or is redivided.
 void expect_content_kept(CellKind kind, Analysis analysis) {
   const auto born = block_of_second_order(kind, analysis);
   const auto worn = losses(born->mesh, scar(0.02, 1.0, 0.55), analysis);

@@ -102,7 +102,7 @@ TEST(Triggers, CurrentShape) {
   EXPECT_THAT(why_remesh(shape, &current, bounds), HasSubstr("has scaled Jacobian 0.2 when deformed, below 0.3"));
 }
 
-// Of several reasons the one that exceeds its bound by the largest factor is told.
+// Of several reasons the one that exceeds its bound by the largest factor is reported.
 TEST(Triggers, WorstReason) {
   const auto shape =
       moved_block([](Vec2 x) { return Vec2(x.x() + 4.0 * x.y(), x.y()); });  // 0.243; 14.04 degrees; 4.12

@@ -30,13 +30,13 @@ auto dent(double depth, double x0, double half_width) {
 // The strip between old and new outline has exactly the removed volume: a dent in a flat face.
 TEST(StripVolume, FlatFace) { expect_exact(block(), worn_by(block(), "top", dent(0.015, 0.9, 0.63))); }
 
-// The same when the face is turned against the axes and made of triangles.
+// The strip is exact when the face is turned against the axes and made of triangles.
 TEST(StripVolume, TurnedTriangles) {
   const auto mesh = turned(rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 8, .kind = CellKind::tri3}), 0.7);
   expect_exact(mesh, worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.0 + std::sin(5.0 * x.x())); }));
 }
 
-// The same on a convex and on a hollow arc, where the strip is not the sum of length times depth.
+// The strip is exact on a convex and on a hollow arc, where the strip is not the sum of length times depth.
 TEST(StripVolume, CurvedFaces) {
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = 24});
   const auto profile = [](Vec2 x) { return 0.01 * x.x() * x.y(); };
@@ -44,7 +44,7 @@ TEST(StripVolume, CurvedFaces) {
   expect_exact(mesh, worn_by(mesh, "left", profile));
 }
 
-// The same on a sawtooth, where neighbouring normals differ by 40 degrees.
+// The strip is exact on a sawtooth, where neighbouring normals differ by 40 degrees.
 TEST(StripVolume, Sawtooth) {
   auto mesh = block();
   const auto top = mesh::nodes_of(mesh.boundaries.at("top"));
@@ -52,7 +52,7 @@ TEST(StripVolume, Sawtooth) {
   expect_exact(mesh, worn_by(mesh, "top", [](Vec2 x) { return 0.002 * x.x(); }));
 }
 
-// The same with volumes of revolution, also where the face starts on the axis.
+// Volumes of revolution are exact, also where the face starts on the axis.
 TEST(StripVolume, Axisymmetric) {
   for (double start : {0.0, 0.5}) {
     const auto mesh = rectangle({.corner = {start, 0.0}, .size = {2.0, 1.0}, .nx = 20, .ny = 8});
@@ -99,7 +99,7 @@ TEST(StripVolume, UniformWearStaysParallel) {
   }
 }
 
-// The same on a ring face from the axis outwards: each node has its own share of the circumference.
+// Uniform wear stays parallel on a ring face from the axis outwards: each node has its own share of the circumference.
 TEST(StripVolume, UniformWearStaysParallelOnARing) {
   const auto mesh = block();
   const auto worn = worn_by(

@@ -36,9 +36,9 @@ inline std::string altered(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// A run is interrupted in the middle; its checkpoint is altered so many times, each time gone on from. That must end
-/// with a code of the contract and no number that is none in its summary; in one that is refused, with a sentence that
-/// names the file.
+/// A run is interrupted in the middle; its checkpoint is altered so many times, and the run resumed each time. That
+/// must end with a code of the contract and no number that is none in its summary; in one that is refused, with a
+/// sentence that names the file.
 inline void expect_sentences(int alterations) {
   const Place place;
   place.write("wearing.geo", wearing_geo);
@@ -63,7 +63,7 @@ inline void expect_sentences(int alterations) {
     ASSERT_TRUE(told.code == 0 || told.code == 1 || told.code == 2)
         << "alteration " << k << ": " << told.code << ' ' << told.err;
     refused += told.code == 2;
-    const std::string sentence = "--restart = again: no checkpoint to go on from: again/checkpoint/current.bin: ";
+    const std::string sentence = "--restart = again: no checkpoint to resume from: again/checkpoint/current.bin: ";
     ASSERT_TRUE(told.code != 2 || holds(told.err, sentence)) << told.err;
     ASSERT_TRUE(told.code != 1 || !told.err.empty());
   }

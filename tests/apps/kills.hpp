@@ -29,7 +29,7 @@ inline std::string yielding() {
          "[remesh]\nevery_blocks = 6\n";
 }
 
-/// Rows that a checkpoint tells of, by table; empty where it is not there.
+/// Rows that a checkpoint counts, by table; empty where it is not there.
 inline std::map<std::string, long> rows_in(const fs::path& checkpoint) {
   if (!fs::exists(checkpoint)) return {};
   const auto counters = output::unpacked(read(checkpoint), output::state_layout()).counters;
@@ -39,8 +39,8 @@ inline std::map<std::string, long> rows_in(const fs::path& checkpoint) {
   return rows;
 }
 
-/// Ends every table at any byte behind the rows that the older checkpoint tells of, as a power cut may that a disk has
-/// survived worse than it promised.
+/// Ends every table at any byte behind the rows that the older checkpoint counts, as after a power cut on a disk that
+/// kept less than it promised.
 inline void cut_tables(const fs::path& folder, std::mt19937& random) {
   auto safe = rows_in(folder / "checkpoint/previous.bin");
   if (safe.empty()) safe = rows_in(folder / "checkpoint/current.bin");

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Small scenes for the command: wearing contacts of a second, and two blocks that show what geometry can do wrong.
+/// Small scenes for the command: wearing contacts of a second, and two blocks that show errors of geometry.
 namespace reye::test {
 
 /// Half disc R = 1 on a block 2 x 1; two load increments, four blocks of 16 increments.
@@ -85,7 +85,8 @@ frames = { every_cycles = 200 }
 probes = { edge = { body = "flat", at_mm = [0.5, 0.0] } }
 )";
 
-/// The same disc worn flat by imposed sliding: six blocks, both bodies meshed anew and drawn after each.
+/// The disc of the wearing contact, worn flat by imposed sliding: six blocks, both bodies remeshed and drawn after
+/// each.
 inline const char* const worn_pin = R"(title    = "Small pin worn flat"
 geometry = ["wearing.geo"]
 

@@ -68,8 +68,8 @@ section = { point_mm = [0.0, 0.0, 0.0], normal = [1.0, 0.0, 0.0] })"}},
   for (const auto& bad : scenes) test::expect_refused(bad);
 }
 
-// A name or selector that fits nothing or two things must be told what there is, and geometry outside of the rules its
-// place.
+// A name or selector that fits nothing or two things must be refused with what there is, and geometry outside of the
+// rules with its place.
 TEST(BadInput, BodiesAndBoundaries) {
   const std::vector<test::BadScene> scenes = {
       {"name of no face",

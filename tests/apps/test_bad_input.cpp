@@ -47,12 +47,12 @@ rotation = "fixed"
       {"edges that look away",
        {{R"(["base_top"])", R"(["base_bottom"])"}, {R"(edge     = "base_bottom")", R"(edge     = "base_top")"}},
        "",
-       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not look at one another; name boundaries that face each other)"},
+       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not face each other; name boundaries that do)"},
       {"too far apart",
        {{R"("slider_bottom")", R"("slider_right")"}, {R"(wear )", R"(search_mm = 0.1
 wear )"}},
        "",
-       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 0.1: they do not look at one another; name boundaries that face each other)"},
+       R"(scene.toml:15: contact.pad: no facet of the secondary side faces a primary one within search_mm = 0.1: they do not face each other; name boundaries that do)"},
       {"secondary side on a rigid body",
        {{R"([body.slider]
 material = "steel"
@@ -79,12 +79,12 @@ mesh     = { far_size_mm = 0.5 })",
          R"([body.base]
 rigid = true)"}},
        "",
-       R"(scene.toml:18: contact.pad.wear: the primary side lies on the rigid body "base", which can not wear)"},
+       R"(scene.toml:18: contact.pad.wear: the primary side lies on the rigid body "base", which cannot wear)"},
   };
   for (const auto& bad : scenes) test::expect_refused(bad);
 }
 
-// All errors of a stage must be told at once, in the order of the file.
+// All errors of a stage must be reported at once, in the order of the file.
 TEST(BadInput, SeveralAtOnce) {
   const std::vector<test::BadScene> scenes = {
       {"three unknown edges",

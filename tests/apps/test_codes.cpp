@@ -120,7 +120,7 @@ TEST(Codes, Report) {
   EXPECT_FALSE(test::fs::exists(place / "nowhere"));
 }
 
-// A run that cannot go on must end with 1, with the reason and the last good state on disk.
+// A run that cannot continue must end with 1, with the reason and the last good state on disk.
 TEST(Codes, FailedSolve) {
   const WithScenes place;
   place.write("hard.toml", std::string(test::wearing) + "\n[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");

@@ -17,8 +17,8 @@ struct WithBlocks : test::Place {
 
 }  // namespace
 
-// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it goes
-// on to the bytes of an unbroken run.
+// A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it
+// resumes to the bytes of an unbroken run.
 TEST(Disk, FullInTheMiddle) {
   const WithBlocks place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
@@ -29,7 +29,7 @@ TEST(Disk, FullInTheMiddle) {
   EXPECT_EQ(told.code, 1);
   EXPECT_EQ(
       told.err,
-      "reye: cannot write o/history.csv: File too large; the last checkpoint is whole: --restart goes on from there\n");
+      "reye: cannot write o/history.csv: File too large; the last checkpoint is intact: --restart resumes from it\n");
   EXPECT_FALSE(test::fs::exists(place / "o/summary.json"));
   const auto again = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"});
   EXPECT_EQ(again.code, 0) << again.err;
@@ -57,10 +57,9 @@ TEST(Disk, FullAtACheckpoint) {
       << "the checkpoint is to be what finds the disk full";
   const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"}, before.size() - 100);
   EXPECT_EQ(told.code, 1);
-  EXPECT_EQ(
-      told.err,
-      "reye: cannot write o/checkpoint/fresh.bin: File too large; the last checkpoint is whole: --restart goes on "
-      "from there\n");
+  EXPECT_EQ(told.err,
+            "reye: cannot write o/checkpoint/fresh.bin: File too large; the last checkpoint is intact: --restart "
+            "resumes from it\n");
   EXPECT_EQ(test::read(place / "o/checkpoint/current.bin"), before);
   EXPECT_FALSE(test::fs::exists(place / "o/checkpoint/fresh.bin"));
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--restart", "--quiet"}).code, 0);

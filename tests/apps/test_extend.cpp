@@ -10,7 +10,7 @@ namespace {
 
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
-/// The small wearing contact, whose scene is written anew with other values.
+/// The small wearing contact, whose scene is rewritten with other values.
 struct Extended : test::Place {
   Extended() { write("wearing.geo", test::wearing_geo); }
 
@@ -49,12 +49,12 @@ TEST(Extend, MoreCyclesSameBytes) {
     ASSERT_EQ(told.code, 0) << told.err;
     test::expect_same(place, "whole", "o");
   }
-  EXPECT_TRUE(test::holds(test::read(place / "o/log.txt"),
-                          "extended: step[1].cycles = 400: was 300 in the run that is to go on"));
+  EXPECT_TRUE(
+      test::holds(test::read(place / "o/log.txt"), "extended: step[1].cycles = 400: was 300 in the run to be resumed"));
 }
 
-// A run that ended at a limit and whose limit is raised, or taken away, must go on to the bytes of a run that had it so
-// from the start; so must one that gets a limit more, on its way or at its end.
+// A run that ended at a limit and whose limit is raised, or taken away, must resume to the bytes of a run that had it
+// so from the start; so must one that gets a limit more, on its way or at its end.
 TEST(Extend, OtherLimitsSameBytes) {
   const Extended place;
   const Changes none{{"[limit.life]\ncontact  = \"pad\"\ndepth_mm = 2e-5\n", ""}};
@@ -98,7 +98,7 @@ TEST(Extend, UnderATolerance) {
   EXPECT_EQ(test::lines(place / "whole/series.pvd"), test::lines(place / "o/series.pvd"));
 }
 
-// Killed while it goes on, an extended run must still go on to the same bytes.
+// Killed while it resumes, an extended run must still resume to the same bytes.
 TEST(Extend, KilledOnTheWay) {
   const Extended place;
   ASSERT_EQ(place.run(cycles("500"), "whole").code, 0);
@@ -115,7 +115,7 @@ TEST(Extend, KilledOnTheWay) {
   }
 }
 
-// A run that is over, at its last cycle or at a limit, must play nothing when it is to go on as it was.
+// A run that is over, at its last cycle or at a limit, must play nothing when it resumes unchanged.
 TEST(Extend, NothingIsExtended) {
   const Extended place;
   for (const auto& changes : {cycles("200"), stop_at("2e-5")}) {
@@ -128,14 +128,14 @@ TEST(Extend, NothingIsExtended) {
   }
 }
 
-// What a run cannot take when it goes on must be refused with line, key and rule, all of it at once, and nothing be
-// written.
+// Changes that a run cannot take when it resumes must be refused with line, key and rule, all of it at once, and
+// nothing be written.
 TEST(Extend, Refused) {
   const Extended place;
   ASSERT_EQ(place.run(cycles("300"), "o").code, 0);
   const auto before = place.files("o");
   const std::string run =
-      " in the run that is to go on; it takes other limits and more cycles of its last step, nothing else";
+      " in the run to be resumed; it takes other limits and more cycles of its last step, nothing else";
   const std::string step = "\n[[step]]\nname = \"more\"\nplay = [\"stroke\"]\ncycles = 5\n[limit.life]";
   const std::vector<std::pair<Changes, std::vector<std::string>>> cases{
       {cycles("250"), {"wearing.toml:49: step[1].cycles = 250: the run has played 300 cycles of this step already"}},
@@ -159,8 +159,8 @@ TEST(Extend, Refused) {
   place.write("wearing.geo", std::string(test::wearing_geo) + "// changed\n");
   const auto told = place.run(cycles("400"), "o", true);
   EXPECT_EQ(told.code, 2);
-  EXPECT_TRUE(test::holds(
-      told.err,
-      "wearing.toml:2: geometry: its files, or those of profiles, are not those of the run that is to go on; it takes"))
+  EXPECT_TRUE(test::holds(told.err,
+                          "wearing.toml:2: geometry: its files, or those of profiles, differ from those of the run to "
+                          "be resumed; it takes"))
       << told.err;
 }

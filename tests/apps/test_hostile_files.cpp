@@ -76,7 +76,7 @@ TEST(HostileFiles, FileThatCrashesItsReader) {
   place.write("scene.toml", test::changed(test::blocks, {{"blocks.geo", "line_32.step"}}));
   const auto told = place.refused({"check", "scene.toml"});
   EXPECT_TRUE(
-      told.err.starts_with("scene.toml:1: geometry = \"line_32.step\": the program that reads it breaks down on it"))
+      told.err.starts_with("scene.toml:1: geometry = \"line_32.step\": the program that reads it crashes on it"))
       << told.err;
 }
 

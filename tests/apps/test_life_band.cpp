@@ -73,9 +73,9 @@ TEST(LifeBand, RefusedWhereItDoesNotHold) {
     const WithScene place(Changes{change});
     const auto told = place.reye({"check", "band.toml"});
     EXPECT_EQ(told.code, 2);
-    EXPECT_TRUE(test::holds(told.err,
-                            "limit.life.wear_factor = [0.5, 2.0]: " + cause +
-                                ", so that lives do not go as 1 / factor; vary the coefficients in a sweep instead\n"))
+    EXPECT_TRUE(test::holds(
+        told.err, "limit.life.wear_factor = [0.5, 2.0]: " + cause +
+                      ", so that lives do not scale as 1 / factor; vary the coefficients in a sweep instead\n"))
         << told.err;
   }
   EXPECT_TRUE(test::holds(WithScene(Changes{{"[0.5, 2.0]", "[2.0, 0.5]"}}).reye({"check", "band.toml"}).err,

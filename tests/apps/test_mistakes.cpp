@@ -124,10 +124,10 @@ void expect_told(const std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
-// The scene that all mistakes are made in must be told nothing.
+// The scene that all mistakes are made in must have no warnings.
 TEST(Mistakes, None) { expect_told({{"none", "check", {}, "", 0, ""}, {"none", "run", {}, "", 0, ""}}); }
 
-// A number in another unit must be told at once with its line, and with what it would be in the unit of its key.
+// A number in another unit must be reported at once with its line, and with what it would be in the unit of its key.
 TEST(Mistakes, Units) {
   expect_told({
       {"modulus in Pa",
@@ -191,7 +191,7 @@ TEST(Mistakes, Units) {
   });
 }
 
-// A number in another unit must be told at once with its line, and with what it would be in the unit of its key.
+// A number in another unit must be reported at once with its line, and with what it would be in the unit of its key.
 TEST(Mistakes, UnitsMore) {
   expect_told({
       {"stroke in micrometres",
@@ -291,7 +291,7 @@ x = "fixed"
   });
 }
 
-// Steps, histories and limits that play, count or watch nothing must be told with their line.
+// Steps, histories and limits that play, count or watch nothing must be reported with their line.
 TEST(Mistakes, Steps) {
   expect_told({
       {"cycles that play nothing",
@@ -364,7 +364,7 @@ press = [[)"}},
   });
 }
 
-// Steps, histories and limits that play, count or watch nothing must be told with their line.
+// Steps, histories and limits that play, count or watch nothing must be reported with their line.
 TEST(Mistakes, StepsMore) {
   expect_told({
       {"a history that goes back",
@@ -417,7 +417,7 @@ name = "wear")"}},
   });
 }
 
-// Motions that nothing holds, that contradict one another or that lead nowhere must be told by support, body and
+// Motions that nothing holds, that contradict one another or that lead nowhere must be reported with support, body and
 // motion.
 TEST(Mistakes, Supports) {
   expect_told({
@@ -494,7 +494,7 @@ edge = "base_bottom"
   });
 }
 
-// Motions that nothing holds, that contradict one another or that lead nowhere must be told by support, body and
+// Motions that nothing holds, that contradict one another or that lead nowhere must be reported with support, body and
 // motion.
 TEST(Mistakes, SupportsMore) {
   expect_told({
@@ -518,7 +518,7 @@ rigid = true)"},
   });
 }
 
-// Sides that cannot touch or cannot wear must be told by their contact.
+// Sides that cannot touch or cannot wear must be reported by their contact.
 TEST(Mistakes, Contacts) {
   expect_told({
       {"both sides on one body",
@@ -534,7 +534,7 @@ TEST(Mistakes, Contacts) {
         {R"(edge = "base_bottom")", R"(edge = "base_top")"}},
        "",
        2,
-       R"(scene.toml:11: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not look at one another; name boundaries that face each other)"
+       R"(scene.toml:11: contact.pad: no facet of the secondary side faces a primary one within search_mm = 1.5: they do not face each other; name boundaries that do)"
        "\n"},
       {"drawn too far apart",
        "check",
@@ -583,7 +583,7 @@ depth_mm = 1.0
        {{R"(["blocks.geo"])", R"(["tilted.geo"])"}, {R"(at_mm = [4.0, -0.5])", R"(at_mm = [2.0, -0.5])"}},
        "",
        2,
-       R"(scene.toml:12: contact.pad.secondary = "slider_bottom": its corner at (0, 0) mm is what touches, and the forces of a corner have no direction of their own; swap primary and secondary)"
+       R"(scene.toml:12: contact.pad.secondary = "slider_bottom": its corner at (0, 0) mm is what touches, and at a corner the direction of contact forces is undefined; swap primary and secondary)"
        "\n"},
       {"a rigid secondary side",
        "check",
@@ -599,7 +599,7 @@ rigid = true)"}},
   });
 }
 
-// Sides that cannot touch or cannot wear must be told by their contact.
+// Sides that cannot touch or cannot wear must be reported by their contact.
 TEST(Mistakes, ContactsMore) {
   expect_told({
       {"a rigid side that wears",
@@ -611,7 +611,7 @@ mesh = { far_size_mm = 0.25 })",
 rigid = true)"}},
        "",
        2,
-       R"(scene.toml:14: contact.pad.wear: the primary side lies on the rigid body "base", which can not wear)"
+       R"(scene.toml:14: contact.pad.wear: the primary side lies on the rigid body "base", which cannot wear)"
        "\n"},
       {"the same two edges in two contacts",
        "check",
@@ -737,7 +737,7 @@ jump = 500)"}},
        {{R"(force_N_per_mm = -20.0)", R"(motion_mm = -0.6)"}, {R"(motion_mm = 0.01)", R"(motion_mm = 0.0)"}},
        "",
        1,
-       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: small strain gets that wrong by about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)"
+       R"(reye: scene.toml:5: strain and rotation reach 39 % where body slider stores its energy: the error of small strain in that is about 79 %; write kinematics = "finite", and check loads, motions and E_MPa)"
        "\n"},
   });
 }
@@ -758,12 +758,12 @@ law = "hencky")"},
 max_cutbacks = 3
 )",
        1,
-       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.5 to 0.625: body slider is strained by 41 % on average already: more than it bears; check loads, motions and E_MPa)"
+       R"(reye: scene.toml:31: step "press", cycle 0, progress 0.5 to 0.625: body slider is strained by 41 % on average already: more than it can bear; check loads, motions and E_MPa)"
        "\n"},
   });
 }
 
-// What the files do not hold must be told with what they do hold.
+// What the files do not hold must be reported with what they do hold.
 TEST(Mistakes, Files) {
   expect_told({
       {"a file that is not there",
@@ -833,7 +833,7 @@ geometry)"},
   });
 }
 
-// What the files do not hold must be told with what they do hold.
+// What the files do not hold must be reported with what they do hold.
 TEST(Mistakes, FilesMore) {
   expect_told({
       {"triangles that lock",
@@ -842,7 +842,7 @@ TEST(Mistakes, FilesMore) {
         {R"(mesh = { far_size_mm = 0.25 })", R"(mesh = { far_size_mm = 0.25, element = "tri" })"}},
        "",
        0,
-       R"(warning: scene.toml:6: body.slider.material = "steel": triangles of order 1 lock where the material (nearly) keeps its volume, as nu > 0.45 does; take quads or order = 2)"
+       R"(warning: scene.toml:6: body.slider.material = "steel": triangles of order 1 lock where the material is (nearly) incompressible, as nu > 0.45 does; take quads or order = 2)"
        "\n"},
   });
 }

@@ -102,7 +102,7 @@ TEST(Process, OutputIsLost) {
   test::expect_same(place, "whole", "o");
 }
 
-// When a sweep is killed its members must end, too, each with its last good state on disk; the same call again goes on.
+// When a sweep is killed its members must end, too, each with its last good state on disk; the same call resumes it.
 TEST(Process, MembersEndWithTheirSweep) {
   const WithWearing place;
   const std::vector<std::string> words = {
@@ -115,7 +115,7 @@ TEST(Process, MembersEndWithTheirSweep) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   for (const char* member : {"s/member_000", "s/member_001"}) {
     EXPECT_FALSE(written_to(place, member));
-    EXPECT_LT(test::lines(place / member / "history.csv"), 2 + 16 * 20) << "it went on to its end";
+    EXPECT_LT(test::lines(place / member / "history.csv"), 2 + 16 * 20) << "it ran to its end";
     EXPECT_TRUE(test::holds(test::read(place / member / "summary.json"), R"("status": "interrupted")"));
   }
   EXPECT_EQ(place.reye(words).code, 0);
@@ -235,6 +235,6 @@ TEST(Process, NamesOfAnyBytes) {
   }
 }
 
-// A checkpoint that was altered under a right checksum must be refused with a sentence or gone on from; it crashes
+// A checkpoint that was altered under a right checksum must be refused with a sentence or resumed from; it crashes
 // nothing.
 TEST(Process, AlteredCheckpoints) { test::expect_sentences(12); }

@@ -54,7 +54,7 @@ TEST(Restart, InterruptWritesAll) {
     EXPECT_TRUE(test::fs::exists(place / "o" / file)) << file;
 }
 
-// A run that was interrupted after its first block of cycles and went on must leave the bytes of an unbroken one.
+// A run that was interrupted after its first block of cycles and resumed must leave the bytes of an unbroken one.
 TEST(Restart, SameBytesAsUnbroken) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
@@ -76,7 +76,7 @@ TEST(Restart, SeveralInterruptions) {
   test::expect_same(place, "whole", "broken");
 }
 
-// A run killed without warning must go on from its last checkpoint to the same bytes.
+// A run killed without warning must resume from its last checkpoint to the same bytes.
 TEST(Restart, Killed) {
   const WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
@@ -89,8 +89,8 @@ TEST(Restart, Killed) {
   }
 }
 
-// Interrupted or killed between blocks in which both bodies are meshed anew, with wider zones and other facets, a run
-// must go on to the bytes of the unbroken one.
+// Interrupted or killed between blocks in which both bodies are remeshed, with wider zones and other facets, a run
+// must resume to the bytes of the unbroken one.
 TEST(Restart, AcrossARemesh) {
   const WithWearing place;
   place.write("wearing.toml", test::worn_pin);
@@ -106,7 +106,7 @@ TEST(Restart, AcrossARemesh) {
 }
 
 // With checkpoints rarer than the run is long, an interrupted run must still keep its last block end, a killed one only
-// its start; both must go on to the bytes of the unbroken run.
+// its start; both must resume to the bytes of the unbroken run.
 TEST(Restart, RareCheckpoints) {
   const WithWearing place;
   place.write("wearing.toml", test::changed(test::wearing, {{"checkpoint_s = 0", "checkpoint_s = 1e6"}}));
@@ -136,7 +136,7 @@ TEST(Restart, NothingToGoOnFrom) {
   const WithWearing place;
   const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--restart"});
   EXPECT_EQ(told.code, 2);
-  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to go on from: o/checkpoint/current.bin: missing; "))
+  EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to resume from: o/checkpoint/current.bin: missing; "))
       << told.err;
   EXPECT_FALSE(test::fs::exists(place / "o"));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);

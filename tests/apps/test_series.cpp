@@ -45,7 +45,7 @@ std::vector<Entry> entries(const test::fs::path& pvd) {
   return all;
 }
 
-/// A pin that is worn flat, its contact growing to three times its first fine zone; both bodies meshed anew after each
+/// A pin that is worn flat, its contact growing to three times its first fine zone; both bodies remeshed after each
 /// cycle, a frame at each.
 struct WornPin {
   test::Place place;
@@ -154,7 +154,7 @@ double deepest(vtkDataSet* frame, const char* of, int index) {
 }  // namespace
 
 // A series of bodies whose meshes change must read back frame by frame: times, arrays, cells, and as many nodes as the
-// table of remeshes tells.
+// table of remeshes says.
 TEST(Series, BodiesReadBackThroughRemeshes) {
   const WornPin run;
   const auto frames = run.bodies();

@@ -48,8 +48,8 @@ std::string cell(const std::vector<std::vector<std::string>>& rows, std::size_t 
 
 }  // namespace
 
-// A full grid must run every member beside its geometry's folder, go on past the one that fails, name it, end with 1
-// and tell all in one table; called again it must run that one only.
+// A full grid must run every member beside its geometry's folder, continue past the one that fails, name it, end with 1
+// and collect all in one table; called again it must run that one only.
 TEST(Sweep, GridWithAFailure) {
   const WithScenes place;
   const std::vector<std::string> words = {
@@ -83,7 +83,7 @@ TEST(Sweep, GridWithAFailure) {
   }
 }
 
-// A sweep that is done must not run anything anew, and its table can be collected again from the folders.
+// A sweep that is done must not run anything again, and its table can be collected again from the folders.
 TEST(Sweep, DoneIsDone) {
   const WithScenes place;
   const std::vector<std::string> words = {"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1,2"};
@@ -174,7 +174,7 @@ TEST(Sweep, RefusedByItsGeometry) {
   EXPECT_EQ(cell(rows_of(place / "o/sweep.csv"), 1, "status"), "done");
 }
 
-// A sweep that is interrupted must stop its members after their increment and end with 130; called again it must go on
+// A sweep that is interrupted must stop its members after their increment and end with 130; called again it must resume
 // to the same table as an unbroken one.
 TEST(Sweep, Interrupted) {
   const WithScenes place;

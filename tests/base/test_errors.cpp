@@ -20,7 +20,7 @@ TEST(Errors, LocatedText) {
   EXPECT_EQ(error.issues().front().rule, "missing");
 }
 
-// The three kinds must stay apart: bad input, an unusable mesh, a solve that cannot go on.
+// The three kinds must stay apart: bad input, an unusable mesh, a solve that failed.
 TEST(Errors, Kinds) {
   EXPECT_THROW(throw MeshError("m"), std::runtime_error);
   EXPECT_THROW(throw SolveError("s"), std::runtime_error);

@@ -17,7 +17,7 @@ TEST(Printable, AnyBytes) {
   EXPECT_EQ(printable("\xe8\xbb"), "\\xe8\\xbb");  // cut in the middle
 }
 
-// What is wrong must be said in one line, without a colon before a rule that stands alone.
+// An error must be reported in one line, without a colon before a rule that stands alone.
 TEST(Printable, IssueInWords) {
   EXPECT_EQ(in_words({"--out", "a\nb", "is a file"}), "--out = a\\nb: is a file");
   EXPECT_EQ(in_words({"", "", "is a file"}), "is a file");

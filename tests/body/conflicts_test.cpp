@@ -93,8 +93,8 @@ TEST(conflicts, what_agrees_stands) {
   EXPECT_EQ(of(beam({named("a", "left", moved(0.1), fixed), oblique})).size(), 1u);
 }
 
-// A held edge whose corner belongs to a rigid edge that is free there acts but for the corner: told, not refused; where
-// the rigid edge is pushed along it, refused.
+// A held edge whose corner belongs to a rigid edge that is free there acts but for the corner: reported, not refused;
+// where the rigid edge is pushed along it, refused.
 TEST(conflicts, free_rigid_corner_is_told) {
   const Support symmetry = named("s", "left", fixed);
   const auto told = of(beam({symmetry, named("pull", "top", {}, loaded(4.0))}));

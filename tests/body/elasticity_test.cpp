@@ -69,7 +69,7 @@ TEST(elasticity, ring_converges_at_rate_two) {
     }
 }
 
-// The same cylinder as an axisymmetric rectangle must converge at rate 2.
+// The pressurised cylinder as an axisymmetric rectangle must converge at rate 2.
 TEST(elasticity, tube_converges_at_rate_two) {
   for (auto kind : {CellKind::tri3, CellKind::quad4}) {
     const double coarse = tube_error(kind, 0.3, 8), fine = tube_error(kind, 0.3, 16);

@@ -22,7 +22,7 @@ Names unheld(const body::BodyInput& in, bool friction = false) {
   return body::unheld_motions(rectangle({.size = {3, 2}}), in, friction);
 }
 
-// A body without supports must be told all its three motions, one edge clamped none.
+// A body without supports must have all its three motions reported, one with a clamped edge none.
 TEST(motions, free_and_clamped) {
   auto in = free_body();
   EXPECT_EQ(unheld(in), all);

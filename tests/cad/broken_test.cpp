@@ -54,7 +54,7 @@ TEST(broken, node_beyond_32_bits) {
   EXPECT_TRUE(refusal_of(temporary_file("far_node.vtu", text)).starts_with("geometry = "));
 }
 
-// One bad file among sound ones must be told by itself, with what is wrong with the others.
+// One bad file among sound ones must be reported alone, with what is wrong with it.
 TEST(broken, among_others) {
   GeometryOptions options;
   options.files = {data("broken/line_32.step"), data("plate.step"), data("broken/off_first0.vtu")};

@@ -175,7 +175,7 @@ TEST(profile, boundaries_that_cannot_have_one) {
   options.boundaries[0].profile = Profile{"scan.csv", {0, 12}, {0.1, 0}};
   EXPECT_EQ(issues_of(options),
             "boundary.top.profile = \"scan.csv\": the height at the end [-6, 6] of the boundary must be 0: no straight "
-            "edge goes on there at a right angle");
+            "edge continues there at a right angle");
   options = GeometryOptions{};
   options.files = {scene_file("patch/two_blocks.msh")};
   options.bodies = {body("lower")};

@@ -58,7 +58,7 @@ TEST(refusals, wrong_content) {
   EXPECT_NE(refusal_of_file(data("solid.step")).find("holds a solid"), std::string::npos);
 }
 
-// All faulty files must be told at once.
+// All faulty files must be reported at once.
 TEST(refusals, several_files_at_once) {
   GeometryOptions options;
   options.files = {"/nowhere/a.step", "/nowhere/b.step"};
@@ -70,7 +70,7 @@ TEST(refusals, several_files_at_once) {
   }
 }
 
-// Bodies that match nothing must be told what there is; all of them together.
+// For bodies that match nothing the message must list what there is; all of them together.
 TEST(refusals, bodies_that_match_nothing) {
   GeometryOptions options = blocks();
   options.bodies = {body("pnuch"), body_at("base", 0, 9), body("third")};
@@ -97,7 +97,7 @@ TEST(refusals, bodies_that_match_two) {
             "body.other.at = [0, 1]: selects the same face as body 'punch': 'punch' in [-1, 0, 1, 2]");
 }
 
-// Boundaries that match nothing must be told the edges of their body, each selector by its own key.
+// For boundaries that match nothing the message must list the edges of their body, each selector by its own key.
 TEST(refusals, boundaries_that_match_nothing) {
   GeometryOptions options = blocks();
   options.boundaries = {boundary("a", "punch"), boundary("b", "punch"), boundary("c", "none")};

@@ -116,7 +116,7 @@ TEST(script, by_another_name) {
   }
   const std::string mesh =
       temporary_file("post.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PostFormat\n$EndPostFormat\n");
-  EXPECT_NE(refusal_of(mesh).find("line 4: $PostFormat is no section of a mesh"), std::string::npos);
+  EXPECT_NE(refusal_of(mesh).find("line 4: $PostFormat is not a section of a mesh"), std::string::npos);
 }
 
 }  // namespace

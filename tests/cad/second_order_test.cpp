@@ -73,7 +73,7 @@ TEST(second_order, rigid_outline) {
     EXPECT_NEAR((cylinder.X[node] - Vec2(0, 6)).norm(), 6.0, 1e-10);
 }
 
-// An outline of second order must keep all its nodes when it is filled anew, mid nodes moved off the curve included.
+// An outline of second order must keep all its nodes when it is refilled, mid nodes moved off the curve included.
 TEST(second_order, refill_keeps_the_outline) {
   const Geometry geometry = build(second_order_cylinder(CellKind::quad4, 0.8, 0.1));
   mesh::Mesh worn = geometry.bodies[0];

@@ -56,7 +56,7 @@ TEST(section, oblique) {
   EXPECT_NEAR(box[3] - box[1], 6.0 / std::cos(angle), 1e-9);
 }
 
-// A plane along the hole must give two faces of the block, told apart by points; the pad that it misses gives none.
+// A plane along the hole must give two faces of the block, distinguished by points; the pad that it misses gives none.
 TEST(section, several_faces_of_one_solid) {
   GeometryOptions options = cut({0, -3, 0}, {0, 1, 0});
   options.bodies = {body_at("left", 0, 5), body_at("right", 5, 5)};

@@ -182,7 +182,7 @@ TEST(volume, is_coefficient_times_work) {
     }
 }
 
-// The same where a facet is covered by a sliver, less than a thousandth of it.
+// Volume must be paid where a facet is covered by a sliver, less than a thousandth of it.
 TEST(volume, is_paid_beside_a_sliver) {
   const double facet = 1.0 / 5.0;
   for (double from : {2.0 * facet - 5e-5, 0.1}) {

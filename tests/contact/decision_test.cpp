@@ -57,7 +57,7 @@ TEST(decision, own_wear_stays_out) {
 }
 
 // The factors c must steer the first iterations only: from the sixth on what they would throw out or keep is decided by
-// the natural scale, or an iteration under a large one goes on for ever.
+// the natural scale, or an iteration under a large one never ends.
 TEST(decision, factors_steer_the_first_iterations) {
   for (double c0 : {1e-6, 1.0, 1e6}) {
     auto options = frictional(0.3);
@@ -83,7 +83,7 @@ TEST(decision, earlier_wear_opens) {
   EXPECT_EQ(count(support::interface_of(c, 1), ContactStatus::inactive), 6);
 }
 
-// Stick and slip must be told by |lambda_t + c slip| against mu lambda_n, the direction by its sign.
+// Stick and slip must be decided by |lambda_t + c slip| against mu lambda_n, the direction by its sign.
 TEST(decision, friction_bound) {
   for (double shear : {-31.0, -29.0, 29.0, 31.0}) {
     auto c = flat(frictional(0.3));

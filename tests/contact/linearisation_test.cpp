@@ -54,7 +54,7 @@ ContactOptions frictional(double friction, wear::Law law = {}) {
 
 constexpr double alpha = 2e-4;  ///< so large that wear weighs as much as the gap
 
-/// The same check over seeds, whole and partly covered; `change` may alter the case.
+/// Checks the linearisation over seeds, whole and partly covered; `change` may alter the case.
 void over_states(const ContactOptions& options, int iteration, ContactStatus wanted,
                  const std::function<void(ContactCase&)>& change = {},
                  base::Analysis analysis = base::Analysis::plane_strain) {
@@ -89,7 +89,7 @@ TEST(linearisation, wear_on_both_sides) {
   over_states(frictional(0.1, {LawKind::archard, 0.0, 2.0 * alpha}), 1, ContactStatus::slip);
 }
 
-// The same in axisymmetry and with explicit wear.
+// The linearisation must be exact in axisymmetry and with explicit wear.
 TEST(linearisation, ring_and_explicit_wear) {
   auto options = frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha});
   over_states(options, 1, ContactStatus::slip, {}, base::Analysis::axisymmetric);
@@ -178,7 +178,7 @@ TEST(linearisation, held_shear_with_anchor) {
   });
 }
 
-/// The same check with curved facets, either kind of multipliers, and over length on X or on x.
+/// Checks the linearisation with curved facets, either kind of multipliers, and over length on X or on x.
 void over_curved_states(ContactOptions options, int iteration, ContactStatus wanted,
                         const std::function<void(ContactCase&)>& change = {}) {
   for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
@@ -237,7 +237,7 @@ void thicken(ContactCase& c) {
     c.increment.thickness_primary.push_back(1.5 - 0.1 * static_cast<double>(l));
 }
 
-// The same where depth on X and depth in the gap differ from node to node.
+// The linearisation must be exact where depth on X and depth in the gap differ from node to node.
 TEST(linearisation, thickness_of_layers) {
   over_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip, thicken);
   over_curved_states(frictional(0.1, {LawKind::energy, alpha, 3.0 * alpha}), 1, ContactStatus::slip, thicken);

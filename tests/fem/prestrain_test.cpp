@@ -66,8 +66,8 @@ TEST_P(prestrain, identity_changes_nothing) {
   EXPECT_EQ(fem::nodal_state(mesh_, of(), u, {with, one}).stress, fem::nodal_state(mesh_, of(), u, without).stress);
 }
 
-// When the current shape becomes X, every nodal force, nodal stress and history must stay as they are, and go on as
-// they would have gone.
+// When the current shape becomes X, every nodal force, nodal stress and history must stay as they are, and develop as
+// they would have.
 TEST_P(prestrain, renewed_reference_goes_on) {
   const Vector u = bent(mesh_), du = more(mesh_);
   const auto history = fem::updated(mesh_, of(), u, fem::virgin(mesh_, of()));

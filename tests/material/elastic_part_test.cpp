@@ -26,7 +26,8 @@ double yielding(const Symmetric<double>& e) {
 
 }  // namespace
 
-// The stress of a state that has flowed must be Hooke's law on the elastic strain told of it, at either kinematics.
+// The stress of a state that has flowed must be Hooke's law on the elastic strain reported for it, at either
+// kinematics.
 TEST(ElasticPart, IsWhatTheStressFollowsFrom) {
   for (auto analysis : analyses) {
     const Voigt<double> strain{0.03, -0.02, 0.05, analysis == Analysis::plane_strain ? 0.0 : 0.001};
@@ -45,8 +46,8 @@ TEST(ElasticPart, IsWhatTheStressFollowsFrom) {
   }
 }
 
-// With another deformation than the one it came from, an elastic state must still be told of the plastic state made for
-// it, and p must be kept: what a transfer between meshes does.
+// With another deformation than the one it came from, the elastic state must still follow from the plastic state made
+// for it, and p must be kept: what a transfer between meshes does.
 TEST(ElasticPart, SurvivesAnotherDeformation) {
   const Symmetric<double> inside{4e-4, -3e-4, 2e-4, 1e-4};
   for (auto analysis : analyses) {

@@ -29,7 +29,8 @@ TEST_P(Tangent, general_state) {
   }
 }
 
-// The same where in-plane eigenvalues are equal: undeformed, inflated, and inflated far into the plastic range.
+// The tangent must be exact where in-plane eigenvalues are equal: undeformed, inflated, and inflated far into the
+// plastic range.
 TEST_P(Tangent, equal_eigenvalues) {
   for (auto analysis : analyses)
     for (const Gradient<double>& F : {Gradient<double>{1, 0, 0, 1, 1}, {1.1, 0, 0, 1.1, 1.0}, {0, -1.2, 1.2, 0, 0.8}})

@@ -54,7 +54,7 @@ TEST(check, sound_meshes_pass) {
   EXPECT_EQ(refusal(rigid), "");
 }
 
-// Each broken promise must be told with the cell or node and its place.
+// Each broken promise must be reported with the cell or node and its place.
 TEST(check, broken_promises_are_named) {
   const Mesh sound = squares(2);
   Mesh mesh = sound;

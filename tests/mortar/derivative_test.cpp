@@ -60,7 +60,7 @@ TEST(derivative, whole_facets) {
   }
 }
 
-// The same where the primary side ends inside facets: the dual basis itself changes there.
+// Derivatives must be exact where the primary side ends inside facets: the dual basis itself changes there.
 TEST(derivative, partly_covered_facets) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     auto o = state(seed);
@@ -71,7 +71,7 @@ TEST(derivative, partly_covered_facets) {
   }
 }
 
-// The same with cut nodes and ring weights.
+// Derivatives must be exact with cut nodes and ring weights.
 TEST(derivative, cut_nodes_and_ring_weights) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     auto o = state(seed);
@@ -84,7 +84,7 @@ TEST(derivative, cut_nodes_and_ring_weights) {
   }
 }
 
-// The same where one facet meets so many primary ones that its derivatives are taken in several passes.
+// Derivatives must be exact where one facet meets so many primary ones that they are taken in several passes.
 TEST(derivative, many_primary_nodes_under_one_facet) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     auto o = state(seed);
@@ -105,7 +105,7 @@ TEST(derivative, many_primary_nodes_under_one_facet) {
 /// Orders of the two sides: curved against curved, curved against straight, straight against curved.
 constexpr std::pair<int, int> orders[] = {{2, 2}, {2, 1}, {1, 2}};
 
-// The same with curved facets on either side or both, whole and partly covered.
+// Derivatives must be exact with curved facets on either side or both, whole and partly covered.
 TEST(derivative, curved_facets) {
   for (const auto& [secondary, primary] : orders)
     for (double from : {-0.1, 0.23})
@@ -120,7 +120,7 @@ TEST(derivative, curved_facets) {
       }
 }
 
-// The same where control points carry no multiplier, and where nodes are cut beside them.
+// Derivatives must be exact where control points carry no multiplier, and where nodes are cut beside them.
 TEST(derivative, curved_facets_with_linear_multipliers_and_cut_nodes) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (bool linear : {true, false}) {
@@ -135,7 +135,7 @@ TEST(derivative, curved_facets_with_linear_multipliers_and_cut_nodes) {
     }
 }
 
-// The same over length on x, where the measure itself moves, with and without ring weights.
+// Derivatives must be exact over length on x, where the measure itself moves, with and without ring weights.
 TEST(derivative, length_on_x) {
   for (int order : {1, 2})
     for (auto analysis : {base::Analysis::plane_strain, base::Analysis::axisymmetric})

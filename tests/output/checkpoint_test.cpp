@@ -18,7 +18,7 @@ namespace {
 
 Origin origin() { return {"0.1.0", "c0ffee", 7, "abc"}; }
 
-/// A folder with the tables that the checkpoint tells of.
+/// A folder with the tables that the checkpoint counts.
 struct RunFolder : sample::TemporaryFolder {
   RunFolder() {
     for (const char* table : {"history.csv", "remesh.csv", "surface_pad_primary.csv"})
@@ -191,7 +191,7 @@ TEST(Checkpoint, AlteredUnderARightChecksum) {
   EXPECT_TRUE(holds(reasons(load_checkpoint(dir.str(), origin())), "it counts rows that no table has"));
 }
 
-// The same state gives the same bytes.
+// Equal states give equal bytes.
 TEST(Checkpoint, SameBytes) { EXPECT_EQ(packed(checkpoint("state")), packed(checkpoint("state"))); }
 
 // Vectors and matrices come back bit by bit, empty ones too.

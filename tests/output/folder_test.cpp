@@ -59,7 +59,7 @@ TEST(Folder, ResultsGoOnlyWhenTheRunBegins) {
   EXPECT_EQ(read_text(dir / "notes.txt"), "mine");
 }
 
-// The marker tells of the run what a report needs.
+// The marker holds what a report needs to know of the run.
 TEST(Folder, IdentityReadsBack) {
   sample::TemporaryFolder dir;
   claim_folder(dir.str(), identity_of(sample::scene(sample::Analysis::axisymmetric)));

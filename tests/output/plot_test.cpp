@@ -14,7 +14,7 @@ namespace {
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 }  // namespace
 
-// Ticks are 1, 2 or 5 times a power of ten, inside the range, with labels that tell them apart.
+// Ticks are 1, 2 or 5 times a power of ten, inside the range, with labels that differ.
 TEST(Ticks, AreRound) {
   EXPECT_EQ(nice_ticks(0.0, 10.0, 5).labels, (Labels{"0", "2", "4", "6", "8", "10"}));
   EXPECT_EQ(nice_ticks(-0.3, 0.3, 6).labels, (Labels{"−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2", "0.3"}));

@@ -71,8 +71,8 @@ void cut_power(const std::string& dir, std::mt19937& random) {
 
 }  // namespace
 
-// Wherever the power fails, and wherever the tables then end behind what was synced, the run must go on to the bytes of
-// an unbroken one.
+// Wherever the power fails, and wherever the tables then end behind what was synced, the run must resume to the bytes
+// of an unbroken one.
 TEST(PowerCut, AnyMoment) {
   sample::TemporaryFolder whole;
   RunWriter unbroken(whole.str(), sample::scene());
@@ -95,7 +95,7 @@ TEST(PowerCut, AnyMoment) {
         cut_power(dir.str(), random);
         const auto search = load_checkpoint(dir.str(), own_origin("abc123"));
         ASSERT_TRUE(search.found) << "moment " << moment;
-        EXPECT_FALSE(search.previous) << "what a checkpoint tells of was not synced before it";
+        EXPECT_FALSE(search.previous) << "what a checkpoint counts was not synced before it";
         begun = std::stoi(search.found->payload);
         writer = RunWriter(dir.str(), sample::scene());
         writer.resume(search.found->counters);

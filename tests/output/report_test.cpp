@@ -67,7 +67,7 @@ TEST(Report, WarningsComeFirst) {
   EXPECT_LT(page.find("<h2>Warnings</h2>"), page.find("<h2>Results</h2>"));
 }
 
-// Of each bond the page tells the largest tension and shear with their places, and of those at a free end that they
+// For each bond the page reports the largest tension and shear with their places, and for those at a free end that they
 // grow with the mesh.
 TEST(Report, BondsSayWhereTheyPull) {
   sample::TemporaryFolder dir;
@@ -125,7 +125,7 @@ TEST(Report, WorksWithoutFrames) {
   EXPECT_FALSE(holds(page, "<figure id"));
 }
 
-// Bodies meshed anew stand in a table with what it cost, folded away when they are many; half a row is left out.
+// Bodies remeshed stand in a table with what it cost, folded away when they are many; half a row is left out.
 TEST(Report, TellsOfRemeshes) {
   sample::TemporaryFolder dir;
   RunWriter writer(dir.str(), sample::scene());
@@ -135,7 +135,7 @@ TEST(Report, TellsOfRemeshes) {
   write_report(dir.str());
   const std::string page = page_of(dir.str());
   EXPECT_TRUE(well_formed(page));
-  EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Bodies meshed anew: 2</summary>"));
+  EXPECT_TRUE(holds(page, "<details open=\"open\"><summary>Remeshed bodies: 2</summary>"));
   EXPECT_TRUE(holds(page,
                     "<tr><th>2500</th><td>pad, upper</td><td class=\"number\">120 → 135</td>"
                     "<td class=\"number\">1.2</td><td class=\"number\">0.033</td><td class=\"number\">0.04</td>"
@@ -150,7 +150,7 @@ TEST(Report, TellsOfRemeshes) {
 TEST(Report, IsSilentWithoutRemeshes) {
   sample::TemporaryFolder dir;
   sample::write_run(dir.str(), 4);
-  EXPECT_FALSE(holds(page_of(dir.str()), "meshed anew"));
+  EXPECT_FALSE(holds(page_of(dir.str()), "remeshed"));
 }
 
 // A folder without a run is an error.
@@ -181,7 +181,7 @@ TEST(RunData, FramesOfOneCycleStayApart) {
   EXPECT_EQ(run.contacts[0].sides[0].frames[1].end, 10u);
 }
 
-// With hundreds of remeshes the page tells of the last two hundred and how many there were.
+// With hundreds of remeshes the page lists the last two hundred and says how many there were.
 TEST(Report, RemeshesShownAreBounded) {
   sample::TemporaryFolder dir;
   RunWriter writer(dir.str(), sample::scene());
@@ -189,7 +189,7 @@ TEST(Report, RemeshesShownAreBounded) {
   for (int k = 0; k < 250; ++k) writer.remesh(sample::remesh(1000.0 + k));
   write_report(dir.str());
   const std::string page = page_of(dir.str());
-  EXPECT_TRUE(holds(page, "Bodies meshed anew: 250, the last 200 of them"));
+  EXPECT_TRUE(holds(page, "Remeshed bodies: 250, the last 200 of them"));
   EXPECT_FALSE(holds(page, "<th>1049</th>"));
   EXPECT_TRUE(holds(page, "<th>1050</th>"));
 }

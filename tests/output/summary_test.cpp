@@ -42,7 +42,8 @@ TEST(Summary, PlaneKeysAreTheContract) {
   EXPECT_EQ(keys(json["probes"]["edge"]), (Keys{"u_x_mm", "u_y_mm"}));
 }
 
-// Of a bond the end and the most of the run are told, each peak with its place, which is null where nothing pulls.
+// For a bond the end and the largest of the run are reported, each peak with its place, which is null where nothing
+// pulls.
 TEST(Summary, BondsTellWhereTheyPull) {
   auto summary = sample::summary();
   EXPECT_EQ(read(summary)["bonds"], Json::object());

@@ -70,7 +70,7 @@ increments = 40
 cycles = 18000
 jump = 100                                   # fixed; or { tolerance = 0.01 }
 
-[limit.life]                                 # the first cycle at which it is reached; the run goes on unless stop = true
+[limit.life]                                 # the first cycle at which it is reached; the run continues unless stop = true
 contact  = "pad"
 side     = "secondary"
 depth_mm = 0.0025

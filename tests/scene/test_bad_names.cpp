@@ -43,7 +43,7 @@ TEST(BadScene, Names) {
          R"(primary = ["top"])"
          "\n"
          "[support.holder]"}},
-       R"(scene.toml:34: bond.other.secondary = "face": is already the secondary side of contact "pad", and what is bonded meets nothing else)"},
+       R"(scene.toml:34: bond.other.secondary = "face": is already the secondary side of contact "pad", and a bonded boundary can have no other contact)"},
       {"ring of contacts",
        {{"[support.holder]",
          "[contact.back]\n"

@@ -187,7 +187,7 @@ TEST(Grammar, PartsOfASum) {
   EXPECT_EQ(s.supports[0].y.parts.size(), 1U);
 }
 
-/// The keys of a load tell its kind.
+/// The keys of a load decide its kind.
 TEST(Grammar, Loads) {
   const auto s = with(
       "[load.top]\nedge = \"top\"\npressure_MPa = 10.0\ntraction_MPa = [1, -2]\ninterval_mm = [0.0, 3.0]\n"

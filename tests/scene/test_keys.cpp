@@ -7,9 +7,9 @@
 #include "example.hpp"
 #include "folder.hpp"
 #include "scene/keys.hpp"
-#include "scene/spec.hpp"
 #include "scene/read.hpp"
 #include "scene/sha256.hpp"
+#include "scene/spec.hpp"
 
 using namespace reye;
 
@@ -42,16 +42,16 @@ TEST(Keys, Reference) {
   }
 }
 
-/// The scene reference in the README is the one made from the table.
-TEST(Keys, ReadmeHoldsTheReference) {
-  std::ifstream file(std::string(REYE_SOURCE_DIR) + "/README.md");
+/// The scene reference in geo/REFERENCE.md is the one made from the table of keys.
+TEST(Keys, PageHoldsTheReference) {
+  std::ifstream file(std::string(REYE_SOURCE_DIR) + "/geo/REFERENCE.md");
   ASSERT_TRUE(file.is_open());
-  const std::string readme(std::istreambuf_iterator<char>(file), {});
+  const std::string page(std::istreambuf_iterator<char>(file), {});
   const std::string begin = "<!-- scene reference: begin -->", end = "<!-- scene reference: end -->";
-  const auto from = readme.find(begin), to = readme.find(end);
+  const auto from = page.find(begin), to = page.find(end);
   ASSERT_NE(from, std::string::npos);
   ASSERT_NE(to, std::string::npos);
-  auto found = readme.substr(from + begin.size(), to - from - begin.size());
+  auto found = page.substr(from + begin.size(), to - from - begin.size());
   found.erase(0, found.find_first_not_of('\n'));
   found.erase(found.find_last_not_of('\n') + 1);
   EXPECT_EQ(found + '\n', scene::reference()) << "put the text on the right between the markers";

@@ -135,7 +135,7 @@ TEST(Sweep, FineZones) {
       << "there is one zone";
 }
 
-/// Everything wrong with the variations is told at once, each with its rule.
+/// All errors of the variations are reported at once, each with its rule.
 TEST(Sweep, Refusals) {
   const std::string range =
       "must be key=a:b:n or key=log:a:b:n, numbers a and b (for log both > 0) and a whole number n >= 2, or "

@@ -5,7 +5,7 @@
 /// Half a disc of R = 1 mm pressed with 60 N/mm on a flat of 2 x 1: by Hertz 2 a = 0.0527 mm.
 namespace reye::test {
 
-/// `end`: where the flat's boundary "face" ends; the flat goes on as "rest" to x = 1.
+/// `end`: where the flat's boundary "face" ends; the flat continues as "rest" to x = 1.
 inline std::string disc_geo(const std::string& end) {
   return R"(SetFactory("OpenCASCADE");
 Point(1) = {-1, 1, 0}; Point(2) = {0, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};

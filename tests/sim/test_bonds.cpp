@@ -127,7 +127,7 @@ TEST(Bonds, PatchOfTensionAndShear) {
     }
 }
 
-// Summary and history must tell the tension and shear of a bond, their means, and the most of the run where the load
+// Summary and history must report the tension and shear of a bond, their means, and the most of the run where the load
 // falls again.
 TEST(Bonds, TellWhatTheyCarry) {
   const auto falls =
@@ -186,7 +186,7 @@ TEST(Bonds, AreLinear) {
   EXPECT_LE(o.summary.counts.newton_iterations, 4);
 }
 
-// A coat of 20 um on a block that can not widen must give by p h (1 + nu) (1 - 2 nu) / (E (1 - nu)), and so must the
+// A coat of 20 um on a block that cannot widen must give by p h (1 + nu) (1 - 2 nu) / (E (1 - nu)), and so must the
 // block.
 TEST(Bonds, ACoatUnderUniformPressure) {
   const auto o = run(R"(SetFactory("OpenCASCADE");

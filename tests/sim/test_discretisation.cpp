@@ -142,8 +142,8 @@ TEST(Discretisation, Interrupted) {
   EXPECT_TRUE(again.error_discretisation.has_value());
 }
 
-// A mesh that came with its file cannot be made coarser, and of one with hardly an element in contact nothing can be
-// told: no number, and the log says why.
+// A mesh that came with its file cannot be made coarser, and for one with hardly an element in contact no error can be
+// given: no number, and the log says why.
 TEST(Discretisation, NoNumberButAReason) {
   const std::pair<sim::Problem, std::string> cases[] = {
       {prepared(scene_text("patch", {{"[output]", "[output]\nestimate_error = true"}})), "came with their files"},

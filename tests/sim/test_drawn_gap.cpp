@@ -186,7 +186,7 @@ TEST(DrawnGap, ThatNothingClosesIsRefused) {
   EXPECT_TRUE(has(text, "the sides are 1 mm apart as drawn, and supports move these bodies by 0.5 mm at most")) << text;
 }
 
-// A gap that nothing in the scene can close must be told before the run, with both lengths.
+// A gap that nothing in the scene can close must be reported before the run, with both lengths.
 TEST(DrawnGap, ThatNothingClosesIsTold) {
   const auto problem = test::problem_of(test::with(test::block_scene, moved_by("-0.05")), 0.1);
   ASSERT_EQ(problem.warnings.size(), 1U);

@@ -58,7 +58,7 @@ TEST(Intact, WhatCannotBe) {
       {[](sim::State& s) { std::swap(s.shapes[0], s.shapes[1]); }, "has lost its boundary"},
       {[](sim::State& s) { s.step = 7; }, "it is in a step that the scene lacks"},
       {[](sim::State& s) { s.step = -1; }, "it is in a step that the scene lacks"},
-      {[](sim::State& s) { s.cycle = none; }, "its cycles are no number"},
+      {[](sim::State& s) { s.cycle = none; }, "its number of cycles is not a number"},
       {[](sim::State& s) { s.step = 1, s.step_cycles = 41.0; }, "more cycles than the step has"},
       {[](sim::State& s) { s.factors["other"] = 1.0; }, "history other"},
       {[](sim::State& s) { s.factors["press"] = none; }, "history press"},
@@ -70,7 +70,7 @@ TEST(Intact, WhatCannotBe) {
       {[](sim::State& s) { s.solution.contacts.clear(); }, "a contact too many or too few"},
       {[](sim::State& s) { s.solution.contacts[0].lambda.pop_back(); }, "contact pad has a value too many or too few"},
       {[](sim::State& s) { s.solution.contacts[0].removed_primary[0] = none; },
-       "contact pad has a value that is no number"},
+       "contact pad has a value that is not a number"},
       {[](sim::State& s) { s.solution.contacts[0].status[0] = static_cast<contact::ContactStatus>(3); },
        "neither open nor sticks nor slips"},
       {[](sim::State& s) {
@@ -82,9 +82,9 @@ TEST(Intact, WhatCannotBe) {
        },
        "its secondary side lacks"},
       {[](sim::State& s) { s.recall.played.begin()->second.dq.conservativeResize(1); }, "an increment led elsewhere"},
-      {[](sim::State& s) { s.renewed_at.resize(1); }, "a support stands nowhere"},
+      {[](sim::State& s) { s.renewed_at.resize(1); }, "the position of a support is not a number"},
       {[](sim::State& s) { s.displaced.resize(2), s.displaced[0].resize(1); }, "displaced at nodes that it lacks"},
-      {[](sim::State& s) { s.watch.resize(5); }, "contacts that there are not"},
+      {[](sim::State& s) { s.watch.resize(5); }, "contacts that do not exist"},
   };
   for (const auto& [change, sentence] : changes) {
     auto state = good;

@@ -17,7 +17,7 @@ struct Run {
   sim::State state;
   sim::Summary summary;
   std::vector<std::string> log;
-  std::vector<double> told;  ///< cycles of the increments that were told
+  std::vector<double> told;  ///< cycles of the increments that were reported
 };
 
 Run run(const sim::Problem& problem) {
@@ -95,7 +95,7 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
   EXPECT_EQ(counts.cycles_solved, 1 + 3 * (blocks + counts.refused_blocks) + 8);
 }
 
-// Going on from any block's end must change no bit of a controlled run.
+// Resuming from any block's end must change no bit of a controlled run.
 TEST(Jump, GoesOnFromAnyBlock) {
   const auto problem = worn_block("{ tolerance = 0.01, first = 500 }");
   std::vector<sim::State> ends;

@@ -30,13 +30,13 @@ void expect_at_rest(const sim::Summary& summary) {
 // Bodies that touch and are neither moved nor loaded must stay at rest, and nothing must wear.
 TEST(Rest, WithoutMotion) { expect_at_rest(played("0.0", "motion_mm = 0.0")); }
 
-// The same where a body is held by nothing but the contact that no force closes, and where it slides so.
+// Bodies must stay at rest where one is held by nothing but the contact that no force closes, and where it slides so.
 TEST(Rest, WithoutForce) {
   expect_at_rest(played("0.0", "force_N_per_mm = 0.0"));
   expect_at_rest(played("0.01", "force_N_per_mm = 0.0"));
 }
 
-// Loads and strokes that only a denormal number tells must be none: no failure, and a ledger that closes.
+// Loads and strokes that are denormal numbers must count as none: no failure, and a ledger that closes.
 TEST(Rest, BelowWhatNumbersTell) {
   expect_at_rest(played("0.01", "motion_mm = -1e-310"));
   expect_at_rest(played("1e-310", "force_N_per_mm = -1e-310"));

@@ -74,8 +74,8 @@ cycles = 4
 
 }  // namespace
 
-// A row must tell of every contact what the summary tells of it at the end, and the first columns the largest and the
-// sum of them.
+// A row must report for every contact what the summary reports for it at the end, and the first columns the largest and
+// the sum of them.
 TEST(Rows, TellOfEveryContact) {
   sim::Summary summary;
   const auto row = last_row(support::problem_from({{"table.geo", table_geo}, {"scene.toml", table_scene}}), &summary);

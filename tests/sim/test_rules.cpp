@@ -83,7 +83,7 @@ TEST(FrameRules, NoFrameTwice) {
     EXPECT_DOUBLE_EQ(w.frames[k], 10.0 * static_cast<double>(k - 1) / 8.0);
 }
 
-// A body meshed anew must be seen on its new mesh at the end of that block, and only then.
+// A body remeshed must be seen on its new mesh at the end of that block, and only then.
 TEST(FrameRules, AtRemeshes) {
   const auto text =
       std::string(test::block_scene) + "[remesh]\nevery_blocks = 2\n[output]\nframes = { at_remeshes = true }\n";

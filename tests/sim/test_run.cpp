@@ -52,7 +52,7 @@ TEST(Run, Plan) {
       "20 (2 values), wear by dissipated energy beyond 2.5 mJ/mm^2 x (pressure / 10 MPa)^0.5");
   const std::string linear = " is linear: factorised once per shape, interior solved back only for frames";
   const std::string reach = "contact pad: nodes far from where it touches are condensed out until it comes near";
-  const std::string frames = "frames only of the start and of the end of each step: stress is recovered there alone";
+  const std::string frames = "frames only of the start and of the end of each step: stress is recovered only there";
   EXPECT_EQ(problem.plan.skipped,
             (std::vector<std::string>{"body slider" + linear + " and, once a block, for the triggers of remeshing",
                                       "body base" + linear + " and, once a block, for the triggers of remeshing", reach,
@@ -63,10 +63,10 @@ TEST(Run, Plan) {
             (std::vector<std::string>{
                 "body slider" + linear, "body base" + linear, reach,
                 "shape = \"off\": wear stays in the gap, no shape step", "contact pad: the primary side does not wear",
-                "no boundary moves by wear and no reference may be renewed: no body is meshed anew", frames}));
+                "no boundary moves by wear and no reference may be renewed: no body is remeshed", frames}));
 }
 
-// A run must play all blocks, close its ledger, and end every block with a state from which it can go on.
+// A run must play all blocks, close its ledger, and end every block with a state from which it can resume.
 TEST(Run, BlocksAndLedger) {
   const auto problem = test::problem_of(test::block_scene);
   std::vector<double> cycles;
@@ -130,7 +130,7 @@ TEST(Run, ObserverMayThrow) {
   EXPECT_THROW(run(problem, observer), std::runtime_error);
 }
 
-// Going on from the state of a block's end, with nothing kept but that state, must change no bit.
+// Resuming from the state of a block's end, with nothing kept but that state, must change no bit.
 TEST(Run, GoesOnFromAnyBlock) {
   const auto problem = test::problem_of(test::block_scene);
   std::vector<sim::State> ends;

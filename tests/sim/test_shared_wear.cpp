@@ -37,11 +37,10 @@ const std::string second_name = "[contact.second]\nsecondary = \"track\"";
 TEST(SharedWear, IsToldInThePlan) {
   const auto problem = problem_of(text_of("two_pins.geo"), text_of("scene.toml"));
   const auto& lines = problem.plan.lines;
-  EXPECT_EQ(
-      std::count(lines.begin(), lines.end(),
-                 "contacts first, second wear the same boundary, track: depths there are what all of them have worn, "
-                 "areas and energy each one's own"),
-      1);
+  EXPECT_EQ(std::count(lines.begin(), lines.end(),
+                       "contacts first, second wear the same boundary, track: depths there are the sum over all of "
+                       "them, areas and energies are counted per contact"),
+            1);
 }
 
 // One edge under two names must be refused where one of the contacts wears it: its wear is booked under one name alone.

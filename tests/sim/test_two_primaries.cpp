@@ -111,7 +111,7 @@ TEST(TwoPrimaries, EachBodyGetsItsOwn) {
   std::vector<double> booked(3, 0.0);
   for (int l = 0; l < setup.primary_count(); ++l) booked[setup.primary_nodes[l].body] += contact.removed_primary[l];
   booked[0] = std::accumulate(contact.removed_secondary.begin(), contact.removed_secondary.end(), 0.0);
-  EXPECT_NEAR(booked[1] / booked[2], 2.0, 0.02);  // the same way at twice the force
+  EXPECT_NEAR(booked[1] / booked[2], 2.0, 0.02);  // equal ways at twice the force
   // Depths measured on the shape, times lengths on it: to the digits that coordinates have.
   EXPECT_NEAR(booked[1] + booked[2], 3.0 * booked[0], 1e-9 * booked[0]);
   for (int b = 0; b < 3; ++b) EXPECT_NEAR(area_of(problem.shapes[b]) - area_of(state.shapes[b]), booked[b], 1e-12) << b;

@@ -36,13 +36,13 @@ const std::string few = "cycles = 40\njump = 10", two_blocks = "cycles = 20\njum
 
 }  // namespace
 
-// A contact that is resolved, and one that ends where the bodies end, must be told nothing.
+// A contact that is resolved, and one that ends where the bodies end, must give no warning.
 TEST(WarnContact, NothingWithoutCause) {
   EXPECT_EQ(found(test::disc_problem()), Kinds{});
   EXPECT_EQ(blocks({{few, two_blocks}}), Kinds{});
 }
 
-// Some three elements across a contact must be told, with how many there are.
+// A warning must be given for some three elements across a contact, with their number.
 TEST(WarnContact, ElementsAcross) {
   auto problem = test::disc_problem({{"size_mm = 0.005", "size_mm = 0.02"}});
   EXPECT_EQ(found(problem), Kinds{"resolution, contact pad"});
@@ -51,7 +51,8 @@ TEST(WarnContact, ElementsAcross) {
   EXPECT_NEAR(warning.severity, 8.0 / 3.0, 8.0 / 3.0 - 8.0 / 4.0 + 1e-9);
 }
 
-// A contact that runs to the end of its named boundary, while the outline goes straight on, must be told with the name.
+// A contact that runs to the end of its named boundary, while the outline continues straight, must be reported with the
+// name.
 TEST(WarnContact, EndOfANamedBoundary) {
   auto problem = test::disc_problem({}, "0.01");
   problem.warnings.clear();
@@ -61,13 +62,13 @@ TEST(WarnContact, EndOfANamedBoundary) {
   EXPECT_NE(warnings[0].text.find("the end of face"), std::string::npos) << warnings[0].text;
 }
 
-// A contact that most of its load is carried by beside its fine zone must be told.
+// A contact that carries most of its load beside its fine zone must be reported.
 TEST(WarnContact, BesideTheFineZone) {
   const auto kinds = found(test::disc_problem({{"centre_mm = [0.0, 0.0]", "centre_mm = [0.4, 0.0]"}}, "0.9"));
   EXPECT_NE(std::find(kinds.begin(), kinds.end(), "fine_zone, contact pad"), kinds.end());
 }
 
-// A contact that never touched must be told; nothing is said then of its wear.
+// A contact that never touched must be reported; nothing is said then of its wear.
 TEST(WarnContact, NeverClosed) {
   EXPECT_EQ(blocks({{few, two_blocks},
                     {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}},
@@ -75,7 +76,7 @@ TEST(WarnContact, NeverClosed) {
             Kinds{"never_closed, contact pad"});
 }
 
-// A contact that should wear but sticks throughout must be told, with the stroke that was asked for.
+// A contact that should wear but sticks throughout must be reported, with the stroke that was asked for.
 TEST(WarnContact, NothingSlipped) {
   auto problem =
       test::problem_of(test::with(test::block_scene, {{few, two_blocks}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
@@ -85,7 +86,7 @@ TEST(WarnContact, NothingSlipped) {
   EXPECT_NE(warnings[0].text.find("up to 1e-08 mm"), std::string::npos) << warnings[0].text;
 }
 
-// A limit on the side that wears a twentieth must be told, unless another limit watches the other side.
+// A limit on the side that wears a twentieth must be reported, unless another limit watches the other side.
 TEST(WarnContact, LimitOfTheMilderSide) {
   const std::string limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n";
   const std::string other = "[limit.other]\ncontact = \"pad\"\nside = \"primary\"\ndepth_mm = 1.0\n";
@@ -94,7 +95,7 @@ TEST(WarnContact, LimitOfTheMilderSide) {
   EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + other + "[history]"}}), Kinds{});
 }
 
-// A book that does not close must be told with its figure; what rounding leaves of next to nothing must not.
+// A ledger that does not close must be reported with its figure; what rounding leaves of next to nothing must not.
 TEST(WarnContact, OpenLedger) {
   const auto problem = test::problem_of(test::block_scene);
   const auto told = [&](double area, double error) {
@@ -114,7 +115,7 @@ TEST(WarnContact, OpenLedger) {
   EXPECT_EQ(told(1e-20, 2e-3), Kinds{});
 }
 
-// A fresh mesh that changed the pressure by more than a tenth must be told, one that did not must not.
+// A fresh mesh that changed the pressure by more than a tenth must be reported, one that did not must not.
 TEST(WarnContact, JumpAtARemesh) {
   sim::State state;
   sim::RemeshRecord record;

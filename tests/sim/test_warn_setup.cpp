@@ -35,7 +35,7 @@ const char* const limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n[his
 
 }  // namespace
 
-// Scenes without a mistake must be told nothing.
+// Scenes without a mistake must give no warning.
 TEST(WarnSetup, NothingWithoutCause) {
   EXPECT_EQ(of_blocks({{"[history]", limit}}), Kinds{});
   EXPECT_EQ(kinds(test::disc_problem().warnings), Kinds{});
@@ -82,7 +82,7 @@ TEST(WarnSetup, HeldByNothing) {
       << told;
 }
 
-// A support that loses one corner to a rigid edge which is free there must be told, and the rest of it acts.
+// A support that loses one corner to a rigid edge which is free there must be reported, and the rest of it acts.
 TEST(WarnSetup, LostCorner) {
   const std::string side = "[support.side]\nedge = \"base_left\"\nx = \"fixed\"\n[history]";
   auto scene = test::with(
@@ -93,7 +93,7 @@ TEST(WarnSetup, LostCorner) {
   EXPECT_EQ(kinds(problem.warnings), Kinds{"support, support side"});
 }
 
-// A step that wears without cycles, beside a limit or with a jump, must be told; without either it is a load step.
+// A step that wears without cycles, beside a limit or with a jump, must be reported; without either it is a load step.
 TEST(WarnSetup, StepWithoutCycles) {
   const Changes no_cycles{{"cycles = 40\n", ""}};
   EXPECT_EQ(of_blocks(no_cycles), Kinds{"no_cycles, step wear"});
@@ -101,20 +101,20 @@ TEST(WarnSetup, StepWithoutCycles) {
   EXPECT_EQ(of_blocks({{"cycles = 40\njump = 10\n", ""}}), Kinds{});
 }
 
-// Cycles that play no history which anything follows must be told.
+// Cycles that play no history which anything follows must be reported.
 TEST(WarnSetup, CyclesThatPlayNothing) {
   EXPECT_EQ(of_blocks({{"name = \"wear\"\nplay = [\"stroke\"]", "name = \"wear\""},
                        {"play = [\"press\"]", "play = [\"press\", \"stroke\"]"}}),
             Kinds{"plays_nothing, step wear"});
 }
 
-// One increment for each stroke of a cycle must be told; one more must not.
+// One increment for each stroke of a cycle must be reported; one more must not.
 TEST(WarnSetup, OneIncrementAStroke) {
   EXPECT_EQ(of_blocks({{"increments = 8", "increments = 1"}}), Kinds{"increments, step wear"});
   EXPECT_EQ(of_blocks({{"increments = 8", "increments = 5"}}), Kinds{});
 }
 
-// A fine zone that lies beside the place where the sides touch must be told before the run.
+// A fine zone that lies beside the place where the sides touch must be reported before the run.
 TEST(WarnSetup, FineZoneBesideTheContact) {
   const auto found = test::disc_problem({{"centre_mm = [0.0, 0.0]", "centre_mm = [0.4, 0.0]"}}, "0.9").warnings;
   EXPECT_EQ(kinds(found), (Kinds{"fine_zone, contact pad", "resolution, contact pad"}));
@@ -128,8 +128,8 @@ TEST(WarnSetup, ElementsAcrossByHertz) {
   EXPECT_NEAR(found[0].severity, 8.0 / 3.51, 0.1);
 }
 
-// Facets of a shaft in a bush, of a sagitta that the load does not press flat, must be told; those of order 2 lie on
-// the arc.
+// Facets of a shaft in a bush, of a sagitta that the load does not press flat, must be reported; those of order 2 lie
+// on the arc.
 TEST(WarnSetup, FacetsInABush) {
   const std::string geo = R"(SetFactory("OpenCASCADE");
 Disk(1) = {0, -0.05, 0, 10}; Disk(2) = {0, 0, 0, 13}; Disk(3) = {0, 0, 0, 10.05};

@@ -27,8 +27,8 @@ TEST(Warnings, TheMostSevereStays) {
                                             "warning: strain, body block: strain of 3 %"}));
 }
 
-// Plastic strain that grew in a cycle which stands for many must be told, with what is missing; none is missing where
-// every cycle is played, nor once the strain has settled.
+// Plastic strain that grew in a cycle which stands for many must be reported, with what is missing; none is missing
+// where every cycle is played, nor once the strain has settled.
 TEST(Warnings, JumpedCyclesAddNoPlasticStrain) {
   const auto told = [](double before, double now, double cycles) {
     scene::Step step;

@@ -94,7 +94,7 @@ TEST(WholeSection, PressesAsTheHalfByHand) {
   }
 }
 
-// A curve that is cut away must be told when the scene names it.
+// A curve that is cut away must be reported when the scene names it.
 TEST(WholeSection, TellsOfCurvesThatAreCutAway) {
   std::string text = pin_scene;
   text.replace(text.find("\"bottom\""), 8, "\"wall\"");
@@ -102,11 +102,12 @@ TEST(WholeSection, TellsOfCurvesThatAreCutAway) {
     problem_of(true, text);
     FAIL() << "the wall at x < 0 is no boundary";
   } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the "
-                        "half x >= 0 of "
-                        "body \"block\" is taken"),
-              std::string::npos)
+    EXPECT_NE(
+        std::string(error.what())
+            .find("; its curve lies at x < 0, which is cut away, and its mirror image does not have this name: the "
+                  "half x >= 0 of "
+                  "body \"block\" is taken"),
+        std::string::npos)
         << error.what();
   }
 }

@@ -41,13 +41,13 @@ TEST(WhyFailed, OutOfReach) {
             "search_mm = 0.15");
 }
 
-// A contact of two nodes must be told to be too coarse.
+// A contact of two nodes must be reported as too coarse.
 TEST(WhyFailed, TwoNodes) {
   Begun begun;
   auto& status = begun.state.solution.contacts[0].status;
   status[0] = status[1] = contact::ContactStatus::stick;
   EXPECT_EQ(begun.why(),
-            "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry it; make them shorter "
+            "only 2 nodes of contact pad touch, on elements of 0.5 mm: too coarse to carry its load; make them shorter "
             "there, with a fine_zone");
 }
 

@@ -110,7 +110,7 @@ TEST(Zones, EachGrowsByItself) {
   }
 }
 
-// A zone as wide as its foot must not be outrun because the boundary goes on at the other foot.
+// A zone as wide as its foot must not be outrun because the boundary continues at the other foot.
 TEST(Zones, AnotherFootIsNotBeyondTheZone) {
   const auto problem = support::problem_from({{"yoke.geo", yoke(false)}, {"scene.toml", yoke_scene}});
   auto state = sim::initial_state(problem);

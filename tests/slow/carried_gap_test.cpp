@@ -12,7 +12,7 @@ void PrintTo(const WornScene& scene, std::ostream* out) { *out << scene.name; }
 class CarriedGapScenes : public testing::TestWithParam<WornScene> {};
 
 // Whatever is worn to a conforming contact must keep its pressure over every remesh within 2 % (at each node within 0.9
-// of its width 3 %), its largest depth within 0.5 % and its book of volumes to 1e-9.
+// of its width 3 %), its largest depth within 0.5 % and the ledger must close to 1e-9.
 TEST_P(CarriedGapScenes, KeepPressureAndDepth) {
   const auto w = watched(scene_text(GetParam().name));
   EXPECT_GE(w.remeshes.size(), 2U);

@@ -13,7 +13,7 @@ class Seeds : public testing::TestWithParam<unsigned> {};
 // all memory; every hundredth that is sound is run.
 TEST_P(Seeds, Scenes) { test::expect_ends(test::damaged_scene, 2000 * GetParam(), 2000, 100); }
 
-// The same of five thousand damaged geometry files.
+// Five thousand damaged geometry files must each be read or refused.
 TEST_P(Seeds, GeometryFiles) { test::expect_ends(test::damaged_geometry, 500 * GetParam(), 500, 100); }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Seeds, testing::Range(0U, 10U));

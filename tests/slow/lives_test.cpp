@@ -12,10 +12,10 @@ TEST(Lives, HundredThousandBlocks) { test::expect_bounded(100000); }
 // one.
 TEST(Lives, TwoHundredKills) { test::expect_survival(200); }
 
-// The same run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the
+// A run whose tables end anywhere behind the checkpoint before the last, two hundred times, must end as the
 // unbroken one.
 TEST(Lives, TwoHundredPowerCuts) { test::expect_survival(200, true); }
 
-// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or gone on
+// A checkpoint that was altered under a right checksum in two hundred ways must be refused with a sentence or resumed
 // from.
 TEST(Lives, TwoHundredAlteredCheckpoints) { test::expect_sentences(200); }

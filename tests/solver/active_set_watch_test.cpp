@@ -69,7 +69,7 @@ TEST(active_set_watch, cycle_of_a_p_matrix_is_broken) {
   EXPECT_LT((c.solution() - Vector::Constant(3, 1.0 / 3.0)).norm(), 1e-14);
 }
 
-// Where no set fits at all, going on node by node must end by saying so.
+// Where no set fits at all, continuing node by node must end by saying so.
 TEST(active_set_watch, no_solution_is_told) {
   Complementarity c;
   c.M = Matrix::Constant(1, 1, -1.0);

@@ -57,13 +57,14 @@ TEST(condensation, friction) {
   }
 }
 
-// The same with wear on both sides in the equations.
+// Condensation must be exact with wear on both sides in the equations.
 TEST(condensation, wear_on_both_sides) {
   BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .drag = 0.06, .angle = 0.4};
   expect_exact_both_ways(support::blocks(o), "wear");
 }
 
-// The same with cells of second order and either kind of multipliers: linear ones load control points they do not own.
+// Condensation must be exact with cells of second order and either kind of multipliers: linear ones load control points
+// they do not own.
 TEST(condensation, second_order) {
   for (auto dual : {contact::DualOrder::quadratic, contact::DualOrder::linear})
     for (auto upper : {mesh::CellKind::tri6, mesh::CellKind::quad4}) {
@@ -75,7 +76,7 @@ TEST(condensation, second_order) {
     }
 }
 
-// The same against a rigid body that is pushed, dragged and turned.
+// Condensation must be exact against a rigid body that is pushed, dragged and turned.
 TEST(condensation, rigid_primary) {
   BlocksOptions o{.friction = 0.2, .wear = {LawKind::energy, 4e-4, 0.0}, .drag = 0.02, .angle = -0.3};
   o.upper_rigid = true;
@@ -93,7 +94,7 @@ Assembly held_at_the_left(bool clamped) {
   return a;
 }
 
-// The same beside a node that carries no multiplier, and with one that keeps only its normal part.
+// Condensation must be exact beside a node that carries no multiplier, and with one that keeps only its normal part.
 TEST(condensation, supported_secondary_nodes) {
   for (bool clamped : {true, false}) {
     const auto a = held_at_the_left(clamped);
@@ -109,12 +110,12 @@ TEST(condensation, supported_secondary_nodes) {
   }
 }
 
-// The same for chained contacts: one contact's multipliers load rows that the next one eliminates.
+// Condensation must be exact for chained contacts: one contact's multipliers load rows that the next one eliminates.
 TEST(condensation, chained_contacts) {
   for (double friction : {0.0, 0.3}) expect_exact_both_ways(support::chain(friction), "chain");
 }
 
-// Contact nodes out of reach must be condensed out without a trace: the same result as with all of them.
+// Contact nodes out of reach must be condensed out without a trace: a result equal to that with all of them.
 TEST(condensation, reach_changes_nothing) {
   BlocksOptions o{.friction = 0.3, .wear = {LawKind::energy, 4e-4, 7e-4}, .press = 0.004, .drag = 0.006};
   const auto a = support::blocks(o);

@@ -25,7 +25,8 @@ struct Rings {
 /// Lame: the pressure at r = 2 in a ring 1 < r < 3.
 double lame_pressure() { return inside / (9.0 - 1.0) * (9.0 / 4.0 - 1.0); }
 
-/// The same at finite strain: r(R) from P_r' = (P_h - P_r) / R by Runge-Kutta, shooting with the inner wall's stretch.
+/// Pressure of the ring at finite strain: r(R) from P_r' = (P_h - P_r) / R by Runge-Kutta, shooting with the inner
+/// wall's stretch.
 class FiniteRing {
  public:
   double pressure() const {

@@ -39,7 +39,7 @@ class Lattice {
   }
 
  private:
-  /// The same share for a place between corners: the mean of those beside it, so that mid nodes are in the middle.
+  /// The share of a place between corners: the mean of those beside it, so that mid nodes are in the middle.
   template <class Share>
   double between(int k, Share share) const {
     return 0.5 * (share(k / order_ * order_) + share((k + order_ - 1) / order_ * order_));

@@ -24,7 +24,7 @@ struct Member {
   std::string scene;
   std::vector<Change> changes;
   Units units;
-  std::string refusal;  ///< what the reason must say of a member that can not be done; empty: it must be done
+  std::string refusal;  ///< what the reason must say of a member that cannot be done; empty: it must be done
   int budget = 800;     ///< solves it may take, those on chords included
   /// The member whose figures this one must repeat to `agreement`, relative; empty: none.
   std::string like;

@@ -70,7 +70,7 @@ TEST_P(Stability, EndsTruly) {
 
 INSTANTIATE_TEST_SUITE_P(Grid, Stability, testing::ValuesIn(test::members()), test_name);
 
-// Members are told apart by their names.
+// Members are distinguished by their names.
 TEST(StabilityGrid, NamesAreUnique) {
   std::set<std::string> names;
   for (const auto& m : test::members()) EXPECT_TRUE(names.insert(m.name).second) << m.name;

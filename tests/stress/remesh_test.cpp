@@ -41,7 +41,7 @@ sim::Problem problem() {
 
 }  // namespace
 
-// Two wearing bodies meshed anew 500 times each must lose exactly what their ledger says, keep sound meshes of bounded
+// Two wearing bodies remeshed 500 times each must lose exactly what their ledger says, keep sound meshes of bounded
 // size, and need no more memory at the end than after the first hundred.
 TEST(Remesh, AThousandTimes) {
   const auto p = problem();

@@ -110,7 +110,7 @@ inline Vector equations(Interface& face, const ContactCase& c, const Vector& dir
   return all;
 }
 
-/// The same derivative from `linearise`.
+/// The derivative along a direction, from `linearise`.
 inline Vector slope_along(Interface& face, const ContactCase& c, const Vector& direction) {
   const int ns = static_cast<int>(c.xs.size());
   face.integrate(c.xs, c.xm);

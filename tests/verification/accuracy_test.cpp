@@ -37,7 +37,7 @@ std::string refusal(const std::string& text) {
 }  // namespace
 
 // Hertz's pressure must be as good as was asked and not ten times better, in the mean over fine zones about half of it;
-// the run tells it within the factor three that its estimate is good for.
+// the run reports it within the factor three that its estimate is good for.
 TEST(Accuracy, Hertz) {
   double before = 1.0;
   for (const double accuracy : {0.02, 0.01}) {
@@ -82,7 +82,7 @@ TEST(Accuracy, Wear) {
   }
 }
 
-// Where too few elements touch the pilot must take shorter ones; and told twice the same scene must get the same size.
+// Where too few elements touch the pilot must take shorter ones; and the same scene given twice must get the same size.
 TEST(Accuracy, PilotOnShorterElements) {
   const auto text = pressed("0.1", "half_width_mm = 1.2, depth_mm = 0.2");
   const auto problem = prepared(text);
@@ -99,7 +99,7 @@ TEST(Accuracy, GivenSizeStays) {
   EXPECT_EQ(problem.plan.lines.at(0).find("body "), 0U) << problem.plan.lines[0];
 }
 
-// What cannot be chosen must be refused at the key, with the size that would be needed, or why no pilot tells any.
+// What cannot be chosen must be refused at the key, with the size that would be needed, or why no pilot gives any.
 TEST(Accuracy, Refusals) {
   const auto absurd = refusal(pressed("0.0002"));
   EXPECT_NE(absurd.find(".toml:1: accuracy = 0.0002: with 16 elements per half width"), std::string::npos) << absurd;
@@ -109,5 +109,6 @@ TEST(Accuracy, Refusals) {
   const std::string edge = "[\"lower_top\"]";
   const std::string more = "\nfine_zone = { centre_mm = [3.0, 6.0], half_width_mm = 1.0, depth_mm = 1.0 }";
   const auto meshed = refusal("accuracy = 0.01\n" + scene_text("patch", {{edge, edge + more}}));
-  EXPECT_NE(meshed.find("tells no error: the meshes came with their files as they are"), std::string::npos) << meshed;
+  EXPECT_NE(meshed.find("gives no error estimate: the meshes came with their files as they are"), std::string::npos)
+      << meshed;
 }

@@ -6,7 +6,7 @@ using namespace reye::verification;
 
 namespace {
 
-/// A small pin worn flat, both bodies meshed anew in every block, its fine zones outrun several times.
+/// A small pin worn flat, both bodies remeshed in every block, its fine zones outrun several times.
 std::string worn_pin(Replacements words = {}) {
   std::ofstream(support::temporary_folder() + "wearing.geo") << test::wearing_geo;
   words.push_back({"size_mm = 0.015", "size_mm = 0.0075"});
@@ -25,18 +25,18 @@ void expect_carried(const Watched& w) {
 }  // namespace
 
 // A pin worn flat, conforming to its plate within the elastic approach, must keep its pressure over every remesh of
-// both bodies, its depth and its book of volumes.
+// both bodies, its depth and its ledger.
 TEST(CarriedGap, WornPin) { expect_carried(watched(worn_pin())); }
 
-// The same in second order.
+// The worn pin must keep its pressure in second order.
 TEST(CarriedGap, SecondOrder) { expect_carried(watched(worn_pin({{"mesh     = {", "order    = 2\nmesh     = {"}}))); }
 
-// The same on triangles.
+// The worn pin must keep its pressure on triangles.
 TEST(CarriedGap, Triangles) {
   expect_carried(watched(worn_pin({{"growth = 1.8", "growth = 1.8, element = \"tri\""}})));
 }
 
-// The same where only the primary wears and takes it all, with facets of its own size.
+// The worn pin must keep its pressure where only the primary wears, with facets of its own size.
 TEST(CarriedGap, PrimaryAlone) {
   expect_carried(
       watched(worn_pin({{"secondary = \"round\"", "secondary = \"face\""},

@@ -120,7 +120,8 @@ TEST(ContactNewton, PlasticIroning) {
   EXPECT_LE(renewals, 8 * increments);
 }
 
-// The same with wear whose rate depends on pressure and speed, so that every increment is nonlinear in its pressure.
+// Newton must be quadratic with wear whose rate depends on pressure and speed, so that every increment is nonlinear in
+// its pressure.
 TEST(ContactNewton, QuadraticTailWithRates) {
   const auto rows =
       newton_rows(scene_text("column", {{"secondary_per_MPa = 1.0e-7",

@@ -148,7 +148,7 @@ TEST(ContactPatch, StickUniform) {
   }
 }
 
-// The same blocks driven a little beyond mu p must slip everywhere at uniform shear mu p; a longer way would uncover
+// Blocks driven a little beyond mu p must slip everywhere at uniform shear mu p; a longer way would uncover
 // their ends: blocks of 3e-4 mm shear stay in line.
 TEST(ContactPatch, SlipUniform) {
   for (const double degrees : {0.0, 30.0}) {

@@ -138,7 +138,7 @@ void expect_same(const Played& a, const Played& b, const char* name) {
 
 }  // namespace
 
-// Below the bound `auto` must play the small-strain run, bit by bit, and tell the estimate that it went by.
+// Below the bound `auto` must play the small-strain run, bit by bit, and report the estimate that it used.
 TEST(Kinematics, AutoIsSmallWhereThatIsEnough) {
   for (const Case& c : {disc(0.1), pin(0.01), ring(0.01), column(0.05)}) {
     const auto chosen = played(strained(c.text, "auto")), small = played(strained(c.text, "small"));
@@ -159,7 +159,7 @@ TEST(Kinematics, AutoIsFiniteWhereThatIsNeeded) {
   }
 }
 
-// Near the bound the estimate must hold what small strain puts wrong, and not be more than eight times as much.
+// Near the bound the estimate must cover the error of small strain, and not be more than eight times as large.
 TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
   for (const Case& c : {disc(0.15), pin(0.018), blocks(0.04), ring(0.013), column(0.06)}) {
     const auto small = played(strained(c.text, "small")), finite = played(strained(c.text, "finite"));
@@ -195,7 +195,7 @@ TEST(Kinematics, LinearElasticBecomesHencky) {
 }
 
 // A run whose small strain turns out not to be good enough, for what comes is more than the trial met, must say so once
-// and tell the larger estimate.
+// and report the larger estimate.
 TEST(Kinematics, RunWarnsWhenTheEstimatePassesTheBound) {
   auto problem = prepared(
       replaced(strained(disc(0.1).text, "auto"), {{"increments = 10", "increments = 2\ncycles = 3\nwear = false"}}));

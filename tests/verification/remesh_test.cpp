@@ -13,7 +13,7 @@ using namespace reye::verification;
 
 namespace {
 
-/// A scene played step by step, its bodies meshed anew on request.
+/// A scene played step by step, its bodies remeshed on request.
 struct Bench {
   sim::Problem problem;
   sim::Cache cache;
@@ -119,7 +119,7 @@ TEST(Remesh, PressureDoesNotDrift) {
   EXPECT_LT(profile_change(before, after, before.pressure_MPa, after.pressure_MPa), 0.01);
 }
 
-// Stopped at full tangential load, a contact in partial slip that is meshed anew twenty times must keep its shear,
+// Stopped at full tangential load, a contact in partial slip that is remeshed twenty times must keep its shear,
 // within 2 % of mu p0, and its stick width.
 TEST(Remesh, ShearIsHistory) {
   Bench bench(scene_text("cattaneo_mindlin"));
@@ -133,8 +133,8 @@ TEST(Remesh, ShearIsHistory) {
   EXPECT_NEAR(sim::stick_half_width(after, mu).value(), width, 0.01 * width);
 }
 
-// Divided into other facets and back, it must keep its shear as well as facets can tell: next to stick and contact edge
-// it has an infinite slope, and a node half an element off reads another value; elsewhere within 1 % of mu p0.
+// Divided into other facets and back, it must keep its shear as well as facets can resolve: next to stick and contact
+// edge it has an infinite slope, and a node half an element off reads another value; elsewhere within 1 % of mu p0.
 TEST(Remesh, ShearOnOtherFacets) {
   constexpr double stick = 0.0645843, h = 0.0045;  // references B2
   Bench bench(scene_text("cattaneo_mindlin"));
@@ -160,7 +160,7 @@ struct Indented {
 
   explicit Indented(const Replacements& words) : bench(scene_text("plastic_fretting", all(words))) { bench.play(0); }
 
-  /// Meshed anew ten times, with other elements each time.
+  /// Remeshed ten times, with other elements each time.
   void renew() {
     const double start = plastic_strain(bench);
     for (double factor : {1.13, 0.91 / 1.13, 1.06 / 0.91, 0.95 / 1.06, 1.0 / 0.95, 1.1, 0.9 / 1.1, 1.13 / 0.9,
@@ -198,7 +198,7 @@ void expect_quiet(const std::vector<sim::RemeshRecord>& records) {
 
 // Bodies held where they have indented each other, at the yield surface throughout, must keep the integral of their
 // plastic strain to round-off of the transfer, at small and at finite strain; and pressed farther, must flow as far as
-// those never meshed anew, within 1 % of the whole: what was kept is no flow put off.
+// those never remeshed, within 1 % of the whole: what was kept is no flow put off.
 TEST(Remesh, PlasticStrainHeld) {
   for (const std::string kinematics : {"small", "finite"}) {
     const Replacements words{{"kinematics = \"small\"", "kinematics = \"" + kinematics + "\""},
@@ -220,7 +220,7 @@ TEST(Remesh, PlasticStrainReleased) {
   expect_quiet(bodies.bench.records);
 }
 
-// A body meshed anew leaves the other one its mesh.
+// A body remeshed leaves the other one its mesh.
 TEST(Remesh, OneBodyAlone) {
   Bench bench(scene_text("hertz"));
   bench.play(0);

@@ -78,7 +78,7 @@ TEST(RenewedReference, ProbesCountFromTheStart) {
   EXPECT_NEAR(high - low, 15.0, 0.02);
 }
 
-// A support that moves the renewed body itself must go on from where it was: the billet pushed against a fixed die
+// A support that moves the renewed body itself must continue from where it was: the billet pushed against a fixed die
 // needs the force of the die pushed against the billet.
 TEST(RenewedReference, MovedSupportsGoOn) {
   const auto die = played(scene_text("upsetting_remesh"));

@@ -71,7 +71,7 @@ TEST(SecondOrderWear, SlidingBlock) {
   EXPECT_LT(worst(run.surface(Side::primary).wear_depth_mm, 1.5e-4), 1e-9);
 }
 
-/// A scar on a block under a ring has the same depth and area with elements of either order, and its book is kept.
+/// A scar on a block under a ring has the same depth and area with elements of either order, and its ledger closes.
 TEST(SecondOrderWear, BlockOnRing) {
   const Played linear = block_on_ring(false), quadratic = block_on_ring(true);
   ASSERT_EQ(mesh::order(quadratic.state.shapes.at(0)->mesh.kind), 2);

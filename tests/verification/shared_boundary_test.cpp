@@ -138,7 +138,7 @@ TEST(SharedBoundary, WearThatWaitsIsSeenByBoth) {
   }
 }
 
-/// A jump that is chosen by its error must book each contact's wear once.
+/// A jump that is chosen by its error must count each contact's wear once.
 TEST(SharedBoundary, UnderATolerance) {
   const Replacements chosen{{"jump       = 20", "jump       = { tolerance = 0.1 }"},
                             {"increments = 80", "increments = 40"},
@@ -159,7 +159,7 @@ TEST(SharedBoundary, OneWithoutFriction) {
   EXPECT_NEAR(all[1].normal_force, 10.0, 1e-3);
 }
 
-/// At finite strain each contact must balance its pin and book its work, too.
+/// At finite strain each contact must balance its pin and count its work, too.
 TEST(SharedBoundary, AtFiniteStrain) {
   const Replacements finite{
       {"material = \"polymer\"\nmesh     = { far_size_mm = 0.5 }",
@@ -182,7 +182,7 @@ TEST(SharedBoundary, AtFiniteStrain) {
   }
 }
 
-/// A run that goes on from its bytes must leave the bytes of one that was never broken off.
+/// A run that resumes from its bytes must leave the bytes of one that was never interrupted.
 TEST(SharedBoundary, GoesOnFromItsBytes) {
   const auto text = scene_text("two_pins", shorter);
   const auto whole = played(text);
@@ -304,7 +304,7 @@ TEST(SharedBoundary, AShaftTurningUnderTwoPads) {
       EXPECT_NEAR(worn.worn_area / (k[c] * 40.0 * sliding), 1.0, 0.02) << c << secondary;
       EXPECT_LT(contact.ledger_relative_error.value(), 1e-9) << c << secondary;
       sum += worn.worn_area;
-      // Both tables tell the same depth where both have worn.
+      // Both tables report the same depth where both have worn.
       const auto& s = run.frame.surfaces.at(2 * c + (secondary ? 0 : 1));
       double content = 0.0;
       for (std::size_t i = 1; i < s.x_mm.size(); ++i)

@@ -106,8 +106,8 @@ std::string pin() {
 
 const std::pair<const char*, std::string> scenes[] = {{"fretting", fretting()}, {"pin", pin()}};
 
-/// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they went
-/// different ways, told by the last digits.
+/// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they took
+/// different paths, decided by the last digits.
 bool expect_unseen(const std::string& text, const std::string& what, const std::function<void(Player&)>& change) {
   Player usual(text), other(text);
   usual.play();
@@ -153,7 +153,7 @@ TEST(Skips, CyclesAreRecalled) {
   EXPECT_LT(usual.state.counts.newton_iterations, 9 * forgetful.state.counts.newton_iterations / 10);
 }
 
-// The same of bodies that yield, once they have shaken down.
+// Recalled cycles must give the same results for bodies that yield, once they have shaken down.
 TEST(Skips, CyclesOfPlasticBodiesAreRecalled) {
   const std::string text = scene_text("plastic_fretting", {{"size_mm = 0.012", "size_mm = 0.04"},
                                                            {"increments = 40", "increments = 12"},

@@ -19,7 +19,7 @@ Replacements short_fretting(int increments, const std::string& last_step) {
 const std::string law =
     "wear      = { law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5 }";
 const std::string limit =
-    "[limit.life]                                 # the first cycle at which it is reached; the run goes on unless "
+    "[limit.life]                                 # the first cycle at which it is reached; the run continues unless "
     "stop = true\n"
     "contact  = \"pad\"\nside     = \"secondary\"\ndepth_mm = 0.0025\n";
 

@@ -18,7 +18,7 @@ Played block(const std::string& law, const std::string& step) {
   return played(scene_text("sliding_block", {{coefficients, coefficients + law}, {cycles, step}}));
 }
 
-/// Uniform depths on both sides, half as deep on the base, and the book of both.
+/// Uniform depths on both sides, half as deep on the base, and the ledger of both.
 void expect_depth(const Played& run, double depth) {
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, depth), 1e-10);
   EXPECT_LT(worst(run.surface(Side::primary).wear_depth_mm, 0.5 * depth), 1e-10);

@@ -88,7 +88,7 @@ SegmentTree tree_of(const Points& line) {
   return SegmentTree(std::move(segments));
 }
 
-/// How far the old polyline stands out over the new one, at arc lengths of the new: linear between them.
+/// Height of the old polyline over the new one, at arc lengths of the new one; linear between them.
 std::vector<std::array<double, 2>> heights(const Points& old, const Points& fresh, const std::vector<double>& arc) {
   std::vector<std::array<double, 2>> h;
   const SegmentTree on_fresh = tree_of(fresh), on_old = tree_of(old);
@@ -105,8 +105,8 @@ std::vector<std::array<double, 2>> heights(const Points& old, const Points& fres
 }
 
 /// Shift of every inner node along its outward normal that gives each piece of the outline the content it had there:
-/// d_k = int N_k h ds / int N_k ds, the ends' shares with their neighbours'. What bears on a surface feels its mean
-/// height over an element; kept only as a whole, the content would still press.
+/// d_k = int N_k h ds / int N_k ds, the ends' shares with their neighbours'. A contact responds to the mean height over
+/// an element, so content that is kept only in total would still change pressures.
 std::vector<double> local_shifts(const Points& old, const Points& fresh) {
   const std::size_t n = fresh.size();
   std::vector<double> arc{0.0}, content(n, 0.0), length(n, 0.0);
@@ -133,7 +133,7 @@ std::vector<double> local_shifts(const Points& old, const Points& fresh) {
   return shift;
 }
 
-constexpr std::size_t chords = 8;  ///< that stand for a quadratic edge where heights are measured
+constexpr std::size_t chords = 8;  ///< that represent a quadratic edge where heights are measured
 
 /// Points along a chain of quadratic edges, `chords` for each.
 Points sampled(const Points& p) {
@@ -144,7 +144,7 @@ Points sampled(const Points& p) {
   return points;
 }
 
-/// The same for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
+/// Depths for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
 /// give at each node.
 std::vector<double> curved_shifts(const Points& old, const Points& fresh) {
   const std::size_t n = fresh.size();
@@ -191,7 +191,7 @@ Points placed(const Points& old, const Points& fresh, int order) {
   return p;
 }
 
-/// Content between a quadratic edge and its chord: what is lost when the one becomes the other.
+/// Content between a quadratic edge and its chord, lost when the edge becomes straight.
 double under_curve(Analysis analysis, const Vec2& a, const Vec2& mid, const Vec2& b) {
   const Vec2 control = 2.0 * mid - 0.5 * (a + b);
   const std::array<Vec2, 3> onto_chord{Vec2::Zero(), Vec2::Zero(), 0.5 * (a + b) - control};

@@ -15,11 +15,11 @@ struct EdgePair {
   bool worn = false;  ///< may be corrected
 };
 
-/// What makes the new outline enclose as much as the old one.
+/// The correction that makes the new outline enclose as much as the old one.
 struct Correction {
   Points shift;             ///< of every new node; zero off the worn edges and at their ends
-  double residue = 0.0;     ///< content the new outline had too much, all edges together [mm^2 per mm; mm^3]
-  double left = 0.0;        ///< of it that no edge could take [mm^2 per mm; mm^3]
+  double residue = 0.0;     ///< excess content of the new outline, all edges together [mm^2 per mm; mm^3]
+  double left = 0.0;        ///< the part of it that no edge could take [mm^2 per mm; mm^3]
   double largest_mm = 0.0;  ///< longest shift
 };
 
@@ -31,9 +31,9 @@ double fan_volume(Analysis analysis, const Points& points, int order = 1);
 /// Shifts the inner nodes of every worn edge along their normals: first each by the mean height of the old outline over
 /// the new one round it, int N_k h ds / int N_k ds, so that content is kept where it was; then all by one length, less
 /// within two facets of the ends, that gives the edge its whole content, found by the secant method down to round-off.
-/// Edges are measured one by one from their own first point, so that no digits go into the size of the body. What
-/// straight edges and worn edges without inner nodes have too much goes to the longest worn edge. In second order edges
-/// list middle nodes between vertices, and N_k are the Bernstein functions of vertices and control points.
+/// Edges are measured one by one from their own first point, so that no digits go into the size of the body. The excess
+/// of straight edges and of worn edges without inner nodes goes to the longest worn edge. In second order edges list
+/// middle nodes between vertices, and N_k are the Bernstein functions of vertices and control points.
 Correction correct(Analysis analysis, const Points& before, const Points& after, const std::vector<EdgePair>& edges,
                    int order = 1);
 

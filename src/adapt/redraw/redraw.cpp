@@ -59,7 +59,7 @@ bool drawn_corner(const Source& s, const Segment& before, const Segment& after) 
   return before.edge != after.edge && cad::kink(s.edge(before.edge), s.edge(after.edge)) > drawn_kink;
 }
 
-/// The outline loop as segments, with what is known of each.
+/// The outline loop as segments.
 std::vector<Segment> segments_of(const Source& s) {
   std::vector<Segment> segments;
   const auto& loop = s.shape.mesh.outline[s.loop];
@@ -112,7 +112,7 @@ cad::Edge worn_edge(const Source& s, const std::vector<Segment>& run) {
   return edge;
 }
 
-/// A run of one edge on which nothing has left the curve.
+/// The new edge for a run of segments that are still on one drawn curve.
 cad::Edge fresh_edge(const Source& s, const std::vector<Segment>& run) {
   const cad::Edge& old = s.edge(run.front().edge);
   const Vec2 &first = s.now(run.front().a), &last = s.now(run.back().b);
@@ -173,7 +173,7 @@ std::string vanished_boundary(const mesh::Mesh& mesh, const cad::Drawing& drawin
   return {};
 }
 
-/// A side without a name that has vanished, seen by its drawn edge against its neighbours.
+/// A side without a name that has vanished, recognised by the length of its drawn edge against its neighbours.
 std::string vanished_edge(const cad::Drawing& drawing) {
   for (const auto& loop : drawing.part.loops)
     for (std::size_t k = 0; k < loop.size(); ++k) {

@@ -26,7 +26,7 @@ std::string lead(const cad::Drawing& drawing) {
   return drawing.options.name.empty() ? "" : "body '" + drawing.options.name + "': ";
 }
 
-/// The same edges on the worn outline and on the fresh one.
+/// Edges of the drawing, each on the worn outline and on the fresh one.
 std::vector<EdgePair> pairs_of(const cad::Drawing& drawing, const mesh::Mesh& worn, const mesh::Mesh& fresh,
                                std::string& failure) {
   const Trace before = trace(drawing.part.loops, worn.outline, worn.X);
@@ -75,14 +75,14 @@ std::string unsound(const mesh::Mesh& mesh) {
   return text.str();
 }
 
-/// New cells inside the outline as it is; nothing where they do not come out well, as when its corners have become
-/// too sharp for the nodes there are.
+/// New cells inside the outline as it is; nothing where their quality is poor, as when its corners have become too
+/// sharp for its nodes.
 std::optional<mesh::Mesh> refilled(const cad::Drawing& drawing, const mesh::Mesh& worn, double most_nodes) {
   constexpr double good_enough = 0.3;  // scaled Jacobian of the poorest cell
   try {
     mesh::Mesh mesh = cad::refill(drawing, worn, most_nodes);
     if (mesh::poorest_cell(mesh).scaled_jacobian >= good_enough) return mesh;
-  } catch (const base::MeshError&) {  // the outline is divided anew
+  } catch (const base::MeshError&) {  // the outline is redivided
   }
   return std::nullopt;
 }

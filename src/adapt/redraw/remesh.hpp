@@ -15,18 +15,18 @@ struct RemeshOptions {
 
 struct RemeshResult {
   body::ShapePtr shape;                ///< null when it failed
-  double area_residue = 0.0;           ///< what the fresh outline had too much on worn runs, before it was corrected
+  double area_residue = 0.0;           ///< excess content of the fresh outline on worn runs before the correction
                                        ///< [mm^2 per mm; mm^3 in axisymmetry]
-  double largest_correction_mm = 0.0;  ///< the farthest a node was moved for that
+  double largest_correction_mm = 0.0;  ///< largest move of a node by the correction
   double mesh_seconds = 0.0;           ///< spent in redrawing and meshing
   std::string failure;                 ///< empty; else what cannot be drawn or meshed, and where
 };
 
 /// A fresh mesh inside the worn outline, with the same boundaries. On worn runs the fresh polygon has exactly the
-/// content of the old one, to round-off; curves of CAD are only divided anew (their polygons differ by what chords cut
-/// off). `zones` are the fine zones from now on; none: those of the drawing. Nothing else of the drawing's wishes
-/// changes. With `keep_nodes` the outline is the worn one, node by node, and nothing on it need be carried; where the
-/// cells do not come out well it is divided anew all the same. Runs gmsh: one call at a time.   (README, 7)
+/// content of the old one, to round-off; curves of CAD are only redivided (their polygons differ by the area that
+/// chords cut off). `zones` replace the fine zones of the drawing; none: the drawing keeps its own. Its other sizes do
+/// not change. With `keep_nodes` the outline keeps the nodes of the worn one and no field on it needs to be carried;
+/// where the cells are poor it is divided again all the same. Runs gmsh: one call at a time.   (README, 7)
 RemeshResult remesh(const body::ShapePtr& worn, base::Analysis analysis, const std::vector<cad::FineZone>& zones = {},
                     const RemeshOptions& options = {});
 

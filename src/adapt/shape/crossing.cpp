@@ -133,7 +133,7 @@ std::optional<Crossing> find_crossing(const mesh::Mesh& mesh) {
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(facets.size()); ++i)
     boxes.emplace_back(point(X[facets[i].a]).bbox() + point(X[facets[i].b]).bbox(), i);
-  std::optional<std::pair<int, int>> first;  // the smallest pair, so that the answer does not hang on box order
+  std::optional<std::pair<int, int>> first;  // the smallest pair, so that the answer does not depend on box order
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
     const std::pair pair{std::min(x.info(), y.info()), std::max(x.info(), y.info())};
     if (!clash(X, facets[pair.first], facets[pair.second])) return;

@@ -13,7 +13,7 @@ using base::Vec2;
 Points smooth_tangents(const Points& points, bool closed);
 
 /// Estimated distance of the Hermite curve with smooth tangents from the smooth line the points are taken from [mm]:
-/// over all facets the largest |kappa_i - kappa_(i+1)| h^2 / 8, what the circles at its two ends disagree by at its
+/// over all facets the largest |kappa_i - kappa_(i+1)| h^2 / 8, the difference of the circles at its two ends in its
 /// middle.
 double fit_error(const Points& points, bool closed);
 

@@ -40,7 +40,8 @@ Points steps(const Motion& m, const Points& P, double share) {
   return step;
 }
 
-/// Keeps middle nodes away from the ends of their edges: they go along the new chord, which in the plane costs no area.
+/// Keeps middle nodes away from the ends of their edges: they move along the new chord, which changes no area in the
+/// plane.
 void centre(const Motion& m, const Points& P, Points& step) {
   for (const auto& [a, b, c] : m.facets) {
     if (c < 0) continue;

@@ -22,7 +22,7 @@ struct Outline {
 
 Outline outline_of(const mesh::Mesh& mesh);
 
-/// What one outline node loses, told apart by the facets on which it was worn: the one before the node, the
+/// What one outline node loses, separated by the facets on which it was worn: the one before the node, the
 /// one after it, or both together (shared by their lengths).
 struct WornNode {
   int node = -1;
@@ -36,16 +36,15 @@ std::vector<WornNode> worn_nodes(const mesh::Mesh& mesh, const std::vector<WornB
 /// Every outline facet with at least one worn node.
 std::vector<Facet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes);
 
-/// Where a worn vertex goes so that to first order its strip has the volume it lost, with W = volume / nodal
+/// Step of a worn vertex for which, to first order, its strip has the volume it lost, with W = volume / nodal
 /// length on each side.
 /// Smooth outline: along the averaged normal of its worn facets. Corner (turning more than 50 degrees): to the
 /// place where both facets are offset by their own W, so a corner worn on one side slides along the other.
 /// P: nodes and control points.
 Vec2 nodal_step(Analysis analysis, const Points& P, const Outline& outline, const WornNode& worn);
 
-/// Where the control point of a facet goes that lost `volume` while the ends of the facet go by `ends`: so that the
-/// middle of the curve gets the depth sum B_j(1/2) W_j along its own normal, and goes along the chord as far as the
-/// ends do in the mean.
+/// Step of the control point of a facet that lost `volume` while its ends move by `ends`: the middle of the curve gets
+/// the depth sum B_j(1/2) W_j along its own normal, and moves along the chord by the mean of the ends.
 Vec2 control_step(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 2>& ends, double volume);
 
 /// A moved outline, or why it could not be moved.

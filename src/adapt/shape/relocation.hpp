@@ -21,7 +21,7 @@ class InteriorMotion {
 
   /// Displacement of every node for displacements given on the outline and at the vertices of points (values at other
   /// inner nodes are not read).
-  /// Linear in them and without memory: where inner nodes end up depends on the outline alone.
+  /// The result is linear in them and has no memory: the places of inner nodes depend on the outline alone.
   Points extend(Points displacement) const;
 
  private:
@@ -44,8 +44,8 @@ class RelocationCache {
   std::map<const mesh::Mesh*, Entry> entries_;
 };
 
-/// Moves the inner nodes after the outline, both seen from the mesh of birth. Without `cache` the result is the same to
-/// the last bit.
+/// Moves the inner nodes after the outline, with displacements counted from the mesh of birth. Without `cache` the
+/// result is the same to the last bit.
 void relocate(mesh::Mesh& mesh, const std::shared_ptr<const mesh::Mesh>& born, RelocationCache* cache);
 
 }  // namespace reye::adapt

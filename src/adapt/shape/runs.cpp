@@ -30,7 +30,7 @@ std::vector<Range> ranges(const std::vector<Segment>& loop, const Range& stretch
   return all;
 }
 
-/// Makes one short run of the stretch longer or part of its neighbour; false when all are long enough.
+/// Lengthens one short run of the stretch or joins it to its neighbour; false when all are long enough.
 bool settle_one(std::vector<Segment>& loop, const Range& stretch) {
   const auto all = ranges(loop, stretch);
   for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
@@ -49,7 +49,7 @@ bool settle_one(std::vector<Segment>& loop, const Range& stretch) {
   return false;
 }
 
-/// A worn edge of the old drawing is drawn anew as a whole; false when nothing changed.
+/// A worn edge of the old drawing is redrawn as a whole; false when nothing changed.
 bool spread_over_worn_edges(std::vector<Segment>& loop, const std::vector<bool>& redrawn) {
   bool changed = false;
   for (Segment& segment : loop)
@@ -57,7 +57,7 @@ bool spread_over_worn_edges(std::vector<Segment>& loop, const std::vector<bool>&
   return changed;
 }
 
-/// Turns the loop so that it starts at a hard node, failing that with its longest run of one kind.
+/// Turns the loop so that it starts at a hard node, or else with its longest run of one kind.
 void turn(std::vector<Segment>& loop) {
   const std::size_t n = loop.size();
   std::size_t start = 0;

@@ -8,11 +8,11 @@ namespace reye::adapt {
 
 using base::Points;
 
-/// Turning of an outline at a node [rad]: a corner from which on it may be one; where the drawing must turn to have
+/// Turning of an outline at a node [rad]: the least at which it may be a corner; the least of the drawing where it has
 /// one.
 constexpr double least_turning = 20.0 * std::numbers::pi / 180.0, drawn_kink = 30.0 * std::numbers::pi / 180.0;
 
-/// One segment of an outline loop a -> b, and what it was drawn as.
+/// One segment a -> b of an outline loop, and the edge it was drawn as.
 struct Segment {
   int a = -1, b = -1;
   int edge = -1;  ///< of the old drawing
@@ -33,7 +33,7 @@ std::vector<bool> corners(const std::vector<Segment>& loop, const Points& X);
 /// Cuts a closed loop into runs that become one edge each: worn segments between hard nodes and fresh segments, fresh
 /// segments of one old edge. A run shorter than about two facets beside it is no edge of its own: a fresh one is
 /// taken into the worn one beside it, a worn one takes as much of the fresh one beside it.
-/// `worn_edges`: edges of the old drawing that are drawn anew as a whole or not at all.
+/// `worn_edges`: edges of the old drawing that are redrawn as a whole or not at all.
 std::vector<std::vector<Segment>> runs_of(std::vector<Segment> loop, const std::vector<bool>& worn_edges);
 
 }  // namespace reye::adapt

@@ -18,14 +18,14 @@ class SegmentTree {
   explicit SegmentTree(std::vector<Segment> segments);
   explicit SegmentTree(const Points& points);
 
-  /// Place a + s (b - a), 0 <= s <= 1, of the segment nearest to a point; segment -1: none wanted is near enough.
+  /// Place a + s (b - a), 0 <= s <= 1, of the segment nearest to a point; segment -1: no wanted one is near enough.
   struct Foot {
     int segment = -1;
     double s = 0.0;
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// Of equally near ones that with the smallest number. `wanted` leaves segments out, null: none; `within` [mm]
-  /// bounds the search.
+  /// The nearest segment; of equally near ones that with the smallest number. `wanted` leaves segments out, null: none;
+  /// `within` [mm] bounds the search.
   Foot nearest(const Vec2& p, const std::function<bool(int)>& wanted = {},
                double within = std::numeric_limits<double>::infinity()) const;
 

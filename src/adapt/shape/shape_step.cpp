@@ -21,7 +21,7 @@ std::string crossing_report(const mesh::Mesh& now, const mesh::Mesh& born, const
   return text.str();
 }
 
-/// The loss that can be no loss: negative or not a number. Empty when all is well.
+/// The message for an invalid loss, negative or not a number; empty when all losses are valid.
 std::string bad_loss(const std::vector<WornBoundary>& worn) {
   for (const auto& [name, removed] : worn)
     for (std::size_t k = 0; k < removed.size(); ++k)
@@ -31,7 +31,8 @@ std::string bad_loss(const std::vector<WornBoundary>& worn) {
   return {};
 }
 
-/// The mesh after the outline has moved: refused when that crosses itself; `poor` where an element is.
+/// Checks the mesh after the outline has moved: it fails when the outline crosses itself, and is `poor` where an
+/// element is.
 void judge(ShapeStepResult& result, std::shared_ptr<body::Shape> next, const QualityBound& bound,
            RelocationCache* cache) {
   if (const auto crossing = find_crossing(next->mesh)) {

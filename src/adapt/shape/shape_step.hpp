@@ -22,7 +22,7 @@ struct ShapeStepResult {
   double min_quality = 1.0;  ///< smallest scaled Jacobian of the new mesh
   int parts = 1;             ///< sub-steps the motion was split into
   std::string failure;       ///< empty; else what the outline ran into, where, and the cause
-  std::string poor;  ///< the shape is there but its mesh not fit for a solve: the element, where it is, the cause
+  std::string poor;  ///< the shape exists but its mesh is not fit for a solve: the element, where it is, the cause
 };
 
 /// Moves the worn boundaries of X inwards along their normals so that the strip between old and new outline

@@ -17,7 +17,7 @@ namespace reye::adapt {
 
 namespace {
 
-/// Steps of nodes and control points, without and with the part that is free.
+/// Steps of nodes and control points: the given part and the free part.
 struct Steps {
   Points by, free;
   std::vector<Facet> facets;  ///< that these move
@@ -25,7 +25,7 @@ struct Steps {
 
 Vec2 unit(const Vec2& v) { return v.normalized(); }
 
-/// Where a vertex goes that belongs to the boundary with the facet before it, the one after it or both.
+/// Direction of a vertex that belongs to the boundary with the facet before it, the one after it or both.
 Vec2 outwards(const Points& P, const Outline& outline, int node, bool before, bool after) {
   const Facet first = outline.facet_before(node), second = outline.facet_after(node);
   const Vec2 in = unit(P[node] - P[first.c >= 0 ? first.c : first.a]);
@@ -78,7 +78,7 @@ Steps steps_of(const mesh::Mesh& mesh, const Outline& outline, const std::vector
   return steps;
 }
 
-/// The multiple of what is free with which the strip has no volume, by the secant method down to round-off.
+/// The multiple of the free motion for which the strip has no volume, by the secant method down to round-off.
 double balance(Analysis analysis, const Points& P, const Steps& steps) {
   const auto strip = [&](double times) {
     Points d = steps.by;
@@ -110,7 +110,7 @@ ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analys
   Points P = control_points(steps.facets, mesh.X);
   const double times = balance(analysis, P, steps);
   if (!std::isfinite(times)) {
-    result.failure = "no shift of what is free gives the body its content back";
+    result.failure = "no shift of the free outline restores the volume of the body";
     return result;
   }
   for (std::size_t j = 0; j < P.size(); ++j) P[j] += steps.by[j] + times * steps.free[j];

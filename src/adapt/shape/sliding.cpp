@@ -10,7 +10,7 @@ namespace {
 struct Marks {
   std::vector<char> stop;  ///< ends of straight sides
   std::vector<char> worn;
-  double slack = 0.0;  ///< what round-off may do to a position [mm]
+  double slack = 0.0;  ///< round-off of a position [mm]
 };
 
 Marks marks_of(const mesh::Mesh& born, const std::vector<WornNode>& worn) {
@@ -50,7 +50,7 @@ void slide(mesh::Mesh& mesh, const mesh::Mesh& born, const std::vector<int>& sid
   const Vec2 t = (born.X[side.back()] - origin) / length;
   const auto moved = [&](int node) -> Vec2 { return mesh.X[node] - born.X[node]; };
   const auto off = [&](int node) { return std::abs(base::cross(t, moved(node))); };
-  for (int end : {side.front(), side.back()})  // the corner got where it is in many steps
+  for (int end : {side.front(), side.back()})  // the corner reached its place in many steps
     if (off(end) > marks.slack + 1e-9 * moved(end).norm()) return;
   for (std::size_t k = 1; k + 1 < side.size(); ++k)
     if (marks.worn[side[k]] || off(side[k]) > marks.slack) return;

@@ -17,10 +17,10 @@ struct Facet {
 };
 
 /// Nodes at their places, but the middle node of each quadratic facet at its control point 2 x_c - (x_a + x_b) / 2.
-/// Linear: displacements go the same way.
+/// The map is linear: it takes displacements, too.
 Points control_points(const std::vector<Facet>& facets, Points X);
 
-/// The way back: x_c = (x_a + x_b) / 4 + p_c / 2.
+/// Middle nodes from control points: x_c = (x_a + x_b) / 4 + p_c / 2.
 Points middle_nodes(const std::vector<Facet>& facets, Points P);
 
 /// Volume the body loses when the ends of a facet move by da and db: that of the signed quadrilateral
@@ -28,7 +28,7 @@ Points middle_nodes(const std::vector<Facet>& facets, Points P);
 /// thin strips keep all their digits.   (README, 1)
 double swept_volume(Analysis analysis, const std::array<Vec2, 2>& facet, const std::array<Vec2, 2>& displacement);
 
-/// The same of a curve with points a, b and control point c that move by da, db, dc: the integral of
+/// Volume the body loses along a curve with points a, b and control point c that move by da, db, dc: the integral of
 /// (2 pi r) x,t cross x,s over the strip x(t, s) = sum B_j(t) (p_j + s d_j), a polynomial, hence exact.
 double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 3>& displacement);
 

@@ -5,7 +5,7 @@
 
 namespace reye::adapt {
 
-/// Bounds beyond which a worn mesh is made anew.
+/// Bounds beyond which a worn body is remeshed.
 struct Triggers {
   double min_scaled_jacobian = 0.3;
   double min_angle_deg = 15.0;
@@ -19,7 +19,7 @@ struct Measured {
   base::Vec2 at{0.0, 0.0};
 };
 
-/// What wear and deformation have made of a mesh since it was born.
+/// The quality of a mesh after wear and deformation since it was made.
 struct MeshState {
   Measured scaled_jacobian{1.0};  ///< poorest of the cells that have less than 0.7 of what they were born with; 1: none
   Measured angle_deg{
@@ -35,12 +35,11 @@ MeshState measure(const body::Shape& shape, const base::Points& x);
 
 /// Why a mesh is no longer fit, in words: value, place and bound of what exceeds its bound by the largest factor, on X
 /// or in the current shape. Empty when it is fit. `current`: positions in the current shape; null: X alone. A mesh that
-/// was born poor is no reason: only cells that have lost 0.3 of their quality since count, or no new mesh would ever
-/// do.
+/// was poor from the start is no reason: only cells that have lost 0.3 of their quality since count, or no new mesh
+/// would ever pass.
 std::string why_remesh(const body::Shape& shape, const base::Points* current, const Triggers& triggers);
 
-/// Why the current shape should become X on a fresh mesh: the same of the elements and facets of the current shape
-/// alone.
+/// Why the current shape should become X on a fresh mesh, by the elements and facets of the current shape alone.
 std::string why_renew(const body::Shape& shape, const base::Points& current, const Triggers& triggers);
 
 }  // namespace reye::adapt

@@ -15,7 +15,7 @@ double turning(const base::Vec2& in, const base::Vec2& out) {
   return std::abs(std::atan2(base::cross(in, out), in.dot(out)));
 }
 
-/// A smooth piece between two corners; where nodes do not look like a smooth curve, their polyline.
+/// A smooth piece between two corners; where the nodes do not form a smooth curve, their polyline.
 cad::Edge piece(Points points) {
   constexpr double of_mean_facet = 0.05;
   double length = 0.0;

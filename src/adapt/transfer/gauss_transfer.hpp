@@ -9,7 +9,7 @@
 /// body.
 namespace reye::adapt {
 
-/// How. h: cell size; front: a jump of the field.
+/// Method of transfer. h: cell size; front: a jump of the field.
 ///   nearest  value of the nearest old Gauss point: first order, nothing is averaged or created, fronts stay sharp
 ///   patch    nodal values by patch recovery, interpolated in the old cell: second order, exact for affine fields,
 ///            smooths at every transfer and keeps no sum
@@ -28,8 +28,9 @@ struct GaussOptions {
 base::Matrix transfer_gauss(const mesh::Mesh& from, const base::Matrix& values, const mesh::Mesh& to,
                             const GaussOptions& options, const std::vector<int>& nonnegative = {});
 
-/// What stress and yielding depend on, at the Gauss points of another mesh, component by component; p >= 0. The plastic
-/// strain is not carried: material::plastic_state gives the one that leaves this with the deformation found there.
+/// The state that stress and yielding depend on, at the Gauss points of another mesh, component by component; p >= 0.
+/// The plastic strain is not carried: material::plastic_state gives the one that leaves this with the deformation found
+/// there.
 std::vector<material::ElasticState> transfer_elastic(const mesh::Mesh& from,
                                                      const std::vector<material::ElasticState>& state,
                                                      const mesh::Mesh& to, const GaussOptions& options);

@@ -3,13 +3,13 @@
 
 #include "mesh/shape.hpp"
 
-/// Where a point lies in a mesh. n log n; answers do not hang on the order of the queries.
+/// Where a point lies in a mesh. n log n; answers do not depend on the order of the queries.
 namespace reye::adapt {
 
 using base::Points;
 using base::Vec2;
 
-/// The cell of a mesh under a point, of sound meshes and of ruined ones: an inverted or concave quadrilateral still
+/// The cell of a mesh under a point, for sound and for degraded meshes: an inverted or concave quadrilateral still
 /// gives weights that reproduce the point.
 class Locator {
  public:

@@ -84,7 +84,7 @@ Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
   return p + t * (q - p);
 }
 
-/// What of a polygon lies left of a -> b.
+/// The part of a polygon left of a -> b.
 Points left_of(const Vec2& a, const Vec2& b, const Points& polygon) {
   Points kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -111,7 +111,7 @@ std::vector<Overlap> overlaps(const mesh::Mesh& from, const mesh::Mesh& to) {
   std::vector<std::pair<int, int>> pairs;
   CGAL::box_intersection_d(fresh_boxes.begin(), fresh_boxes.end(), old_boxes.begin(), old_boxes.end(),
                            [&](const Box& x, const Box& y) { pairs.emplace_back(x.info(), y.info()); });
-  std::sort(pairs.begin(), pairs.end());  // sums over them must not hang on box order
+  std::sort(pairs.begin(), pairs.end());  // sums over them must not depend on box order
   std::vector<Overlap> result;
   for (const auto& [i, j] : pairs) {
     auto polygon = common(old[j].polygon, fresh[i].polygon);

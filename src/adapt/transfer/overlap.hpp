@@ -4,7 +4,7 @@
 /// The cells of two meshes cut with each other.
 namespace reye::adapt {
 
-/// What an old and a new cell have in common: a convex polygon, counter-clockwise [mm], counted `sign` times. A cell
+/// The intersection of an old and a new cell: a convex polygon, counter-clockwise [mm], counted `sign` times. A cell
 /// that is not convex has several, some of which may count -1: their sum is the winding number of its outline.
 struct Overlap {
   int to = 0, from = 0;

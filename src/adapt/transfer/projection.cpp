@@ -47,7 +47,7 @@ double volume_of(const GaussPoints& points, int cell) {
   return std::accumulate(begin, begin + points.per_cell, 0.0);
 }
 
-/// About the centre of volume the mean and the slopes do not see each other.
+/// About the centre of volume the mean and the slopes are independent.
 Affine fitted(const GaussPoints& points, int cell, const Matrix& values) {
   Affine f{centre_of(points, cell), Matrix::Zero(3, values.cols())};
   Eigen::Matrix2d S = Eigen::Matrix2d::Zero();

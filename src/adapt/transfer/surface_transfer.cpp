@@ -14,7 +14,7 @@ using mortar::Surface;
 using Values = std::vector<double>;
 using Foot = SegmentTree::Foot;
 
-/// Two distances are the same within this share of the largest coordinate.
+/// Two distances are equal within this share of the largest coordinate.
 constexpr double round_off = 1e-13;
 
 double largest_coordinate(const Surface& surface) {
@@ -141,7 +141,7 @@ long double magnitude(const Values& values) {
   return total;
 }
 
-/// Each old share given to the new facet it lies on, split by area: for fields the new nodes are too coarse to see.
+/// Each old share given to the new facet it lies on, split by area: for fields that the new nodes do not resolve.
 Values landed(const Surface& from, const Values& values, const Surface& to) {
   const auto places = feet(to, line_of(to), from);
   Values result(to.X.size(), 0.0);
@@ -157,7 +157,7 @@ Values landed(const Surface& from, const Values& values, const Surface& to) {
   return result;
 }
 
-/// In proportion to the magnitude of each share: what is zero stays zero, what is not negative stays so.
+/// Restores the sum in proportion to the magnitude of each share: zero stays zero, and no share becomes negative.
 void keep_sum(Values& values, long double total) {
   const long double factor = (total - sum(values)) / magnitude(values);
   for (double& v : values) v = static_cast<double>(v + factor * std::abs(v));

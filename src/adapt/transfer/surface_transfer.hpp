@@ -4,10 +4,10 @@
 
 #include "mortar/surface.hpp"
 
-/// Fields carried from one boundary to the same boundary meshed anew.
+/// Fields carried from one boundary to the same boundary remeshed.
 namespace reye::adapt {
 
-/// What a nodal value of a surface is, hence how it is carried (README, 6).
+/// Kind of a nodal value of a surface, which decides how it is carried (README, 6).
 enum class SurfaceKind {
   interpolated,  ///< value at a point: linear along the old polyline, quadratic along curved facets
   summed,        ///< nodal share of an integral: its density is interpolated, its sum kept
@@ -28,8 +28,9 @@ struct SurfaceTransfer {
 
 /// The fields of `from` on the nodes of `to`, both made of the same named boundary of the old and the new mesh, each
 /// with at least one facet. A new node, or the middle of the curve of a new control point, belongs to the closest point
-/// of the old line; of facets that are equally near to round-off, one that runs its own way. A new control point gets
-/// the coefficient that makes the value in the middle right. Identical surfaces: identical values to round-off.
+/// of the old line; of facets that are equally near to round-off, one that runs in its own direction. A new control
+/// point gets the coefficient that gives the correct value in the middle. Identical surfaces: identical values to
+/// round-off.
 SurfaceTransfer carry(const mortar::Surface& from, const std::vector<SurfaceField>& fields, const mortar::Surface& to);
 
 }  // namespace reye::adapt

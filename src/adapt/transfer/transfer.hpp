@@ -4,8 +4,8 @@
 
 #include "mesh/mesh.hpp"
 
-/// Nodal fields carried from the mesh of a body to another mesh of the same body. What lives on nodes registers itself
-/// by name; nothing here knows what it means. State of Gauss points: gauss_transfer.hpp.
+/// Nodal fields carried from the mesh of a body to another mesh of the same body. Fields are carried by name, whatever
+/// they mean. State of Gauss points: gauss_transfer.hpp.
 namespace reye::adapt {
 
 /// values[node * components + c]
@@ -21,7 +21,7 @@ struct Transferred {
   std::string failure;            ///< empty, or the new node that is farthest outside, and the bound
 };
 
-/// Interpolated in the old cell, sum_a w_a v_a (Locator); a new node on an old one takes its values bit
+/// Fields interpolated in the old cell, sum_a w_a v_a (Locator); a new node on an old one takes its values bit
 /// for bit, affine fields are exact, smooth ones lose at second order, a node outside takes the values of the
 /// closest point and the transfer fails when that is farther than most_distance [mm].
 /// Nothing is built without fields.

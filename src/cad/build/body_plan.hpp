@@ -10,7 +10,7 @@
 
 namespace reye::cad {
 
-/// Everything known of one body before it is meshed. Points into the parts and options it was made from.
+/// The data of one body before it is meshed. It points into the parts and options it was made from.
 struct BodyPlan {
   const Part* part = nullptr;
   const BodyOptions* options = nullptr;

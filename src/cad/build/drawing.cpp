@@ -21,7 +21,7 @@ BodyPlan plan_of(const Drawing& drawing) {
   return plan;
 }
 
-/// A mesh, if it is not too large, looked over.
+/// Makes a mesh that is not too large, and checks it.
 template <class Make>
 mesh::Mesh checked(const Drawing& drawing, double most_nodes, Make make) {
   const BodyPlan plan = plan_of(drawing);

@@ -8,9 +8,8 @@
 
 namespace reye::cad {
 
-/// All that a mesh of one body is made from, as a value that outlives the gmsh session: the outline as curves, which of
-/// them each boundary is made of, the wishes, and the fine zones. Wear changes the curves; a new mesh comes from
-/// `remesh`.
+/// The input of a mesh of one body, as a value that outlives the gmsh session: the outline as curves, those of each
+/// boundary, the wished sizes, and the fine zones. Wear changes the curves; a new mesh comes from `remesh`.
 struct Drawing {
   Part part;
   std::map<std::string, EdgeChoice> boundaries;
@@ -22,7 +21,7 @@ struct Drawing {
 /// Nodes a mesh of the drawing would have, about: int dA / size^2.
 double estimated_nodes(const Drawing& drawing);
 
-/// Lets the boundaries of a mesh count their arc length from where they do now for good; a ring from amid the longest
+/// Fixes the origin of arc length of each boundary of a mesh where it is now; for a ring in the middle of the longest
 /// stretch between the centres of the fine zones on it, opposite to a single one, so that no table is cut where there
 /// is contact.
 void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing);
@@ -32,8 +31,8 @@ void choose_arc_origins(mesh::Mesh& mesh, const Drawing& drawing);
 /// many), or no mesh with positive Jacobians.
 mesh::Mesh remesh(const Drawing& drawing, double most_nodes = 2e6);
 
-/// The same inside an outline that is there already: its nodes and boundaries stay as they are, so that nothing which
-/// lives on them has to be carried over. The drawing's edges pass through its nodes, or near them.
+/// A fresh mesh inside an existing outline: its nodes and boundaries stay as they are, so that no field on them has to
+/// be carried over. The drawing's edges pass through its nodes, or near them.
 mesh::Mesh refill(const Drawing& drawing, const mesh::Mesh& outline, double most_nodes = 2e6);
 
 }  // namespace reye::cad

@@ -83,7 +83,7 @@ DividedLoop divided_as_is(const Loop& loop) {
   return divided;
 }
 
-/// The outline alone: what a rigid body is made of.
+/// Removes the cells: a rigid body consists of its outline alone.
 void drop_cells(mesh::Mesh& mesh) {
   Points X;
   std::vector<int> number(mesh.X.size(), -1);
@@ -162,7 +162,7 @@ std::vector<bool> corners_of(const Points& X, const std::vector<int>& nodes, con
   return corner;
 }
 
-/// An outline that is there already as a region to fill; `number`: node of the region for each of the outline's.
+/// An existing outline as a region to fill; `number`: node of the region for each of the outline's.
 Region region_of(const BodyPlan& plan, const mesh::Mesh& outline, std::vector<int>& number) {
   const bool even = plan.options->mesh.element == mesh::CellKind::quad4;
   Region region;
@@ -222,7 +222,8 @@ template <class Make>
 mesh::Mesh best_of_attempts(const BodyPlan& plan, Make make) {
   constexpr int attempts = 5;
   constexpr double good_enough = 0.15;  // scaled Jacobian of the poorest cell
-  constexpr double worth_it = 1.05;     // an attempt that brings less is the last: the poor place is not a coarse one
+  constexpr double worth_it =
+      1.05;  // an attempt that improves less is the last: the poor place is not due to coarse elements
   mesh::Mesh best;
   double quality = 0.0, far = far_size(plan);
   for (int attempt = 1; quality < good_enough && attempt <= attempts; ++attempt, far *= 0.5) {

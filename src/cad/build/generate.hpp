@@ -8,9 +8,9 @@ namespace reye::cad {
 /// Throws base::MeshError, naming the place, when no mesh with positive Jacobians is found.
 mesh::Mesh generate(const BodyPlan& plan);
 
-/// The same with an outline given, whose nodes stay where they are and keep their boundaries (its order is the mesh's);
-/// cells and inner nodes of `outline` are not read. Corners of the plan's edges lie on nodes of it; all-quad meshes
-/// need an even number of nodes between sharp ones, as `generate` leaves it.
+/// The mesh of a body inside a given outline, whose nodes stay where they are and keep their boundaries (its order is
+/// the mesh's); cells and inner nodes of `outline` are not read. Corners of the plan's edges lie on nodes of it;
+/// all-quad meshes need an even number of nodes between sharp ones, as `generate` leaves it.
 mesh::Mesh generate_within(const BodyPlan& plan, const mesh::Mesh& outline);
 
 /// Nodes that lie at a negative radius by round-off alone go to the axis.

@@ -9,7 +9,8 @@
 
 namespace reye::cad {
 
-/// What check prints of one body: its area [mm^2], bounding box, and the named boundaries with their lengths.
+/// The facts of one body that `reye check` prints: its area [mm^2], bounding box, and the named boundaries with their
+/// lengths.
 struct BodyFacts {
   std::string name;
   double area_mm2 = 0.0;
@@ -23,7 +24,7 @@ struct Geometry {
   std::vector<mesh::Mesh> bodies;  ///< in the order of the options; a rigid body has outline and boundaries, no cells
   std::vector<Drawing> drawings;   ///< what each was made from
   std::vector<BodyFacts> facts;
-  bool guarded = true;  ///< false: nothing but their own limits kept the files' readers from harm
+  bool guarded = true;  ///< false: the readers of files were restricted by their own limits alone
 };
 
 /// Imports the files, finds bodies and boundaries by their selectors, meshes and checks every body.

@@ -22,7 +22,7 @@ std::string exactly(double x) {
   return digits;
 }
 
-/// What import/main.cpp is told: whether to trust, the folder, the section's point and normal or "-", the files.
+/// What import/main.cpp receives: whether to trust, the folder, the section's point and normal or "-", the files.
 std::vector<std::string> words_for(const GeometryOptions& options, std::size_t first) {
   std::vector<std::string> words = {options.trusted ? "trusted" : "guarded", options.folder};
   std::string section = "-";
@@ -46,7 +46,7 @@ Answer answer_about(const std::string& file, const std::string& bytes) {
   }
 }
 
-/// What meshes, while the importer reads: a core each. What fails tells its reason where it is needed.
+/// Loads the mesher while the importer reads, on another core. A failure reports its reason where the kernel is needed.
 void load_kernel() {
   try {
     kernel();

@@ -26,7 +26,7 @@ constexpr int pipe_of_importer = 3;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// The process, with its pipe as descriptor 3 and no other file of this program but nowhere.
+/// Starts the process with its pipe as descriptor 3 and no other open file of this program.
 pid_t start(const std::string& program, const std::vector<std::string>& arguments, int pipe) {
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
@@ -46,11 +46,11 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
 }
 
 std::string in_words(int signal) {
-  const char* const mend = "; write the file anew from the program it comes from, or in another format";
+  const char* const mend = "; export the file again from the program it comes from, or in another format";
   if (signal == SIGXCPU)
     return "reading it takes more than " + std::to_string(computing_s) +
            " s of computing; a file that you trust may take longer with --trust-geometry";
-  return std::string("the program that reads it breaks down on it (") + ::strsignal(signal) + ")" + mend;
+  return std::string("the program that reads it crashes on it (") + ::strsignal(signal) + ")" + mend;
 }
 
 }  // namespace
@@ -118,10 +118,10 @@ std::string ImporterProcess::end_in_words() {
   }
   int status = 0;
   while (::waitpid(pid_, &status, 0) < 0)
-    if (errno != EINTR) return "the program that reads it ended without a word";
+    if (errno != EINTR) return "the program that reads it ended without a message";
   pid_ = 0;
   if (WIFSIGNALED(status)) return in_words(WTERMSIG(status));
-  return "the program that reads it ended without a word (code " + std::to_string(WEXITSTATUS(status)) + ")";
+  return "the program that reads it ended without a message (code " + std::to_string(WEXITSTATUS(status)) + ")";
 }
 
 }  // namespace reye::cad

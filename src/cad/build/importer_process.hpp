@@ -17,7 +17,7 @@ class ImporterProcess {
   ImporterProcess(const ImporterProcess&) = delete;
   ImporterProcess& operator=(const ImporterProcess&) = delete;
 
-  /// Its next message; nothing when it has ended, does not answer within so many seconds or says too much.
+  /// Its next message; nothing when it has ended, does not answer within so many seconds, or the message is too long.
   std::optional<std::string> message(double most_s);
 
   /// Why there is no further message, as the rule of an issue.

@@ -23,7 +23,7 @@ double diagonal(const Part& part) {
   return std::hypot(box[2] - box[0], box[3] - box[1]);
 }
 
-/// Whether the zone is for the body of this name: for all bodies where it names none.
+/// Whether the zone applies to the body of this name; a zone that names no body applies to all.
 bool names(const FineZone& zone, const std::string& body) {
   return zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), body) != zone.bodies.end();
 }
@@ -37,7 +37,7 @@ void check_zone(const FineZone& zone, const GeometryOptions& options, const std:
                                  text(Vec2(-zone.centre_mm.x(), zone.centre_mm.y()))});
   bool wanted = false;
   for (const BodyPlan& plan : plans) {
-    if (!plan.part) return;  // told already
+    if (!plan.part) return;  // reported already
     if (plan.part->mesh || !names(zone, plan.options->name)) continue;
     wanted = true;
     const auto zones = zones_on(*plan.part, plan.options->name, options.fine_zones);
@@ -47,7 +47,7 @@ void check_zone(const FineZone& zone, const GeometryOptions& options, const std:
     issues.push_back({zone.key + ".centre_mm", text(zone.centre_mm), "no edge of a body passes through the fine zone"});
 }
 
-/// Nodes of a rigid body, which is its outline, about.
+/// Approximate number of nodes of a rigid body, which is its outline.
 double outline_nodes(const BodyPlan& plan) {
   double length = 0.0;
   for (const Loop& loop : plan.part->loops)
@@ -119,8 +119,8 @@ void put_profiles(Plans& plans, const GeometryOptions& options, std::vector<Issu
   }
 }
 
-/// A loop of one closed edge begins opposite to the fine zone on it, or amid the longest stretch between several: where
-/// a file happens to begin it, its seam, nothing of the mesh in contact shall depend on.
+/// A loop of one closed edge begins opposite to the fine zone on it, or amid the longest stretch between several: the
+/// mesh in contact must not depend on the seam, where the file happens to begin the ring.
 void turn_rings(Plans& plans, const GeometryOptions& options) {
   for (BodyPlan& plan : plans.bodies) {
     if (!plan.part || plan.part->mesh) continue;

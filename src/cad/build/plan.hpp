@@ -17,7 +17,7 @@ double far_size(const BodyPlan& plan);
 /// Nodes that a mesh of the plan would have, about: int dA / size^2 over the body and its fine zones.
 double estimated_nodes(const BodyPlan& plan);
 
-/// Finds parts and boundaries of all bodies, takes the halves x >= 0 of what lies on both sides of the axis, puts
+/// Finds parts and boundaries of all bodies, takes the halves x >= 0 of sections on both sides of the axis, puts
 /// profiles on the boundaries that have one, finds fine zones. Throws base::InputError with every issue there is:
 /// selectors that match nothing or several things, sections that are not mirror-symmetric about the axis, profiles that
 /// do not fit, material at a negative radius, a mesh of more nodes than a body may have.

@@ -154,7 +154,7 @@ Edge stretched(const Edge& edge, const Vec2& old_end, const Vec2& end) {
   if (edge.type != EdgeType::line ||
       std::abs(base::cross(before.normalized(), end - old_end)) > 1e-6 * (end - old_end).norm())
     throw DoesNotFit{"the height at the end " + text(old_end) +
-                     " of the boundary must be 0: no straight edge goes on there at a right angle"};
+                     " of the boundary must be 0: no straight edge continues there at a right angle"};
   if (before.dot(after) <= 0.0)
     throw DoesNotFit{"the height at the end " + text(old_end) + " of the boundary takes all of the next edge, " +
                      describe(edge)};

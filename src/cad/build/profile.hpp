@@ -14,8 +14,8 @@ namespace reye::cad {
 Profile parse_profile(const std::string& csv);
 
 /// The part with the chosen edges displaced along their outward normals by the profile of the boundary; as many edges
-/// as before, the displaced ones splines. At an end of the boundary the height is zero, or a straight edge that goes on
-/// there at a right angle is made longer or shorter. Nothing (and an issue) where the profile does not fit.
+/// as before, the displaced ones splines. At an end of the boundary the height is zero, or a straight edge that
+/// continues there at a right angle is made longer or shorter. Nothing (and an issue) where the profile does not fit.
 std::optional<Part> with_profile(const Part& part, const EdgeChoice& edges, const BoundaryOptions& boundary,
                                  std::vector<base::Issue>& issues);
 

@@ -18,7 +18,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// The number that fills the text, whatever the locale; nothing if it is none.
+/// The number that fills the text, whatever the locale; nothing if it is not a number.
 std::optional<double> number(const std::string& text) {
   const std::string word = trimmed(text);
   const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);

@@ -21,7 +21,7 @@ Vec2 turned(const Vec2& x, const Vec2& centre, double angle) {
 
 FineZone turned_zone(const Part& part, FineZone zone, const Turn& turn, double most_nodes) {
   const double radius = (zone.centre_mm - turn.centre).norm(), range = turn.most - turn.least;
-  if (!(range * radius >= zone.size_mm)) return zone;  // round its own centre, too, where a way has no angle
+  if (!(range * radius >= zone.size_mm)) return zone;  // round its own centre, too, where a motion has no angle
   zone.turns = true;
   const double half = 0.5 * range + std::asin(std::min(1.0, zone.half_width_mm / radius));
   if (half < 0.5 * std::numbers::pi) {

@@ -10,9 +10,9 @@ struct Turn {
   double least = 0.0, most = 0.0;
 };
 
-/// The fine zone of a body that turns while its contact stays where it is: wide enough for all that comes under the
-/// zone, and the whole ring where that is more than half a turn. Its elements are no shorter than what keeps at most
-/// `most_nodes` nodes on it. The same zone where the turn moves it by less than an element.
+/// The fine zone of a body that turns while its contact stays where it is: wide enough for the arc that passes under
+/// the zone, or the whole ring where that is more than half a turn. Its elements are long enough that it has at most
+/// `most_nodes` nodes. The zone is returned unchanged where the turn moves it by less than an element.
 FineZone turned_zone(const Part& part, FineZone zone, const Turn& turn, double most_nodes);
 
 }  // namespace reye::cad

@@ -14,8 +14,8 @@ namespace {
 
 using base::Issue;
 
-/// The boundaries of a plan on its half; those that would lose edges without their mirror images are refused or
-/// forgotten.
+/// The boundaries of a plan on its half; those that would lose edges whose mirror images they lack are refused or
+/// dropped.
 void halve_boundaries(BodyPlan& plan, const Half& half, const std::vector<BoundaryOptions>& all,
                       std::vector<Issue>& issues) {
   std::map<std::string, EdgeChoice> kept;

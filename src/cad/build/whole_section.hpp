@@ -13,9 +13,9 @@ void leave_out_mirror_images(std::vector<Part>& parts);
 /// Says what to give for points at x < 0 that have selected no body.
 void tell_of_the_half(const std::vector<BodyOptions>& bodies, std::vector<base::Issue>& issues);
 
-/// Of parts that lie on both sides of the axis the halves x >= 0, with their boundaries. Issues: a section that is not
-/// mirror-symmetric, with the sizes that differ; a boundary that selects an edge at x < 0 and not its mirror image, or
-/// has a profile.
+/// Replaces parts on both sides of the axis by their halves x >= 0, with their boundaries. Issues: a section that is
+/// not mirror-symmetric, with the sizes that differ; a boundary that selects an edge at x < 0 and not its mirror image,
+/// or has a profile.
 void take_halves(Plans& plans, const GeometryOptions& options, std::vector<base::Issue>& issues);
 
 }  // namespace reye::cad

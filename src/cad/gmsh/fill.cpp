@@ -16,7 +16,7 @@ namespace {
 
 using Tag = std::size_t;
 
-/// What gmsh makes of a region, with its own node numbers.
+/// The result of gmsh for a region, with gmsh's node numbers.
 struct Filling {
   Points X;
   std::vector<mesh::Cell> cells;
@@ -133,12 +133,12 @@ std::optional<Filling> run_gmsh(const Region& region, const SizeField& size, con
   if (region.kind == mesh::CellKind::quad4) gmsh::model::mesh::setRecombine(2, 1);
   gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) { return size({x, y}); });
   std::optional<Filling> filling;
-  // Errors inside gmsh's mesher are thrown in a parallel region and end the process unless it is told to go on.
+  // Errors inside gmsh's mesher are thrown in a parallel region and end the process unless gmsh is set to continue.
   gmsh::option::setNumber("General.AbortOnError", 0);
   try {
     gmsh::model::mesh::generate(2);
     filling = read_surface(region.kind);
-  } catch (const std::string&) {  // another algorithm may do
+  } catch (const std::string&) {  // another algorithm may succeed
   }
   gmsh::option::setNumber("General.AbortOnError", 2);
   gmsh::model::mesh::removeSizeCallback();

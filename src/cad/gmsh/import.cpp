@@ -13,7 +13,7 @@ namespace {
 
 void import_shapes(const std::string& path) {
   gmsh::vectorpair shapes;
-  // The unit is sticky in gmsh and OCCT: whatever an earlier import left is overruled each time.
+  // The unit is sticky in gmsh and OCCT: the setting of an earlier import is replaced each time.
   gmsh::option::setString("Geometry.OCCTargetUnit", "MM");
   try {
     gmsh::model::occ::importShapes(path, shapes);
@@ -35,7 +35,7 @@ void load(const std::string& path, Format format) {
     import_shapes(path);
   else
     gmsh::merge(path);
-  gmsh::option::setNumber("General.Terminal", 0);  // a script may have asked for talk
+  gmsh::option::setNumber("General.Terminal", 0);  // a script may have switched on messages
 }
 
 bool has_solids() {

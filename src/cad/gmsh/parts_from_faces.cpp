@@ -61,7 +61,7 @@ RawCurve read_curve(int tag) {
   } else {
     curve.type = is_circular(curve.points) ? EdgeType::circle : EdgeType::spline;
   }
-  for (std::size_t i = 0; i < curve.directions.size(); ++i)  // splines may stand still at their ends
+  for (std::size_t i = 0; i < curve.directions.size(); ++i)  // the derivative of a spline may vanish at its ends
     if (!(curve.directions[i].norm() > 1e-12 * (curve.points.back() - curve.points.front()).norm()))
       curve.directions[i] = curve.points[std::min(i + 1, curve.points.size() - 1)] - curve.points[i > 0 ? i - 1 : 0];
   return curve;
@@ -81,7 +81,7 @@ std::vector<Vec3> points_on(int face) {
   return triples(flat);
 }
 
-/// Adds the outline of a face; a curve met a second time lies inside the part and goes.
+/// Adds the outline of a face; a curve that occurs a second time lies inside the part and is removed.
 void add_face(RawPart& part, int face) {
   gmsh::vectorpair boundary;
   gmsh::model::getBoundary({{2, face}}, boundary, false, false, false);

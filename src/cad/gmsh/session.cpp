@@ -18,7 +18,7 @@ struct Library {
   ~Library() {
     try {
       gmsh::finalize();
-    } catch (...) {  // nothing to save and nobody to tell
+    } catch (...) {  // nothing to save and nobody to notify
     }
   }
 };
@@ -36,7 +36,7 @@ Session::Session() {
 Session::~Session() {
   try {
     gmsh::clear();
-  } catch (...) {  // nothing to save and nobody to tell
+  } catch (...) {  // nothing to save and nobody to notify
   }
 }
 

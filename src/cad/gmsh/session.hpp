@@ -15,7 +15,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 };
 
-/// Sends what libraries print to standard output nowhere while it lives: OCCT chatters there during import.
+/// Discards what libraries print to standard output during its lifetime, as OCCT does during import.
 class Silence {
  public:
   Silence();

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 14> sections = {"MeshFormat",
                                                        "Comments"};
 
 std::string_view without_blanks(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // as some editors put it
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // as some editors write it
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
@@ -60,7 +60,7 @@ void check_mesh(const std::string& path, std::string_view text) {
     while (!word.empty() && (word.back() == '\r' || word.back() == ' ')) word.remove_suffix(1);
     if (std::find(sections.begin(), sections.end(), word) == sections.end())
       refuse(path,
-             "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is no section of a mesh");
+             "line " + std::to_string(line) + ": $" + std::string(word.substr(0, 40)) + " is not a section of a mesh");
   }
 }
 

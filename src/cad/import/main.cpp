@@ -14,8 +14,8 @@
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
-/// SECTION: six numbers, point and normal, or "-". What it has to say goes to descriptor 3, each message behind its
-/// size: first whether the system keeps it from anything but reading, then an answer for each file.
+/// SECTION: six numbers, point and normal, or "-". Its messages go to descriptor 3, each preceded by its size: first
+/// whether the system keeps it from anything but reading, then an answer for each file.
 namespace {
 
 using namespace reye;
@@ -77,12 +77,12 @@ int main(int count, char** words) {
   cad::end_with_parent();
   if (!how.trusted) cad::limit_memory();
   for (const std::string& file : files)
-    if (needs_gmsh(file)) cad::kernel();  // loaded before reading is all it may do
+    if (needs_gmsh(file)) cad::kernel();  // loaded before the restriction to reading
   const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
   say(guarded ? "guarded" : "open");
   for (const std::string& file : files) {
     if (!how.trusted) cad::limit_computing(cad::computing_s);
     say(cad::to_bytes(answer_about(file, how)));
   }
-  std::_Exit(0);  // nothing to tidy up, and libraries that stumbled may stumble again
+  std::_Exit(0);  // nothing to clean up, and libraries that failed may fail again at exit
 }

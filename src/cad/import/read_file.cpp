@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* formats = ".step .stp .iges .igs .brep .geo .geo_unrolled .msh .vtu";
 
-/// gmsh opens missing and empty files without complaint, so they are looked at first.
+/// gmsh opens missing and empty files without an error, so they are checked first.
 void check_readable(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file");

@@ -3,11 +3,11 @@
 
 namespace reye::cad {
 
-/// How files are read.
+/// Options of reading files.
 struct Reading {
   std::optional<Section> section;
   std::string folder;    ///< scripts may include what lies below it
-  bool trusted = false;  ///< scripts may hold whatever gmsh understands
+  bool trusted = false;  ///< scripts may use all of gmsh's language
 };
 
 /// Reads one file: STEP, IGES, BREP, .geo, .geo_unrolled, .msh, .vtu, lengths in mm. Its solids are

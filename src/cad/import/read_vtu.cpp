@@ -53,7 +53,7 @@ std::vector<int> values_in(vtkUnstructuredGrid& grid, const char* array, int oth
   return values;
 }
 
-/// Nodes of every cell, by number in the file. What VTK took over unseen is looked at before it is used.
+/// Nodes of every cell, by number in the file. Data that VTK takes over unchecked is checked here before use.
 std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
   constexpr vtkIdType most = 50'000'000;
   const vtkIdType count = grid.GetNumberOfCells(), points = grid.GetNumberOfPoints();
@@ -74,7 +74,8 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
     auto& nodes = cells.emplace_back();
     for (vtkIdType node : *ids) {
       if (node < 0 || node >= points)
-        refuse(path, "cell " + std::to_string(c) + " names point " + std::to_string(node) + ", which there is not");
+        refuse(path,
+               "cell " + std::to_string(c) + " refers to point " + std::to_string(node) + ", which does not exist");
       nodes.push_back(static_cast<int>(node));
     }
     if (const auto kind = kind_of(grid.GetCellType(c));
@@ -129,7 +130,7 @@ void place_nodes(BodyBeingRead& body, vtkDataArray& positions) {
 
 std::vector<RawPart> read_vtu(const std::string& path) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  vtkObject::GlobalWarningDisplayOff();  // what is wrong is told below
+  vtkObject::GlobalWarningDisplayOff();  // the error is reported below
   if (!reader->CanReadFile(path.c_str())) refuse(path, "VTK cannot read it");
   reader->SetFileName(path.c_str());
   reader->Update();

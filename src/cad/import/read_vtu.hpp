@@ -4,8 +4,8 @@
 namespace reye::cad {
 
 /// The meshes of a .vtu as `reye mesh` writes it: one part per body, named boundaries from its lines. Frames of a run
-/// serve, too: their bodies on X, without names of boundaries. Throws base::InputError (key "geometry") where counts,
-/// offsets, node numbers or components are not those of a mesh.
+/// can be read, too: their bodies on X, without names of boundaries. Throws base::InputError (key "geometry") where
+/// counts, offsets, node numbers or components are not those of a mesh.
 std::vector<RawPart> read_vtu(const std::string& path);
 
 }  // namespace reye::cad

@@ -61,7 +61,7 @@ class Lexer {
     add(Token::Kind::number, n);
   }
 
-  /// One of several lines may not begin behind something else: gmsh goes back to the beginning of a line.
+  /// Skips a comment; one of several lines may not begin behind other text: gmsh goes back to the beginning of a line.
   void block_comment() {
     const std::size_t end = rest_.find("*/", 2);
     if (end == std::string_view::npos) refuse("a comment does not end");
@@ -88,7 +88,7 @@ class Lexer {
     take(n);
   }
 
-  /// Comments and texts, in which gmsh may see words that turn its way.
+  /// Skips comments and texts, in which gmsh may find words that change its control flow.
   void skip(std::size_t n) {
     for (std::string_view word : turning_words)
       if (rest_.substr(0, n).find(word) != std::string_view::npos)

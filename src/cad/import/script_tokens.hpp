@@ -4,7 +4,7 @@
 
 namespace reye::cad {
 
-/// One thing of a gmsh script: a word (letters, digits, _), a number, a text in quotes (without them), or a sign.
+/// One token of a gmsh script: a word (letters, digits, _), a number, a text in quotes (without them), or a sign.
 struct Token {
   enum class Kind { word, number, text, sign };
   Kind kind = Kind::sign;
@@ -12,15 +12,15 @@ struct Token {
   int line = 1;
 };
 
-/// What makes a script unfit to be looked through, and where.
+/// Why a script cannot be checked, and where.
 struct Unreadable {
   int line = 1;
   std::string rule;
 };
 
 /// The script as gmsh reads it, without comments. gmsh leaves out parts of a script (branches not taken, loops, macros)
-/// by searching its bytes for `EndIf` and the like, and goes back line by line: where that could make it see another
-/// script than is seen here, the script is refused. Throws Unreadable.
+/// by searching its bytes for `EndIf` and the like, and goes back line by line: where gmsh could therefore read a
+/// script other than the one checked here, the script is refused. Throws Unreadable.
 std::vector<Token> tokens_of(const std::string& script);
 
 }  // namespace reye::cad

@@ -103,7 +103,7 @@ void load(Program& program, std::size_t offset) {
 
 void end(Program& program, std::uint32_t action) { program.push_back(BPF_STMT(BPF_RET | BPF_K, action)); }
 
-/// This call is let through where none of these bits is set in its argument of this number.
+/// Allows this call where none of these bits is set in its argument of this number.
 void add_without(Program& program, long call, std::size_t argument, std::uint32_t bits) {
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4));
   load(program, offsetof(seccomp_data, args) + 8 * argument);  // its lower half: both machines are little-endian

@@ -3,7 +3,7 @@
 namespace reye::cad {
 
 /// Lets only those system calls through that reading files and computing need (seccomp); all others fail with EPERM, as
-/// does to open a file for writing. True when the kernel took the filter; the process must have given up new
+/// does opening a file for writing. True when the kernel took the filter; the process must have given up new
 /// privileges.
 bool filter_system_calls();
 

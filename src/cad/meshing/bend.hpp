@@ -11,7 +11,7 @@ using EdgesUnder = std::vector<std::vector<int>>;
 /// nearest to the middle. An edge that would bend its cell too much, or fold it over, stays straight.
 mesh::Mesh second_order(const mesh::Mesh& linear, const std::vector<Loop>& loops, const EdgesUnder& under);
 
-/// The same with the mid nodes of the outline where those of `outline` are, which has the same vertices.
+/// The mesh with mid nodes on every edge, on the outline at those of the mesh `outline`, which has the same vertices.
 mesh::Mesh second_order(const mesh::Mesh& linear, const mesh::Mesh& outline);
 
 }  // namespace reye::cad

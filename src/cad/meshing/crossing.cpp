@@ -18,7 +18,7 @@ bool cross_each_other(const Segment& s, const Segment& t) {
   return side(s, t.a) * side(s, t.b) < 0.0 && side(t, s.a) * side(t, s.b) < 0.0;
 }
 
-/// Where two segments that cross do so.
+/// The point where two crossing segments meet.
 Vec2 meeting_point(const Segment& s, const Segment& t) {
   const Vec2 along = s.b - s.a, other = t.b - t.a;
   return s.a + base::cross(t.a - s.a, other) / base::cross(along, other) * along;

@@ -19,7 +19,7 @@ struct DividedLoop {
 
 /// Divides the edges of a loop by the size field. Stretches of fine zones, on each side of the zone's centre,
 /// are divided equally by the zone's size. `even`: an even number between any two corners, as all-quad meshing needs.
-/// Points marked on the loop become nodes, or go to a corner within a quarter of an element.
+/// Points marked on the loop become nodes, or move to a corner within a quarter of an element.
 DividedLoop divide(const Loop& loop, const std::vector<ZoneOutline>& zones, const SizeField& size, bool even,
                    const std::vector<Mark>& points = {});
 

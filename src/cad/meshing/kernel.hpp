@@ -2,11 +2,11 @@
 #include "cad/meshing/region.hpp"
 #include "cad/part/raw.hpp"
 
-/// gmsh, and the OpenCASCADE it brings, make a library of their own (`cad/gmsh`), loaded when it is first asked for: to
-/// load it takes longer than many a small scene, and one that brings its mesh does without.
+/// gmsh and OpenCASCADE are in a separate library (`cad/gmsh`), loaded on first use: loading takes longer than many a
+/// small scene, and a scene that brings its mesh does not need it.
 namespace reye::cad {
 
-/// What that library does.
+/// The functions of that library.
 struct Kernel {
   std::vector<RawPart> (*read_file)(const std::string& path, Format format, const std::optional<Section>& section);
   void (*fill)(Region& region, const SizeField& size);

@@ -82,8 +82,8 @@ Rows make_rows(const Region& region, const std::vector<int>& stretch, const Poin
   return rows;
 }
 
-/// Whether the rim of the rows keeps away from the outline as its own depth lets expect, on this side of it: beneath
-/// the face of a body thinner than the rows are deep it is beyond the other face.
+/// Whether the rim of the rows keeps as far from the outline as its depth lets expect, and lies inside the body: in a
+/// body thinner than the rows are deep it would lie beyond the opposite face.
 bool is_clear(const Region& region, const Rows& rows, double depth) {
   const std::size_t width = rows.nodes[0].size(), layers = rows.nodes.size() - 1;
   for (std::size_t j = 1; j <= layers; ++j)

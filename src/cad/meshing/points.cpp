@@ -46,7 +46,7 @@ int nearest_free(const mesh::Mesh& mesh, const std::vector<char>& fixed, const V
   return best;
 }
 
-/// The nodes when one of them goes to p and the free ones within `reach` of it follow.
+/// The nodes after one of them has moved to p and the free ones within `reach` of it have followed.
 Points drawn(const mesh::Mesh& mesh, const std::vector<char>& fixed, int node, const Vec2& p, double reach) {
   Points X = mesh.X;
   const Vec2 from = mesh.X[node], way = p - from;

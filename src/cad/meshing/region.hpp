@@ -7,13 +7,13 @@
 
 namespace reye::cad {
 
-/// A closed run of nodes bounding what is still to be meshed, body on the left, first node not repeated.
+/// A closed run of nodes bounding the part still to be meshed, body on the left, first node not repeated.
 struct RegionLoop {
   std::vector<int> nodes;
   std::vector<bool> corner;  ///< nodes that must stay corners of coarse elements; at least two
 };
 
-/// A mesh in the making: nodes, cells made so far, and the loops round what is left (outer first).
+/// A mesh in the making: nodes, cells made so far, and the loops round the part left to mesh (outer first).
 struct Region {
   Points X;
   mesh::CellKind kind = mesh::CellKind::quad4;
@@ -26,8 +26,8 @@ struct Region {
 std::vector<mesh::Cell> cells_between(const std::vector<std::vector<int>>& rows, mesh::CellKind kind);
 
 /// Covers a smooth stretch of the outline, from node `first` to node `last` of one loop, with `layers` rows of
-/// quadrilaterals (or pairs of triangles) along its normals, `depth` thick altogether, and takes them out of
-/// what is left. Changes nothing and returns false where the rows would fold or come near other outline.
+/// quadrilaterals (or pairs of triangles) along its normals, `depth` thick altogether, and removes them from the region
+/// left to mesh. Changes nothing and returns false where the rows would fold or come near another part of the outline.
 bool add_layers(Region& region, int first, int last, int layers, double depth);
 
 /// A place where the outline crosses itself, as it is or (all-quad meshes) with every second node left out.
@@ -42,7 +42,7 @@ bool add_grid(Region& region, const SizeField& size);
 /// than the worst one round the moved node was.
 void improve(Region& region, int first_free);
 
-/// Meshes what is left by gmsh. The nodes of the loops stay exactly where they are; sizes
+/// Meshes the remaining part by gmsh. The nodes of the loops stay exactly where they are; sizes
 /// inside follow the field. All-quad meshes need an even number of nodes between corners.
 /// Throws base::MeshError when no algorithm gives cells of one kind with positive Jacobians.
 void fill(Region& region, const SizeField& size);

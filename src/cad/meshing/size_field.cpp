@@ -9,8 +9,8 @@ namespace reye::cad {
 
 namespace {
 
-/// Distance of p from the strip round one piece of a source's line. Beyond an end of the line overshoot
-/// along and distance across are taken apart, so that the strip ends square.
+/// Distance of p from the strip round one piece of a source's line. Beyond an end of the line the distances along and
+/// across are treated separately, so that the strip ends square.
 double distance_from_strip(const SizeSource& source, std::size_t piece, const Vec2& p) {
   const Vec2 &a = source.line[piece], &b = source.line[piece + 1];
   const double width = (b - a).norm();

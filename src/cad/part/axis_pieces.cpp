@@ -18,7 +18,7 @@ double crossing(const Edge& edge, double a, double b) {
   return 0.5 * (a + b);
 }
 
-/// The piece with its ends on the axis exactly where they are about there.
+/// The piece with those ends that are nearly on the axis put exactly onto it.
 Edge laid_on_axis(Edge edge, double width) {
   for (Vec2* end : {&edge.knots.front(), &edge.knots.back()})
     if (side_of(end->x(), width) == 0) end->x() = 0.0;
@@ -29,7 +29,7 @@ Edge laid_on_axis(Edge edge, double width) {
   return line;
 }
 
-/// Of all loops: what is read as one part may be two faces.
+/// The bounding box of all loops, since one part may hold two faces.
 std::array<double, 4> whole_box(const Part& part) {
   std::array<double, 4> box = bounding_box(part);
   for (const Loop& loop : part.loops)

@@ -12,13 +12,13 @@ struct AxisPiece {
   int side = 0;
 };
 
-/// Below this distance a point lies on the axis: what CAD writes for zero in a part of this extent [mm].
+/// Distance below which a point lies on the axis, as CAD rounds zero in a part of this extent [mm].
 double axis_width(const Part& part);
 
 /// Diagonal of the bounding box [mm].
 double extent(const Part& part);
 
-/// The pieces of an edge between where it passes from one side to the other; their ends on the axis are exactly there.
+/// The pieces of an edge between its crossings of the axis; their ends on the axis lie exactly on it.
 std::vector<AxisPiece> axis_pieces(const Edge& edge, double width);
 
 /// Whether some of the outline lies at x > 0 and some at x < 0.

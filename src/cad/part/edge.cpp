@@ -145,7 +145,7 @@ double swept_area(const Edge& edge) {
     const Vec2 &a = edge.knots[i], &b = edge.knots[i + 1];
     twice += base::cross(a, b);
     if (edge.straight) continue;
-    // The cubic as Bezier b0 b1 b2 b3; what its area adds to that of the chord b0 x b3.
+    // The cubic as Bezier b0 b1 b2 b3; its area beyond that of the chord b0 x b3.
     const Vec2 b1 = a + (edge.arc[i + 1] - edge.arc[i]) / 3.0 * edge.tangents[i];
     const Vec2 b2 = b - (edge.arc[i + 1] - edge.arc[i]) / 3.0 * edge.tangents[i + 1];
     twice += 0.3 * (2.0 * base::cross(a, b1) + base::cross(a, b2) + base::cross(b1, b2) + base::cross(b1, b) +

@@ -16,7 +16,7 @@ struct Run {
   std::vector<std::array<int, 2>> whole;
 };
 
-/// What of a loop lies at x > 0: runs from axis to axis, or the whole loop as a closed one.
+/// The part of a loop at x > 0: runs from axis to axis, or the whole loop as a closed one.
 std::vector<Run> runs_of(const Part& part, int loop, double width, bool& closed) {
   std::vector<AxisPiece> pieces;
   std::vector<std::array<int, 2>> whole;
@@ -50,7 +50,7 @@ struct AxisEnd {
   std::size_t run = 0;
 };
 
-/// For each run, the one that goes on from where it ends, down the axis.
+/// For each run, the one that continues from where it ends, down the axis.
 std::vector<std::size_t> next_runs(const std::vector<Run>& runs) {
   std::vector<AxisEnd> ends;
   for (std::size_t r = 0; r < runs.size(); ++r) {

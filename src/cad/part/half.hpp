@@ -21,7 +21,7 @@ struct Half {
 /// axis.
 Half half_of(const Part& part);
 
-/// Of the edges chosen on the whole part, those of its half.
+/// The edges chosen on the whole part that belong to its half.
 EdgeChoice on_half(const EdgeChoice& choice, const Half& half);
 
 }  // namespace reye::cad

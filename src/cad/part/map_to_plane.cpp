@@ -43,7 +43,7 @@ Part mapped(const RawPart& raw, const Plane& plane) {
   return {raw.label, make_loops(std::move(edges)), {}};
 }
 
-/// What is wrong with the k-th face of a scene.
+/// The error of the k-th face of a scene.
 base::Issue issue_of(const RawPart& raw, std::size_t k, const std::string& rule) {
   const std::string face = raw.label.empty() ? "face " + std::to_string(k + 1) : "face '" + raw.label + "'";
   return {"geometry", "\"" + raw.file + "\"", face + ": " + rule};

@@ -80,7 +80,7 @@ std::string asymmetry(const Part& part) {
   try {
     const double right_area = area(half_of(part).part);
     areas = ", has " + text(area(part) - right_area) + " mm^2 at x < 0 and " + text(right_area) + " mm^2 at x > 0";
-  } catch (const base::MeshError&) {  // the other sizes tell enough
+  } catch (const base::MeshError&) {  // the other sizes are enough
   }
   return "it reaches from x = " + text(box[0]) + " to " + text(box[2]) + areas + ", and its outline at " +
          text(most.at) + " lies " + text(most.distance) + " mm from the mirrored other half";

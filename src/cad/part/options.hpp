@@ -7,7 +7,7 @@
 #include "base/linalg.hpp"
 #include "mesh/mesh.hpp"
 
-/// What a scene may ask of geometry and mesh. Lengths in mm.
+/// Options of a scene for geometry and mesh. Lengths in mm.
 namespace reye::cad {
 
 using base::Vec2;
@@ -72,7 +72,7 @@ struct FineZone {
 struct GeometryOptions {
   std::vector<std::string> files;  ///< absolute paths
   std::string folder{};            ///< of the scene, absolute: scripts may include what lies in it or below
-  bool trusted = false;            ///< scripts may hold whatever gmsh understands, and files take what they take
+  bool trusted = false;            ///< scripts may use all of gmsh's language, and no limits of time or memory apply
   std::vector<BodyOptions> bodies;
   std::vector<BoundaryOptions> boundaries;
   std::vector<FineZone> fine_zones;

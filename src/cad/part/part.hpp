@@ -11,8 +11,8 @@ namespace reye::cad {
 /// Edges that close on themselves, body on the left.
 using Loop = std::vector<Edge>;
 
-/// A piece of material found in a file: a candidate for a body. Nothing is shared between parts, so that
-/// bodies that touch stay apart whatever their CAD shares.
+/// A piece of material found in a file: a candidate for a body. Parts share nothing, so that touching bodies stay
+/// distinct even where their CAD shares curves.
 struct Part {
   std::string label;               ///< STEP product or physical surface; empty when the file names none
   std::vector<Loop> loops;         ///< outer loop first

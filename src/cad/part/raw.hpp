@@ -9,7 +9,7 @@
 #include "cad/part/options.hpp"
 #include "mesh/mesh.hpp"
 
-/// What a file holds, in space, before it is mapped to the plane of the scene.
+/// The content of a file, in space, before it is mapped to the plane of the scene.
 namespace reye::cad {
 
 struct RawCurve {
@@ -37,7 +37,7 @@ struct RawPart {
   RawMesh mesh;
 };
 
-/// What a file is by its name's end: STEP, IGES, BREP; .geo; .msh; .vtu.
+/// The format of a file by the end of its name: STEP, IGES, BREP; .geo; .msh; .vtu.
 enum class Format { shapes, script, mesh, vtu };
 
 /// The end of a file's name from its last point, in small letters.

@@ -71,7 +71,7 @@ class Reader {
   }
   void operator()(Vec3& p) {
     for (double& x : p) (*this)(x);
-    if (!p.allFinite()) throw std::runtime_error("holds a coordinate that is no finite number");
+    if (!p.allFinite()) throw std::runtime_error("holds a coordinate that is not a finite number");
   }
   template <class T, std::size_t N>
   void operator()(std::array<T, N>& values) {
@@ -114,7 +114,7 @@ class Reader {
   bool at_end() const { return rest_.empty(); }
 
  private:
-  /// Each thing takes a byte at least.
+  /// Reads a count, which cannot exceed the bytes left, since each element takes at least one byte.
   std::size_t count() {
     std::uint64_t n = 0;
     (*this)(n);
@@ -172,10 +172,10 @@ void check(const RawMesh& mesh) {
   for (const mesh::Cell& cell : mesh.cells)
     if (!std::all_of(cell.begin(), cell.begin() + n, known) ||
         !std::all_of(cell.begin() + n, cell.end(), [](int node) { return node == -1; }))
-      throw std::runtime_error("holds a cell with a node that there is not");
+      throw std::runtime_error("holds a cell that refers to a node that does not exist");
   for (const auto& [edge, names] : mesh.names)
     if (!known(edge.first) || !known(edge.second))
-      throw std::runtime_error("names an edge with a node that there is not");
+      throw std::runtime_error("names an edge with a node that does not exist");
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ Answer answer_of(std::string_view bytes) {
   Answer answer;
   Reader reader(bytes);
   reader(answer);
-  if (!reader.at_end()) throw std::runtime_error("goes on behind its end");
+  if (!reader.at_end()) throw std::runtime_error("continues behind its end");
   for (const RawPart& part : answer.parts) {
     for (const RawCurve& curve : part.curves) check(curve);
     check(part.surface_points);

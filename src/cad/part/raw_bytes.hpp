@@ -4,10 +4,10 @@
 #include "base/errors.hpp"
 #include "cad/part/raw.hpp"
 
-/// What the importer says of one file, as bytes through a pipe.
+/// The importer's answer for one file, as bytes through a pipe.
 namespace reye::cad {
 
-/// Parts, or what is wrong with the file.
+/// The parts, or the error of the file.
 struct Answer {
   std::vector<RawPart> parts;
   std::vector<base::Issue> issues;
@@ -15,9 +15,9 @@ struct Answer {
 
 std::string to_bytes(const Answer& answer);
 
-/// The answer in these bytes, whoever wrote them: counts within what is there, finite coordinates below 1e9 mm, kinds
-/// that there are, curves of two points or more with as many directions, cells and names of nodes that the mesh has.
-/// Throws std::runtime_error saying which of it fails.
+/// The answer in these untrusted bytes, checked: counts within their size, finite coordinates below 1e9 mm, known
+/// kinds, curves of two points or more with as many directions, cells and names of nodes that the mesh has. Throws
+/// std::runtime_error naming the check that fails.
 Answer answer_of(std::string_view bytes);
 
 }  // namespace reye::cad

@@ -6,7 +6,7 @@ namespace reye::cad {
 
 std::string text(double x) {
   std::ostringstream out;
-  out << (x == 0.0 ? 0.0 : x);  // no minus zero
+  out << (x == 0.0 ? 0.0 : x);  // avoids minus zero
   return out.str();
 }
 

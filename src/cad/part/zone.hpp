@@ -32,8 +32,7 @@ struct ZoneOutline {
 /// name the body.
 std::optional<ZoneOutline> zone_outline(const Part& part, const FineZone& zone, bool named);
 
-/// The one of some zones that x belongs to, of which there is at least one: whose width, a straight line, passes
-/// nearest to x.
+/// The zone, of at least one, that x belongs to: its width, a straight line, passes nearest to x.
 std::size_t zone_at(const std::vector<const FineZone*>& zones, const Vec2& x);
 
 /// The zone's stretch of outline as a line that leaves it by less than a twentieth of the depth, for the size field.

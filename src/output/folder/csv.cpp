@@ -21,7 +21,8 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
-/// Blanks before it do not keep a spreadsheet from it; apostrophes are counted so that they come back as they were.
+/// Whether a spreadsheet would read the text as a formula, even after blanks; existing apostrophes count, so that they
+/// are restored.
 bool looks_like_formula(std::string_view text) {
   const auto first = text.find_first_not_of(" '");
   return first != std::string_view::npos && begins_formula.find(text[first]) != std::string_view::npos &&
@@ -61,7 +62,7 @@ std::vector<std::string> csv_cells(std::string_view line) {
 
 double csv_number(std::string_view cell) {
   const auto value = number_in(cell);
-  if (!value) throw std::runtime_error("'" + base::printable(cell) + "' is no number");
+  if (!value) throw std::runtime_error("'" + base::printable(cell) + "' is not a number");
   return *value;
 }
 

@@ -30,7 +30,7 @@ namespace {
 /// An open file descriptor; the destructor closes what an error left open.
 class Descriptor {
  public:
-  /// A symbolic link at the end of the path is not followed: who plants one does not choose where a run writes.
+  /// A symbolic link at the end of the path is not followed, so that it cannot redirect where a run writes.
   Descriptor(const std::string& path, int flags) : fd_(::open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0644)) {}
   ~Descriptor() {
     if (fd_ >= 0) ::close(fd_);
@@ -67,7 +67,7 @@ class Descriptor {
 }  // namespace
 
 void atomic_write(const std::string& path, const std::string& text) {
-  // The number of the process: a report made while the run ends writes the same pages.
+  // The process number distinguishes the files of a run from those of a report made at the same time.
   const std::string temporary = path + '.' + std::to_string(::getpid()) + ".tmp";
   ::unlink(temporary.c_str());
   Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);

@@ -21,14 +21,14 @@ void cut_file(const std::string& path, std::uintmax_t size);
 /// Waits until the bytes of the file would survive a power cut.
 void sync_file(const std::string& path);
 
-/// The same of the entries of a folder; a file system that cannot sync folders is no error.
+/// Waits until the entries of the folder would survive a power cut; a file system that cannot sync folders is not an
+/// error.
 void sync_folder(const std::string& path);
 
 /// Makes the folder where there is none; a symbolic link or a file in its place is refused.
 void make_folder(const std::string& path);
 
-/// What a file of this name was to become, where it is one that atomic_write uses until it renames: a kill leaves it
-/// behind.
+/// The final name of a temporary file of atomic_write, which a kill leaves behind; nothing for other names.
 std::optional<std::string> becoming(const std::string& name);
 
 /// The whole file as bytes.

@@ -44,7 +44,7 @@ bool holds_results(const std::string& dir) {
   return false;
 }
 
-/// Why a folder that is not there can not be made, judged by the nearest parent that is; empty when it can.
+/// Why a folder that is not there cannot be made, judged by the nearest parent that is; empty when it can.
 std::optional<std::string> refusal_to_make(const std::string& dir) {
   std::error_code error;
   auto parent = fs::absolute(fs::path(dir)).lexically_normal();
@@ -61,7 +61,7 @@ std::string with_body(const scene::Scene& scene, const std::string& edge) {
   return edge;
 }
 
-/// What another run has left is not removed through a link: the name does not show whose folder it is.
+/// Results of another run are not removed through a link, whose name does not show whose folder it is.
 std::optional<std::string> refusal_of_link(const std::string& dir) {
   auto path = fs::path(dir).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
@@ -102,7 +102,7 @@ std::optional<Identity> read_identity(const std::string& dir) {
     identity.scene_text = json.value("scene_text", "");
     return identity;
   } catch (const Json::exception&) {
-    return {};  // a marker of another make is as good as none
+    return {};  // an unreadable marker counts as none
   }
 }
 
@@ -119,13 +119,13 @@ std::optional<std::string> open_folder(const std::string& dir, const std::string
   if (!holder) return "the output folder " + dir + " holds results of an unknown run" + advice();
   if (holder->name == name)
     return "the output folder " + dir + " holds the run of another version of the scene '" + name + "'" + advice() +
-           "; where only limits or the cycles of the last step are others, --restart goes on from it";
+           "; where only limits or the cycles of the last step are others, --restart resumes it";
   return "the output folder " + dir + " holds the run of another scene, '" + holder->name + "'" + advice();
 }
 
 namespace {
 
-/// What the marker holds. A name that is no UTF-8 costs its bytes here, not the run.
+/// The content of the marker. Bytes of a name that are not UTF-8 are replaced.
 std::string marker_of(const Identity& identity) {
   Json json{{"scene", identity.name},
             {"title", identity.title},
@@ -144,16 +144,16 @@ std::string marker_of(const Identity& identity) {
 
 void claim_folder(const std::string& dir, const Identity& identity) {
   const auto fresh = fs::path(dir) / (std::string(marker) + ".new");
-  // A full disk shows here, while the former results are still whole.
+  // A full disk is detected here, while the former results are still intact.
   atomic_write(fresh.string(), marker_of(identity));
-  // The summary goes first: what is left of a half-done removal must not look like a whole run.
+  // The summary is removed first, so that a partial removal does not look like a whole run.
   fs::remove(fs::path(dir) / "summary.json");
   std::vector<fs::path> former;
   for (const auto& entry : fs::directory_iterator(dir)) {
     const std::string name = entry.path().filename().string();
     if (is_result(name) || is_left_over(name)) former.push_back(entry.path());
   }
-  for (const auto& path : former) fs::remove_all(path);  // of a link the link alone
+  for (const auto& path : former) fs::remove_all(path);  // of a symbolic link only the link
   fs::rename(fresh, fs::path(dir) / marker);
   sync_folder(dir);
 }

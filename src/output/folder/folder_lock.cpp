@@ -24,7 +24,7 @@ std::string lock_file(const std::string& dir) { return (fs::path(dir) / ".reye.l
 
 FolderLock::FolderLock(const std::string& dir) {
   fs::create_directories(dir);
-  // Open for writing: over NFS only such a file can be locked alone.
+  // Opened for writing, since over NFS only such a file can be locked exclusively.
   fd_ = ::open(lock_file(dir).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (fd_ < 0)
     throw std::runtime_error("cannot write " + base::printable(lock_file(dir)) + ": " + std::strerror(errno));

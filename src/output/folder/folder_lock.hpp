@@ -3,12 +3,12 @@
 
 namespace reye::output {
 
-/// Held by whoever writes a run into a folder, on the file .reye.lock in it. The kernel lets go of it when the process
-/// ends, however it does; the file stays. Reading, and `report`, need no lock.
+/// A lock on the file .reye.lock of a folder, held by the process that writes a run into it. The kernel releases it
+/// when the process ends in any way; the file stays. Reading, and `report`, need no lock.
 class FolderLock {
  public:
   /// Makes the folder where there is none. Throws base::InputError when another process holds the lock,
-  /// std::runtime_error when the disk refuses. A file system without locks is taken as it is.
+  /// std::runtime_error when a write fails. On a file system without locks it does nothing.
   explicit FolderLock(const std::string& dir);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
@@ -21,7 +21,7 @@ class FolderLock {
 /// Whether a process holds it now; makes nothing.
 bool is_locked(const std::string& dir);
 
-/// What is said to the second.
+/// The message for the second process.
 std::string refusal_of_locked(const std::string& dir);
 
 }  // namespace reye::output

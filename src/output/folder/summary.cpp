@@ -150,7 +150,7 @@ std::string summary_json(const sim::Summary& s) {
             {"cutback_reasons", s.cutback_reasons},
             {"warnings", warnings(s)}};
   for (const auto& [room, seconds] : s.room_seconds) json["room_seconds"][room] = value(seconds);
-  // A title that is no valid UTF-8 must not cost the user the results.
+  // A title that is not valid UTF-8 must not prevent the results.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

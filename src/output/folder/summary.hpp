@@ -5,7 +5,7 @@
 
 namespace reye::output {
 
-/// summary.json with the keys of the contract, in its order; what is unknown or not finite is null.
+/// summary.json with the keys of the contract, in its order; unknown values and those that are not finite are null.
 /// After them: life_band, and for the report room_seconds, skipped, cutback_reasons.
 std::string summary_json(const sim::Summary& summary);
 

@@ -16,7 +16,7 @@ struct Suffixes {
 };
 Suffixes suffixes(base::Analysis analysis);
 
-/// What the history tells beyond its first eight columns.
+/// The columns of the history beyond its first eight.
 struct HistoryColumns {
   struct Support {
     std::string name;
@@ -32,7 +32,7 @@ std::string history_header(const HistoryColumns& columns, base::Analysis analysi
 std::string history_row(const sim::IncrementRecord& record);
 
 std::string remesh_header(base::Analysis analysis);
-/// One body meshed anew; times stay in the log, so that two runs write the same bytes.
+/// One body remeshed; times stay in the log, so that two runs write the same bytes.
 std::string remesh_row(const sim::RemeshRecord& record);
 
 std::string surface_header();

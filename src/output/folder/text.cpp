@@ -55,7 +55,7 @@ std::string escaped(std::string_view text) {
     const std::size_t length = base::utf8_length(text, i);
     const char c = text[i];
     if (length == 0)
-      result += "\xef\xbf\xbd";  // the sign for a character that is none
+      result += "\xef\xbf\xbd";  // the replacement character
     else if (c == '&')
       result += "&amp;";
     else if (c == '<')

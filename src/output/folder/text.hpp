@@ -19,7 +19,7 @@ std::string rounded(double value, int digits = 4);
 /// A name as part of a file name: everything but letters, digits, '.', '-' and '_' becomes '_'.
 std::string file_part(std::string_view name);
 
-/// Text inside XML or HTML; characters that XML forbids are dropped, bytes that are no UTF-8 replaced by U+FFFD.
+/// Text inside XML or HTML; characters that XML forbids are dropped, bytes that are not UTF-8 replaced by U+FFFD.
 std::string escaped(std::string_view text);
 
 }  // namespace reye::output

@@ -13,16 +13,16 @@ namespace reye::output {
 /// Field data: TimeValue = cycles, body_names, units.
 std::string bodies_vtu(const sim::Frame& frame);
 
-/// The meshes of the bodies of a frame on X (.vtu, inline binary), with their boundaries as lines: what `cad` reads
-/// again. Cells: body, boundary (-1: none). Field data: body_names, boundary_names.
+/// The meshes of the bodies of a frame on X (.vtu, inline binary), with their boundaries as lines, which `cad` can
+/// read. Cells: body, boundary (-1: none). Field data: body_names, boundary_names.
 std::string mesh_vtu(const sim::Frame& frame);
 
 /// All contact surfaces as polylines (.vtp) on x. Points: pressure_MPa, shear_MPa, slip_mm, status,
 /// wear_depth_mm. Cells: surface (index in the frame), side (0 secondary, 1 primary). Field data as above.
 std::string surfaces_vtp(const sim::Frame& frame);
 
-/// Time of each frame: its cycle, or just after the frame before it where cycle does not grow
-/// (load steps are no cycles), so that ParaView shows each one.
+/// Time of each frame: its cycle, or just after the frame before it where the cycle does not grow (as in load steps),
+/// so that ParaView shows each one.
 std::vector<double> frame_times(const std::vector<double>& cycles);
 
 /// The .pvd collection of frames/<stem>_<six digits>.<ext>.

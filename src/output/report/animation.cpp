@@ -26,7 +26,7 @@ std::string frame_path(const std::string& dir, const char* stem, const char* ext
   return (fs::path(dir) / frame_file(stem, ext, k)).string();
 }
 
-/// Frames of which both files and the rows of all tables are there.
+/// Number of frames with both files and the rows of all tables.
 std::size_t frame_count(const RunData& run, const std::string& dir) {
   std::size_t count = run.contacts.empty() ? 0 : SIZE_MAX;
   for (const auto& contact : run.contacts) {
@@ -60,7 +60,7 @@ Window widened_about(const Window& held) {
   return {{centre.x() - half, centre.x() + half}, {centre.y() - half / plot_aspect, centre.y() + half / plot_aspect}};
 }
 
-/// Where anything presses or is worn in one of the frames; the whole surfaces when nothing is.
+/// The window of all places under pressure or worn in one of the frames; the whole surfaces without any.
 Window contact_window(const RunData& run, const std::string& dir, const std::vector<std::size_t>& chosen) {
   double p_small = 0.0, h_small = 0.0;
   for (const auto& contact : run.contacts) {
@@ -125,7 +125,7 @@ Figure moving_bodies(const RunData& run, const std::string& dir, const std::vect
   return figure;
 }
 
-/// A column of both sides, or of the secondary one alone, as it changes.
+/// A moving figure of a column of both sides, or of the secondary one alone.
 Figure moving_column(const ContactData& contact, const std::string& column, double factor, bool both, Figure figure,
                      const std::vector<std::size_t>& chosen) {
   figure.x_label = "position along the surface, mm";

@@ -56,14 +56,14 @@ void add_cell(int type, const vtkIdList& nodes, int body, Edges& edges) {
 }
 
 [[noreturn]] void damaged(const std::string& path) {
-  throw base::InputError({{"dir", "", path + " is damaged: it is no frame of a run"}});
+  throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
 }
 
 template <class Reader>
 vtkNew<Reader> opened(const std::string& path) {
   vtkNew<Reader> reader;
   if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged(path);
-  vtkObject::GlobalWarningDisplayOff();  // what is wrong with it, is said below
+  vtkObject::GlobalWarningDisplayOff();  // its error is reported below
   reader->SetFileName(path.c_str());
   try {
     reader->Update();

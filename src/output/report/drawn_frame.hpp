@@ -26,7 +26,7 @@ struct DrawnSurfaces {
   std::vector<double> pressure_MPa, wear_depth_mm;
 };
 
-/// Reads a .vtu that `bodies_vtu` made; throws std::runtime_error when it can not.
+/// Reads a .vtu that `bodies_vtu` made; throws std::runtime_error when it cannot.
 DrawnFrame read_drawn(const std::string& path);
 
 /// Likewise a .vtp that `surfaces_vtp` made.

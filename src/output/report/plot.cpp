@@ -50,13 +50,13 @@ std::string svg_open(double height, double wide = width) {
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
-/// Width of a text of this size, near enough to lay out a legend.
+/// Approximate width of a text of this size, for the layout of a legend.
 double text_width(const std::string& text, double size) {
   const auto letters = std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
   return 0.56 * size * static_cast<double>(letters);
 }
 
-/// Where everything of a figure stands, in pixels.
+/// The layout of a figure, in pixels.
 struct Layout {
   double right = width - 24.0;
   double top = 44.0;
@@ -157,7 +157,7 @@ std::string draw_line(const Line& line, const Layout& at) {
          (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
 }
 
-/// When in the film the k-th of so many moments is seen.
+/// The time in the film at which the k-th of so many moments is shown.
 std::string timing(std::size_t k, std::size_t count) {
   if (count < 2) return {};
   const auto part = [&](std::size_t i) {

@@ -17,7 +17,7 @@ struct Line {
   bool dots = false;  ///< mark the points: few values, or values far apart
 };
 
-/// Lines shown for a while, and what they are of.
+/// Lines shown for a while, with their label.
 struct Moment {
   std::string caption{};
   std::vector<Line> lines{};
@@ -54,7 +54,7 @@ struct Bar {
 };
 
 /// The figure as one <svg> element. Points that are not finite interrupt their line. Moments move by SMIL, without any
-/// script; where that is not known, and on paper, the last one is seen.
+/// script; where that is not supported, and on paper, the last one is shown.
 std::string svg(const Figure& figure);
 
 /// Figures side by side as one <svg> element: a picture that stands alone.

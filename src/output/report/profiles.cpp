@@ -33,7 +33,7 @@ double round_of(const SurfaceTable& surface, const FrameRows& rows) {
   return ring ? surface.table.column("arc_length_mm")[last] : 0.0;
 }
 
-/// Arc length from the centre, on a ring the short way.
+/// Arc length from the centre, on a ring along the shorter way.
 double position(double arc, double centre, double round) {
   return round > 0.0 ? std::remainder(arc - centre, round) : arc - centre;
 }

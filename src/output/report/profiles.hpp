@@ -25,12 +25,12 @@ double deepest_of(const ContactData& contact);
 /// `what`, with the contact's name where there are several.
 std::string title_of(const RunData& run, const ContactData& contact, const std::string& what);
 
-/// Where things are on a surface: arc length about the centroid of the last pressure (of the last depth
+/// The origin of positions on a surface: arc length about the centroid of the last pressure (of the last depth
 /// when nothing presses), so that both sides and all cycles lie over each other. A ring is cut opposite to its centre,
 /// wherever its table begins.
 double centre_of(const SurfaceTable& surface);
 
-/// The part of the surface where anything ever happens, with a margin; the whole surface when nothing does.
+/// The part of the surface that is ever in contact or worn, with a margin; otherwise the whole surface.
 Range active_range(const SurfaceTable& surface, double centre);
 
 /// A column of one frame against the position; between two chains the line is broken.

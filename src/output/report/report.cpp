@@ -107,7 +107,7 @@ std::string page(const RunData& run, const std::vector<Figure>& all, const std::
          "</p>\n</body>\n</html>\n";
 }
 
-/// Worn profile and pressure of each contact beside each other: the one picture that tells of a run.
+/// Worn profile and pressure of each contact beside each other: the most important picture of a run.
 void write_overviews(const RunData& run, const std::vector<Figure>& all, const fs::path& folder) {
   for (const auto& contact : run.contacts) {
     const std::string name = file_part(contact.name);
@@ -118,7 +118,7 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
   }
 }
 
-/// The page; a summary that has something else where a text should be is damaged.
+/// The page; a summary with another type where a text is expected counts as damaged.
 std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
                     const std::vector<Figure>& moving) {
   try {

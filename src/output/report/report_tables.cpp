@@ -15,7 +15,7 @@ namespace {
 
 using Row = std::vector<std::string>;  ///< label, then numbers as HTML
 
-/// A value of the summary for readers; what is null or missing is a dash.
+/// A value of the summary for readers; a dash where it is null or missing.
 std::string shown(const Json& object, const std::string& key, int digits = 5, double factor = 1.0) {
   if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "–";
   return rounded(factor * object[key].get<double>(), digits);
@@ -98,7 +98,7 @@ std::string band_of(const RunData& run, const std::string& limit) {
          " under the scatter of wear";
 }
 
-/// The largest tractions of the run, where and when; those at a free end of a bond are no figure to judge by.
+/// The largest tractions of the run, where and when; those at a free end of a bond depend on the mesh.
 std::string bond_table(const RunData& run) {
   std::vector<Row> rows;
   bool singular = false;
@@ -233,12 +233,12 @@ std::string remesh_table(const RunData& run) {
   if (rows.empty()) return {};
   const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
-         "><summary>Bodies meshed anew: " + std::to_string(count) +
+         "><summary>Remeshed bodies: " + std::to_string(count) +
          (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
          table(head, rows, {1, 7}) +
          "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "
-         "largest "
-         "difference in pressure over the largest pressure, difference of contact force and of strain energy. Outside: "
+         "difference in pressure over the pressure, both as root mean squares, difference of contact force and of "
+         "strain energy. Outside: "
          "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";
 }
 

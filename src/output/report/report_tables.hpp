@@ -9,10 +9,10 @@ namespace reye::output {
 /// Key results of every contact, lives, probes, estimated errors.
 std::string result_tables(const RunData& run);
 
-/// What wore off against what the friction work allows.
+/// The removed volume beside coefficient x work.
 std::string ledger_table(const RunData& run);
 
-/// One row per body meshed anew, with the jumps it cost; folded away when they are many.
+/// One row per body remeshed, with the jumps it cost; folded away when they are many.
 std::string remesh_table(const RunData& run);
 
 /// Counts, time and memory, what was skipped, why steps were cut.

@@ -49,11 +49,11 @@ std::vector<FrameRows> frames_of(const Table& table) {
   throw base::InputError({{"dir", "", file + " is damaged: " + what}});
 }
 
-/// Numbers of a run are far below this, or unknown; what is larger would only overflow in a picture.
+/// Bound of the numbers of a run; larger ones would overflow in a picture and count as damage.
 constexpr double most = 1e100;
 
-/// A table whose columns begin with those of `header`. What ends in half a row belongs to a run that goes on, or was
-/// killed.
+/// A table whose columns begin with those of `header`. A table that ends in half a row belongs to a run that is still
+/// writing, or was killed.
 Table read_table(const std::string& file, const std::string& header, bool ended) {
   const std::string text = read_text(file);
   if (!text.starts_with(header.substr(0, header.size() - 1)))
@@ -67,7 +67,7 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   }
   for (const auto& column : table.values)
     for (const double value : column)
-      if (std::isfinite(value) && std::abs(value) > most) damaged(file, number(value) + " is no result of a run");
+      if (std::isfinite(value) && std::abs(value) > most) damaged(file, number(value) + " is not a result of a run");
   return table;
 }
 
@@ -81,7 +81,7 @@ std::optional<SurfaceTable> read_surface(const std::string& dir, const std::stri
   SurfaceTable surface{side, read_table(file, surface_header(), done), {}};
   surface.frames = frames_of(surface.table);
   for (std::size_t k = 1; k < surface.frames.size(); ++k)
-    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles go back");
+    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles decrease");
   if (surface.frames.empty() && !done) return {};
   if (surface.frames.empty()) damaged(file, "it holds no rows, though the run is done");
   return surface;
@@ -154,7 +154,7 @@ RunData read_run(const std::string& dir) {
     }
   } catch (const base::InputError&) {
     throw;
-  } catch (const std::runtime_error& error) {  // what cannot be read at all
+  } catch (const std::runtime_error& error) {  // a file that cannot be read at all
     throw base::InputError({{"dir", "", error.what()}});
   }
   return run;

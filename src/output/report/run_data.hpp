@@ -9,7 +9,7 @@
 #include "output/folder/folder.hpp"
 #include "output/folder/tables.hpp"
 
-/// What the report reads back from an output folder.
+/// Data of an output folder, as the report reads them.
 namespace reye::output {
 
 /// A CSV table by columns. The text columns (step, status, body, reason) hold indices into `words`.
@@ -26,7 +26,7 @@ struct Table {
 };
 
 /// Reads a table; a last line that a kill left half is dropped.
-/// Throws when a row has another width or a cell is no number.
+/// Throws when a row has another width or a cell is not a number.
 Table parse_csv(const std::string& text);
 
 /// Rows [begin, end) of a surface table that belong to one frame.
@@ -51,12 +51,12 @@ struct RunData {
   Identity identity;
   nlohmann::ordered_json summary;  ///< null when the run has not ended
   Table history;
-  Table remeshes;  ///< empty when no body was meshed anew
+  Table remeshes;  ///< empty when no body was remeshed
   std::vector<ContactData> contacts;
 };
 
-/// Each file as far as it is there, of a run that has ended all. Throws base::InputError with the file that is missing,
-/// cut or altered.
+/// The files of a run as far as they exist; all of them must if it has ended. Throws base::InputError with the file
+/// that is missing, cut or altered.
 RunData read_run(const std::string& dir);
 
 /// sum over nodes of depth times half the neighbouring lengths (times 2 pi x in axisymmetry).

@@ -10,8 +10,8 @@
 
 namespace reye::output {
 
-/// cereal's binary archive, read from bytes that may be anything: no size is believed that goes beyond what is left, no
-/// truth value but 0 and 1, no pointer to an object of another type. Throws cereal::Exception.
+/// cereal's binary archive, read from untrusted bytes: it refuses sizes beyond the remaining bytes, truth values other
+/// than 0 and 1, and pointers to an object of another type. Throws cereal::Exception.
 class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmptyClassElision> {
  public:
   explicit BoundedInput(std::string_view bytes) : InputArchive(this), left_(bytes) {}
@@ -22,17 +22,17 @@ class BoundedInput : public cereal::InputArchive<BoundedInput, cereal::AllowEmpt
     left_.remove_prefix(size);
   }
 
-  /// Throws unless so many things, each of so many bytes or more, can still follow.
+  /// Throws unless so many values, each of at least so many bytes, can still follow.
   void need(std::uint64_t count, std::uint64_t bytes_each = 1) const {
     if (count > left_.size() / bytes_each) throw cereal::Exception("a size goes beyond the end");
   }
 
   /// Throws unless everything has been read.
   void end() const {
-    if (!left_.empty()) throw cereal::Exception("it goes on behind the end");
+    if (!left_.empty()) throw cereal::Exception("it continues behind the end");
   }
 
-  /// What the pointers of an archive point to, by their numbers from 1.
+  /// The objects of an archive's pointers, by their numbers from 1.
   struct Shared {
     std::shared_ptr<void> object;
     std::type_index type;
@@ -49,7 +49,7 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, T& value) {
   if constexpr (std::is_same_v<T, bool>) {
     unsigned char byte = 0;
     archive.loadBinary(&byte, 1);
-    if (byte > 1) throw cereal::Exception("a truth value is none");
+    if (byte > 1) throw cereal::Exception("a truth value is neither true nor false");
     value = byte == 1;
   } else {
     archive.loadBinary(&value, sizeof value);
@@ -72,7 +72,8 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, cereal::BinaryData<T>& dat
   archive.loadBinary(data.data, static_cast<std::size_t>(data.size));
 }
 
-/// As cereal reads it: number 0 for null; the highest bit says that the object follows, else it was there before.
+/// Reads a pointer as cereal does: number 0 for null; the highest bit says that the object follows, else it has been
+/// read before.
 template <class T>
 void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, cereal::memory_detail::PtrWrapper<std::shared_ptr<T>&>& wrapper) {
   std::uint32_t number = 0;
@@ -89,7 +90,7 @@ void CEREAL_LOAD_FUNCTION_NAME(BoundedInput& archive, cereal::memory_detail::Ptr
     return;
   }
   if (number > archive.shared.size() || archive.shared[number - 1].type != typeid(T))
-    throw cereal::Exception("a pointer points to what it cannot");
+    throw cereal::Exception("a pointer points to an object of another kind");
   wrapper.ptr = std::static_pointer_cast<std::remove_const_t<T>>(archive.shared[number - 1].object);
 }
 
@@ -99,7 +100,7 @@ CEREAL_REGISTER_ARCHIVE(reye::output::BoundedInput)
 
 namespace cereal::traits::detail {
 
-/// It reads what cereal's binary archive has written.
+/// Marks it as the reader of cereal's binary archive.
 template <>
 struct get_output_from_input<reye::output::BoundedInput> {
   using type = BinaryOutputArchive;

@@ -56,7 +56,7 @@ std::string file_in(const std::string& dir, const char* name) {
   return (fs::path(dir) / "checkpoint" / (std::string(name) + ".bin")).string();
 }
 
-/// What is against a table of the folder, which must hold so many rows.
+/// Checks a table of the folder, which must hold so many rows.
 void check_rows(const std::string& dir, const std::string& file, long rows) {
   // The name comes out of a file that may have been altered.
   if (rows < 0 || fs::path(file).filename() != fs::path(file))
@@ -64,7 +64,7 @@ void check_rows(const std::string& dir, const std::string& file, long rows) {
   (void)size_of_rows((fs::path(dir) / file).string(), rows);
 }
 
-/// Every table that the counters tell of, with its rows.
+/// Every table that the counters name, with its rows.
 std::map<std::string, long> tables_of(const Counters& counters) {
   auto tables = counters.surface_rows;
   tables["history.csv"] = counters.history_rows;
@@ -113,7 +113,7 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
     if (o.layout != layout)
       throw std::runtime_error("written by the build of commit " + base::printable(o.commit) +
                                ", whose layout the build of commit " + commit() +
-                               " cannot read; go on with a build of that commit, or run anew");
+                               " cannot read; resume with a build of that commit, or start a new run");
     archive(o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
     archive.end();
   } catch (const cereal::Exception& error) {

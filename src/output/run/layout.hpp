@@ -15,9 +15,9 @@
 
 namespace reye::output {
 
-/// An archive that holds no values but the types that a `serialize` function names, one after the other and through all
-/// that they are made of. Two programs with the same description read each other's bytes; two members of one type that
-/// change their places are not seen.
+/// An archive of types instead of values: those that a `serialize` function names, in order and with all their members.
+/// Two programs with the same description read each other's bytes; an exchange of two members of one type is not
+/// detected.
 class LayoutArchive {
  public:
   template <class... Values>

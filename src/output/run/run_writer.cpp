@@ -50,7 +50,7 @@ void RunWriter::resume(const Counters& counters) {
   else
     begun_later.push_back(path("remesh.csv"));
   for (const auto& table : begun_later) fs::remove(table);
-  // They tell of the run that is being continued.
+  // They belong to the run that is being resumed.
   for (const char* file : {"summary.json", "report.html"}) fs::remove(path(file));
   make_folder(path("frames"));
   remove_frames_from(counters_.frame_cycles.size());

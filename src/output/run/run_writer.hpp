@@ -11,11 +11,11 @@
 
 namespace reye::output {
 
-/// A log that has grown to this takes no more lines.
+/// Size of the log from which on it takes no more lines.
 inline constexpr std::uintmax_t most_log_bytes = 2000000;
 
-/// How much of the folder belongs to a state: kept in its checkpoint, so that a restart drops what
-/// the killed run wrote after it.
+/// The rows and frames of the folder that belong to a state: kept in its checkpoint, so that a restart drops later
+/// output of the killed run.
 struct Counters {
   long history_rows = 0;
   long remesh_rows = 0;
@@ -30,16 +30,16 @@ struct Counters {
   }
 };
 
-/// Writes the output folder of one run. Every member throws std::runtime_error when the disk refuses.
+/// Writes the output folder of one run. Every member throws std::runtime_error when a write fails.
 /// Call begin() for a new run or resume() for a restarted one before anything is written; hold the FolderLock
 /// meanwhile.
 class RunWriter {
  public:
   RunWriter(std::string dir, const scene::Scene& scene);
 
-  void begin();                           ///< the former results go, the new ones start
-  void resume(const Counters& counters);  ///< tables and series cut back to the checkpoint
-  void extend() const;                    ///< the folder becomes that of this scene, which extends the one that was run
+  void begin();                           ///< removes the former results and starts the new ones
+  void resume(const Counters& counters);  ///< cuts tables and series back to the checkpoint
+  void extend() const;  ///< marks the folder as that of this scene, which extends the one that was run
   void increment(const sim::IncrementRecord& record);
   void remesh(const sim::RemeshRecord& record);
   void frame(const sim::Frame& frame);

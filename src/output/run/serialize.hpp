@@ -19,7 +19,7 @@
 #include "output/run/bounded_input.hpp"
 
 /// cereal functions for the vocabulary of states: Eigen vectors and matrices, meshes, shapes,
-/// besides the std containers. Doubles go bit by bit. Found by argument-dependent look-up, so those of Eigen
+/// besides the std containers. Doubles are stored bit by bit. Found by argument-dependent look-up, so those of Eigen
 /// types stand in namespace Eigen, those of meshes in reye::mesh.
 
 namespace Eigen {
@@ -95,7 +95,7 @@ void serialize(Archive& archive, Drawing& drawing) {
 
 namespace reye::body {
 
-/// Pointers to the same mesh or shape within one archive are one object again after loading.
+/// Saves pointers so that those to one mesh or shape within an archive share it again after loading.
 template <class Archive>
 void serialize(Archive& archive, Shape& shape) {
   archive(shape.mesh, shape.born, shape.drawing);

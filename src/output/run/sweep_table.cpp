@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// Parts of the summary that hold figures; the times are those that no second run repeats.
+/// Parts of the summary that hold numbers; times, which differ from run to run, come last.
 constexpr const char* parts[] = {"cycles",          "contacts", "bonds",  "probes", "life_cycles", "life_band",
                                  "estimated_error", "counts",   "wall_s", "cpu_s",  "peak_rss_MB"};
 
@@ -41,7 +41,7 @@ std::string plain(const std::string& value) {
   return value.size() >= 2 && value.front() == '"' && value.back() == '"' ? value.substr(1, value.size() - 2) : value;
 }
 
-/// Names of all figures; one that only some members have comes after the one it follows there.
+/// Names of all numbers; one that only some members have comes after the one it follows there.
 std::vector<std::string> columns_of(const std::vector<SweepRow>& rows) {
   std::vector<std::string> names;
   for (const auto& row : rows) {
@@ -54,7 +54,7 @@ std::vector<std::string> columns_of(const std::vector<SweepRow>& rows) {
   return names;
 }
 
-/// A figure of a row; empty where it has none.
+/// A number of a row; empty where it has none.
 std::optional<double> figure(const SweepRow& row, const std::string& name) {
   for (const auto& [known, value] : row.end.figures)
     if (known == name && !value.empty()) return csv_number(value);

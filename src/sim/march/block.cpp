@@ -36,7 +36,7 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
   return r;
 }
 
-/// True where a history that the step plays has a corner: motion does not go on as before.
+/// True where a history that the step plays has a corner: the motion does not continue as before.
 bool corner_at(const scene::Scene& scene, const scene::Step& step, double progress) {
   for (const auto& name : step.play)
     for (const auto& corner : scene.histories.at(name))
@@ -44,8 +44,8 @@ bool corner_at(const scene::Scene& scene, const scene::Step& step, double progre
   return false;
 }
 
-/// The block being played: where it started from, whether its increments are rows of the history, how long its last
-/// increment was (0: none to go on from) and what that cost.
+/// The block being played: its start, whether its increments are rows of the history, the length of its last increment
+/// (0: none to continue from) and its cost.
 struct Playing {
   const BlockSpan& span;
   const Observer& observer;
@@ -56,7 +56,7 @@ struct Playing {
   std::vector<double> ends{};  ///< of the increments played so far
 };
 
-/// Said of an increment that does not lead anywhere while a drawn overlap is let in.
+/// The addition to the message of an increment that fails while a drawn overlap is let in.
 std::string in_words_of_overlap(const std::map<std::string, double>& factors) {
   const auto left = factors.find(overlap_left);
   if (left == factors.end() || left->second == 1.0) return {};

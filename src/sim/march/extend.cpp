@@ -17,7 +17,7 @@ std::string key_of(const Problem& problem, const scene::Limit& limit) {
   return "limit." + limit.name + (limit.depth_mm ? ".depth_mm" : ring ? ".volume_mm3" : ".area_mm2");
 }
 
-/// What is known of limits that the scene does not have, or has as others now.
+/// Removes the records of limits that the scene no longer has, or has changed.
 void forget_limits(const Problem& problem, const std::set<std::string>& others, State& state) {
   const auto gone = [&](const auto& known) {
     const auto& limits = problem.scene.limits;

@@ -8,10 +8,9 @@
 
 namespace reye::sim {
 
-/// Makes the state of a run that of one with other limits and other cycles of the last step: what it knew of limits
-/// that are no more, or are others (`limits`, by name), goes, and where it stands with those is measured. Returns what
-/// is against it: fewer cycles than it has played, under `cycles_key`, or limits that it has passed. Looks at the state
-/// as `check_state` does, and throws what that throws.
+/// Converts the state of a run for other limits and other cycles of the last step: records of limits that were removed
+/// or changed (`limits`, by name) are deleted, and the new ones are measured. Returns the issues: fewer cycles than
+/// played, under `cycles_key`, or limits that were passed. Checks the state as `check_state` does, with its exceptions.
 std::vector<base::Issue> extend(const Problem& problem, const std::set<std::string>& limits,
                                 const std::string& cycles_key, State& state, Cache& cache);
 

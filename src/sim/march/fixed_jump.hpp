@@ -7,9 +7,9 @@
 
 namespace reye::sim {
 
-/// A block of as many cycles as the scene says. One that wears and fails is played again on a quarter of them, down to
-/// one; the blocks after it keep what worked (State::block_cycles), with a warning that names it. A block of one cycle
-/// that fails is a failure.
+/// Plays a block of as many cycles as the scene says. A block that wears and fails is repeated on a quarter of them,
+/// down to one; the blocks after it keep the number that worked (State::block_cycles), with a warning that names it. A
+/// block of one cycle that fails is a failure.
 Outcome play_fixed(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer);
 
 }  // namespace reye::sim

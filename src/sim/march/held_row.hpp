@@ -17,7 +17,9 @@ class HeldRow {
   HeldRow(const HeldRow&) = delete;
   HeldRow& operator=(const HeldRow&) = delete;
 
-  const Observer& observer() const { return inside_; }  ///< who a block reports to; all but its newest row is passed on
+  const Observer& observer() const {
+    return inside_;
+  }  ///< the observer to which a block reports; all but its newest row is passed on
   void settle(const Problem& problem, const State& state, const solver::System& system, const scene::Step& step);
   void release();
 

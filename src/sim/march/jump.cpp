@@ -19,14 +19,14 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double fewest = 1.0;      ///< cycles of a block that jumps none: it is played once and has no error
-constexpr double aim = 0.85;        ///< times what a block may have, for the next block
+constexpr double fewest = 1.0;      ///< cycles of a block without a jump: it is played once and has no error
+constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
 constexpr double most_steeper =
     1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
 constexpr double levelling =
-    0.2;  ///< of a block's cycles, in those that level it: more than its extrapolation leaves uneven
+    0.2;  ///< share of a block's cycles that level it: more than its extrapolation leaves uneven
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -49,7 +49,7 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
                   const Observer& fine) {
   Attempt attempt;
   attempt.counts = state.counts;
-  span.remesh = false;  // nodes must be the same at both ends
+  span.remesh = false;  // nodes must be equal at both ends
   const auto over = [&](const Outcome& outcome) {
     attempt.counts = outcome.state.counts;
     attempt.failure = outcome.failure;
@@ -59,7 +59,7 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
   Outcome outcome = play_increments(problem, state, cache, span, coarse);
   if (over(outcome)) return attempt;
   attempt.once = std::move(outcome.state);
-  span.ends = std::move(outcome.ends);  // where one play was cut back and the other not, they would be equally fine
+  span.ends = std::move(outcome.ends);  // both plays are then equally fine, even where one was cut back
   span.jump *= 0.5;
   State start = state;
   start.counts = attempt.counts;
@@ -107,10 +107,10 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
   return largest;
 }
 
-/// Short cycles after a block, not extrapolated: what the correction or a fresh mesh left uneven is worn level before
-/// it is shown or jumped from. Their wear waits in the gap. Each is half of what is left: the first wear what is uneven
-/// away, the last so little that pressures follow the stroke. At the end of a step, where pressures are what remains to
-/// be seen, they halve until pressures repeat.
+/// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
+/// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
+/// first remove the unevenness, the last wear so little that pressures follow the stroke. At the end of a step, whose
+/// pressures remain to be seen, they halve until pressures repeat.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
   constexpr int fewest_cycles = 2, most_cycles = 8;
   constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next
@@ -134,7 +134,7 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
   return outcome;
 }
 
-/// Rows of the halves with their share of what the end of the block was corrected by.
+/// Adds to a row of the halves its share of the correction at the end of the block.
 void correct(IncrementRecord& row, double share, const IncrementRecord& before, const IncrementRecord& after) {
   const auto add = [share](auto& to, const auto& from, const auto& end) {
     to.depth_max_secondary_mm += share * (end.depth_max_secondary_mm - from.depth_max_secondary_mm);
@@ -164,16 +164,16 @@ struct Trial {
   double error = 0.0;     ///< estimated; 0 where it was not played to its end
   bool too_long = false;  ///< by its error
   bool slips_throughout = false;
-  Recording rows, later;                   ///< of the halves, and of what came after them
-  IncrementRecord uncorrected, corrected;  ///< what was worn at the end of the halves
+  Recording rows, later;                   ///< rows of the halves, and of the cycles after them
+  IncrementRecord uncorrected, corrected;  ///< wear at the end of the halves
 };
 
 /// The cycles of a block without those that level it.
 double without_levelling(const BlockSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 /// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body is to be
-/// meshed anew, for which pressures must be those of the shape. Levelling comes after the shape step, for it was no
-/// cycle that wore the corrected layer. The last block of a step leaves remeshing to the next step.
+/// remeshed, for which pressures must be those of the shape. Levelling comes after the shape step, since no cycle has
+/// worn the corrected layer. The last block of a step leaves remeshing to the next step.
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
                const Observer& observer) {
   span.jump = levelling * cycles;
@@ -217,7 +217,7 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.outcome.middle = std::move(attempt.middle);
 }
 
-/// A block of one cycle: nothing is jumped.
+/// Plays a block of one cycle, without a jump.
 Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
                        const Observer& observer) {
   Outcome outcome = play_block(problem, state, cache, span, observer);
@@ -235,7 +235,7 @@ double next_jump(double jump, double share, double error, double tolerance, doub
   const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
   const double steeper =
       rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
-  const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // of the share
+  const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // factor of the share
   const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
   return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
 }

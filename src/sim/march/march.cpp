@@ -30,8 +30,8 @@ namespace {
 
 bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
-/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share what is
-/// left of a step when one is not enough.
+/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share the rest
+/// of a step when one is not enough.
 double fitted(const scene::FrameRules& frames, double cycle, double jump, double left) {
   if (jump >= left) return left;
   if (left < 2.0 * jump) jump = 0.5 * left;
@@ -39,7 +39,7 @@ double fitted(const scene::FrameRules& frames, double cycle, double jump, double
   return at && *at - cycle > 0.75 * jump ? *at - cycle : jump;
 }
 
-/// What the next block is tried with.
+/// The span with which the next block is tried.
 BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const State& state) {
   BlockSpan span;
   span.step = &step;
@@ -57,7 +57,7 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   return span;
 }
 
-constexpr int most_turns = 3;  ///< times that a block is played again to end at a limit
+constexpr int most_turns = 3;  ///< times that a block is repeated to end at a limit
 
 /// One run in progress: the loop over steps and blocks.
 class Runner {
@@ -105,7 +105,7 @@ class Runner {
                                   : play_fixed(p_, from, cache_, span, observer);
   }
 
-  /// A block; where it passes a limit that ends the run it is played again, as far as the limit.
+  /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
   Outcome play_to_limit(BlockSpan span) {
     if (!span.cycles || !any_stop_ahead(p_, state_)) return play(span, state_, observer_);
     Recording recording;
@@ -126,7 +126,7 @@ class Runner {
     return outcome;
   }
 
-  /// A step ends on its last cycle, not by what the sum of its blocks is rounded to.
+  /// Sets the end of a step to exactly its last cycle, without the rounding of the sum of its blocks.
   void end_on_the_cycle(const scene::Step& step) {
     state_.cycle += remaining(step, state_);
     state_.step_cycles = step.cycles;

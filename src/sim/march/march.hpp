@@ -8,7 +8,7 @@
 namespace reye::sim {
 
 /// Plays all steps from `state` on; `state` ends as the last accepted one. A failed solve or shape is a summary with a
-/// reason, never an exception. Times are left to who asked for it.
+/// reason, never an exception. Times are left to the caller.
 Summary march(const Problem& problem, State& state, const Observer& observer, Cache& cache);
 
 }  // namespace reye::sim

@@ -4,13 +4,13 @@
 
 namespace reye::sim {
 
-/// Only what passes at once: progress, log lines and interruption.
+/// An observer of the calls that pass at once: progress, log lines and interruption.
 Observer quiet(const Observer& outside);
 
-/// Keeps what a block that may be dropped reports, until it is accepted.
+/// Buffers the records of a block until it is accepted.
 class Recording {
  public:
-  /// Reports to the recording what `outside` would take; what is quiet passes at once.
+  /// An observer that records the calls that `outside` would take; those of `quiet` pass at once.
   Observer observer(const Observer& outside);
   /// Reports everything to the outside, `adjust` applied to the rows of the history.
   void play_back(const Observer& outside, const std::function<void(IncrementRecord&)>& adjust = {});

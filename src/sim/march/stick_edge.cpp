@@ -12,9 +12,9 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double most_lost = 2.5;  ///< elements of a stick zone: one at either end is decided by which node is the last
-constexpr int fewest =
-    3;  ///< stick nodes of a zone: one on an axis never slips, nor does one that has just been touched
+constexpr double most_lost =
+    2.5;                   ///< elements that a stick zone may lose: one at either end depends on which node is the last
+constexpr int fewest = 3;  ///< stick nodes of a zone: fewer may be a node on an axis, or one that has just touched
 
 struct Loaded {
   int stick = 0, slip = 0;  ///< nodes that carry pressure: through the block in stick, or not
@@ -47,8 +47,8 @@ Widths widths(const contact::Setup& setup, const contact::ContactState& state, c
   return w;
 }
 
-/// A stick zone that forces alone drive keeps its width whatever wears around it; one that has lost more than
-/// two elements has lost them to the mesh.
+/// A warning of a receding stick zone: under forces alone it keeps its width whatever wears around it, so a loss of
+/// more than two elements is due to the mesh.
 std::optional<Warning> receding(const std::string& contact, const Widths& now, ContactWatch& watch, double cycle) {
   if (now.stick > watch.stick_mm) {
     watch.stick_mm = now.stick;

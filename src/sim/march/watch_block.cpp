@@ -10,7 +10,7 @@ namespace reye::sim {
 
 namespace {
 
-/// What the trial found good enough may cease to be so as bodies wear.
+/// Watches small strain that the trial accepted, since its error may grow as bodies wear.
 void watch_chosen_strain(const Problem& problem, State& state, const solver::System& system, const Observer& observer) {
   const auto now = small_strain_error(problem, state, system);
   const double before = state.small_strain_error.value_or(0.0);

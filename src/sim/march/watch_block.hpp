@@ -5,12 +5,12 @@
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
-/// What is looked at once a block has ended: the error of its jump, plastic strain, small strain.
+/// Checks at the end of a block: the error of its jump, plastic strain, small strain.
 namespace reye::sim {
 
 double largest_plastic_strain(const State& state);
 
-/// A tolerance that was missed is named with its figure.
+/// Warns of a tolerance that was missed, with its value.
 void watch_tolerance(const scene::Step& step, State& state, const Observer& observer);
 
 /// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any: warns where more than a
@@ -18,7 +18,7 @@ void watch_tolerance(const scene::Step& step, State& state, const Observer& obse
 void watch_plastic_strain(const scene::Step& step, double before, double cycles, State& state,
                           const Observer& observer);
 
-/// Whether small strain is good enough, seen at the first blocks, at every eighth later and at the last of a step.
+/// Checks small strain at the first blocks, at every eighth later and at the last of a step.
 /// Returns why the run ends, or nothing.
 std::string watch_strain(const Problem& problem, State& state, const solver::System& system, bool last,
                          const Observer& observer);

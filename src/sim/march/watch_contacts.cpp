@@ -11,11 +11,11 @@ namespace reye::sim {
 
 namespace {
 
-/// What the outline of a body does where a contact's boundary ends.
+/// Continuation of the outline of a body where a contact's boundary ends.
 enum class Beyond { corner, another_contact, smooth };
 
-constexpr double harder = 1.001;        ///< a force held constant is looked at once a block
-constexpr double smooth_cosine = 0.94;  ///< cosine of the 20 degrees below which an outline goes on smoothly
+constexpr double harder = 1.001;        ///< a constant force is evaluated once a block
+constexpr double smooth_cosine = 0.94;  ///< cosine of the 20 degrees below which an outline continues smoothly
 
 Beyond beyond(const Problem& problem, const State& state, const contact::SurfaceNode& end) {
   const auto& mesh = state.shapes[end.body]->mesh;
@@ -38,7 +38,7 @@ Beyond beyond(const Problem& problem, const State& state, const contact::Surface
 
 bool ends(const mortar::Surface& s, int node) { return s.before[node] < 0 || s.after[node] < 0; }
 
-/// One look at a contact.
+/// One observation of a contact.
 class Look {
  public:
   Look(const Problem& problem, const State& state, const solver::System& system, std::size_t c)
@@ -65,7 +65,7 @@ class Look {
     for (int j = 1; j < setup_.secondary_count(); ++j)
       if (pressure(j) > pressure(peak_)) peak_ = j;
     p.peak_mm = setup_.secondary.X[peak_].x();
-    p.size_mm = p.length_mm = spacing(setup_.secondary, peak_);  // a node at each end stands for half a facet
+    p.size_mm = p.length_mm = spacing(setup_.secondary, peak_);  // a node at each end counts for half a facet
     walk(p);
     p.beside_zone = beside_zone(force);
     if (contact_.law_work == 0.0) p.facets_mm = facets();
@@ -136,7 +136,7 @@ class Look {
     if (!own_end && other_ends.empty()) return false;
     if (pressure(j) < 0.1 * pressure(peak_)) return true;
     const Beyond own = f < 0 ? beyond(problem_, state_, setup_.secondary_nodes[j]) : Beyond::corner;
-    Beyond other = Beyond::another_contact;  // it goes on
+    Beyond other = Beyond::another_contact;  // it continues
     for (int l : other_ends) other = beyond(problem_, state_, setup_.primary_nodes[l]);
     if (own == Beyond::smooth && other != Beyond::corner)
       p.cut = placed_.secondary.boundary;

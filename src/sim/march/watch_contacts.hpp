@@ -4,10 +4,10 @@
 
 namespace reye::sim {
 
-/// Forgets what was seen in the block before.
+/// Clears the observations of the block before.
 void begin_watch(const Problem& problem, State& state);
 
-/// At the end of an accepted increment; `wear`: of a step that wears.
+/// Observes contacts at the end of an accepted increment; `wear`: of a step that wears.
 void watch_contacts(const Problem& problem, State& state, const solver::System& system, bool wear);
 
 }  // namespace reye::sim

@@ -11,8 +11,8 @@ namespace reye::sim {
 
 namespace {
 
-/// Rows of a table that are within two facets of a free end of what is bonded: neither on a line of symmetry, which a
-/// support holds, nor where a ring closes.
+/// Rows of a table that are within two facets of a free end of the bond: neither on a line of symmetry, which a support
+/// holds, nor where a ring closes.
 std::vector<char> rows_at_ends(const contact::Setup& setup, const SurfaceRecord& s) {
   std::set<int> held;
   for (int j = 0; j < setup.secondary_count(); ++j)
@@ -44,7 +44,7 @@ TractionPeak peak(const SurfaceRecord& s, const std::vector<char>& at_end, doubl
   return most;
 }
 
-/// Mean over what carries, by the trapezoidal rule along the table.
+/// Mean over the rows that carry tractions, by the trapezoidal rule along the table.
 template <class Value>
 double mean(const SurfaceRecord& s, Value value) {
   double sum = 0.0, length = 0.0;

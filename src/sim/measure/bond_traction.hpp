@@ -3,20 +3,20 @@
 #include "sim/problem/records.hpp"
 #include "sim/problem/state.hpp"
 
-/// What bonds carry: whether a coat comes off is asked of its largest tension and shear.   (README, 7)
+/// Tractions of bonds, whose largest tension and shear decide whether a coat comes off.   (README, 7)
 namespace reye::sim {
 
-/// From the table of a bond's secondary side. `cycle` is said of its peaks.
+/// Tractions from the table of a bond's secondary side. `cycle` is stored with its peaks.
 BondTraction bond_traction(const contact::Setup& setup, const SurfaceRecord& surface, double cycle);
 
-/// Of every bond, in the state.
+/// Tractions of every bond in the state.
 std::vector<BondTraction> bond_tractions(const Problem& problem, const State& state, const solver::System& system,
                                          double cycle);
 
 /// Keeps the largest in `State::bonds`, at the end of an accepted increment.
 void watch_bonds(State& state, const std::vector<BondTraction>& now);
 
-/// At the end of a run.
+/// Summaries of the bonds at the end of a run.
 std::vector<BondSummary> bond_summaries(const Problem& problem, const State& state, const solver::System& system);
 
 }  // namespace reye::sim

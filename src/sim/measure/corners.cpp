@@ -73,8 +73,8 @@ std::vector<base::Issue> corner_issues(const Problem& problem, const solver::Sys
       if (opposite.distance > first + 0.5 * setup.length[j] || !pokes(s, j, opposite.normal)) continue;
       char text[200];
       std::snprintf(text, sizeof text,
-                    "its corner at (%.4g, %.4g) mm is what touches, and the forces of a corner have no "
-                    "direction of their own; %s",
+                    "its corner at (%.4g, %.4g) mm is what touches, and at a corner the direction of contact forces is "
+                    "undefined; %s",
                     s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
       issues.push_back({"contact." + setup.options.name + ".secondary", '"' + setup.options.secondary + '"', text});
       break;
@@ -103,7 +103,7 @@ std::optional<Warning> corner_warning(const contact::Setup& setup, const contact
     std::snprintf(
         text, sizeof text,
         "a corner of its secondary side, at (%.4g, %.4g) mm, carries %.2g %% of its normal load along a normal %.2g "
-        "degrees off the surface opposite: its force may leave the cone of friction; swap the sides, or round it",
+        "degrees off the surface opposite: its force may leave the friction cone; swap the sides, or round it",
         sides.secondary[j].x(), sides.secondary[j].y(), 100.0 * share, angle * 180.0 / std::numbers::pi);
     worst = Warning{"corner", "contact " + setup.options.name, text, share};
   }

@@ -8,11 +8,12 @@
 /// side need not face.
 namespace reye::sim {
 
-/// Contacts whose secondary side touches first with a corner that neither of its facets faces: refused, with the cure.
+/// Contacts whose secondary side touches first with a corner that neither of its facets faces: refused, with the
+/// remedy.
 std::vector<base::Issue> corner_issues(const Problem& problem, const solver::System& system);
 
-/// Corners that carry load along a normal which the surface opposite does not have: their forces may leave the cone of
-/// friction that it sees.
+/// Warnings of corners that carry load along a normal other than that of the surface opposite: their forces may leave
+/// its friction cone.
 std::vector<Warning> corner_warnings(const solver::System& system, const State& state);
 
 }  // namespace reye::sim

@@ -15,7 +15,7 @@ namespace {
 using contact::ContactState;
 using contact::ContactStatus;
 
-constexpr int reach = 3;  ///< elements from an edge that moved to where the correction is whole
+constexpr int reach = 3;  ///< elements between an edge that moved and the place where the correction is full
 
 double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
@@ -65,7 +65,7 @@ SidePlays primary_plays(const Twice& t, const State& halves, std::size_t c) {
           t.middle[c].removed_primary, halves.solution.contacts[c].removed_primary};
 }
 
-/// Of both sides of a contact.
+/// The nodes of both sides of a contact that wore in one play only.
 std::array<std::vector<char>, 2> passed_nodes(const Twice& t, const State& end, std::size_t c) {
   const auto secondary = secondary_plays(t, end, c), primary = primary_plays(t, end, c);
   std::array<std::vector<char>, 2> passed{secondary.passed(), primary.passed()};
@@ -80,7 +80,7 @@ std::array<std::vector<char>, 2> passed_nodes(const Twice& t, const State& end, 
   return passed;
 }
 
-/// What is added to the halves' values of one side; empty where nothing can be.
+/// The correction to the halves' values of one side; empty where none is possible.
 std::vector<double> correction(const std::vector<double>& trusted, const std::vector<double>& once,
                                const std::vector<double>& halves, const std::vector<double>& worn,
                                const std::vector<double>& available) {

@@ -10,12 +10,12 @@ namespace reye::sim {
 std::vector<Vec2> displacements(const body::Operator& op, const Vector& q, const body::Interior& interior,
                                 const Vector& load_factors);
 
-/// By how much a linear body has turned [rad].
+/// Rotation of a linear body [rad].
 double turned_by(const body::Operator& op, const Vector& q);
 
 /// Displacement of all nodes of a body.
 base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body);
-/// The same in the frame of a linear body that turns: what strain is made of.
+/// Displacement of all nodes in the frame of a linear body that turns, from which strain follows.
 base::Points recovered_in_frame(const Problem& problem, const State& state, const solver::System& system, int body);
 
 }  // namespace reye::sim

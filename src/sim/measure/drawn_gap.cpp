@@ -16,14 +16,14 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double at_once = 0.05;  ///< of the facet that a node lies behind: less is closed in one increment, and facets
-                                  ///< of drawn curves that touch lie so deep in one another
-constexpr double touching = 1e-4;  ///< of a facet: less is rounding of the drawing
-constexpr double facing = 0.1;     ///< cosine between two facets, as the integrals have it
+constexpr double at_once = 0.05;   ///< of the facet that a node lies behind: a smaller overlap is closed in one
+                                   ///< increment, as facets of touching curves overlap by that
+constexpr double touching = 1e-4;  ///< of a facet: a smaller distance is rounding of the drawing
+constexpr double facing = 0.1;     ///< cosine between two facets, as in the integrals
 constexpr double other_surface =
-    3.0;  ///< a node so many times nearer to the rest of the outline has not come in by this side
-constexpr double deepest = 1.0 / 3.0;  ///< of a body: no fit is drawn deeper
-constexpr int own_increments = 10;     ///< of the step that lets overlaps in before cycles
+    3.0;  ///< a node so many times nearer to the rest of the outline did not enter through this side
+constexpr double deepest = 1.0 / 3.0;  ///< of a body: the deepest overlap of a fit
+constexpr int own_increments = 10;     ///< increments of the step that lets overlaps in before cycles
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -49,7 +49,7 @@ void append(std::vector<Piece>& pieces, const mesh::Mesh& mesh, const mesh::Chai
   for (std::size_t i = 1; i < chain.size(); ++i) pieces.push_back({mesh.X[chain[i - 1]], mesh.X[chain[i]]});
 }
 
-/// What one side of a contact has on one body.
+/// The part of one side of a contact on one body.
 struct Patch {
   std::vector<Piece> pieces, outline;
   Eigen::AlignedBox2d box;
@@ -79,7 +79,7 @@ double nearest(const std::vector<Piece>& pieces, const Vec2& x) {
   return least;
 }
 
-/// The nodes of one patch against the other.
+/// Compares the nodes of one patch with the other patch.
 void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
   const auto look_at = [&](const Piece& piece, const Vec2& x) {
     if (const double gap = nearest(other.pieces, x); drawn.overlap_mm == 0.0 && gap < drawn.gap_mm) {
@@ -102,7 +102,7 @@ void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
   }
 }
 
-/// How far a body extends along a direction.
+/// Extent of a body along a direction.
 double extent(const mesh::Mesh& mesh, const Vec2& d) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vec2& X : mesh.X) {
@@ -112,7 +112,7 @@ double extent(const mesh::Mesh& mesh, const Vec2& d) {
   return high - low;
 }
 
-/// A fit is shallow against both bodies along the way out; else the drawing means something else.
+/// Why an overlap is not a fit: a fit is shallow against both bodies along the way out.
 std::string why_no_fit(const Problem& problem, const PlacedContact& contact) {
   const auto& drawn = contact.drawn;
   for (int body : {contact.secondary.body, drawn.primary}) {
@@ -127,7 +127,7 @@ std::string why_no_fit(const Problem& problem, const PlacedContact& contact) {
   return {};
 }
 
-/// The history of what is left, in the first step or a step of its own before it.
+/// Adds the history of the remaining overlap to the first step, or to an extra step before it.
 void add_to_steps(scene::Scene& scene) {
   if (!scene.histories.emplace(overlap_left, scene::History{{0.0, 1.0}, {1.0, 0.0}}).second)
     return;  // a companion run's scene
@@ -148,14 +148,14 @@ bool driven_by_force(const body::BodyInput& input) {
          std::any_of(input.supports.begin(), input.supports.end(), loaded);
 }
 
-/// Whether what drives the bodies may close the drawn gap.
+/// Whether the motions and forces of the bodies may close the drawn gap.
 bool closes(const Problem& problem, const PlacedContact& contact) {
   const auto by_force = [&](const contact::BoundaryRef& ref) { return driven_by_force(problem.inputs[ref.body]); };
   return by_force(contact.secondary) || std::any_of(contact.primary.begin(), contact.primary.end(), by_force) ||
          farthest_way(problem, contact) >= contact.drawn.gap_mm;
 }
 
-/// The farthest that any support moves its body; endless where a force drives one.
+/// The largest motion of any support; infinite where a force drives a body.
 double farthest_way_of_all(const Problem& problem) {
   double way = 0.0;
   for (const auto& input : problem.inputs) {
@@ -220,8 +220,7 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
 }
 
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm) {
-  if (contact.drawn.gap_mm <= search_mm)
-    return ": they do not look at one another; name boundaries that face each other";
+  if (contact.drawn.gap_mm <= search_mm) return ": they do not face each other; name boundaries that do";
   std::string why = text("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
   if (!closes(problem, contact))
     return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther",

@@ -6,10 +6,10 @@
 /// Rows of the history.
 namespace reye::sim {
 
-/// A row of the history with only what has worn until now: largest depths and energy.
+/// A row of the history with the wear until now alone: largest depths and energy.
 IncrementRecord wear_of(const Problem& problem, const solver::System& system, const State& state);
 
-/// A row of the history but for where it stands: what has worn, the peak pressure and what supports feel.
+/// A row of the history without its step and cycle: wear, peak pressure and the forces of supports.
 IncrementRecord figures_of(const Problem& problem, const State& state, const solver::System& system,
                            const solver::Controls& controls);
 

@@ -66,7 +66,7 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
   }
 }
 
-/// A renewed reference is no start: its displacements count from where the body was at first, on the nodes' first
+/// Adds the displacements before a reference was renewed, so that they count from the start, at the nodes' first
 /// places.
 void count_from_start(const State& state, Frame& frame) {
   for (std::size_t b = 0; b < state.displaced.size(); ++b) {
@@ -113,7 +113,7 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
 
 namespace {
 
-/// Warns of bodies inside one another; single bodies overlap nothing.
+/// Warns of bodies inside one another, where there are several.
 void watch_overlaps(const Problem& problem, State& state, Cache& cache, const Observer& observer, const Frame& frame) {
   if (problem.body_count() < 2) return;
   std::vector<std::vector<Vec2>> u;

@@ -7,10 +7,10 @@
 
 namespace reye::sim {
 
-/// Everything a picture needs of a state.
+/// The frame of a state, with all data of a picture.
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step);
 
-/// Tells the observer of a frame, unless it has it already.
+/// Passes a frame to the observer, unless it has it already.
 void show_frame(const Problem& problem, State& state, Cache& cache, const Observer& observer, const std::string& step);
 
 }  // namespace reye::sim

@@ -40,7 +40,7 @@ bool finite(const contact::MortarRow& row) {
   return finite(row.D) && finite(row.cover) && finite(row.covered) && finite(row.off) && finite(row.M);
 }
 
-/// The mesh of a body, whichever.
+/// Checks the mesh of any body.
 void check_mesh(const mesh::Mesh& mesh, bool rigid, const std::string& body) {
   require(counted(static_cast<int>(mesh.kind), static_cast<int>(mesh::CellKind::quad8)),
           "body " + body + " has cells of no kind");
@@ -96,7 +96,7 @@ void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& b
   if (drawing.part.mesh) check_mesh(*drawing.part.mesh, rigid, body);
 }
 
-/// The boundaries that supports, loads and contacts are on are those of the start.
+/// Checks that the boundaries of supports, loads and contacts are those of the start.
 void check_shape(const body::ShapePtr& shape, const body::ShapePtr& start, bool rigid, const std::string& body) {
   require(shape && shape->born, "body " + body + " has no shape");
   require(!shape->drawing == !start->drawing, "body " + body + " has another drawing");
@@ -121,7 +121,7 @@ void check_progress(const Problem& problem, const State& state) {
               state.step_blocks >= 0 && finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) &&
               finite(state.jump_error) && finite(state.block_cycles) &&
               (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
-          "its cycles are no number");
+          "its number of cycles is not a number");
   const double most = state.step < static_cast<int>(steps.size()) ? steps[state.step].cycles : 0.0;
   require(state.step_cycles <= most * (1.0 + 1e-9) + 1e-9 && state.step_cycles <= state.cycle * (1.0 + 1e-9) + 1e-9,
           "it has done more cycles than the step has");
@@ -161,13 +161,13 @@ void check_contact(const contact::ContactState& s, const contact::Setup& setup) 
   contact::for_each_field(s, [&](const contact::Field& field, const auto& member) {
     using Member = std::remove_cvref_t<decltype(member)>;
     if constexpr (std::is_arithmetic_v<Member>) {
-      require(finite(member), name + " has a sum that is no number");
+      require(finite(member), name + " has a sum that is not a number");
     } else {
       const std::size_t count = field.site == contact::Site::secondary ? secondary : primary;
       require(field.optional ? optional(member.size(), count) : member.size() == count,
               name + " has a value too many or too few");
       if constexpr (!std::is_enum_v<typename Member::value_type>)
-        require(finite(member), name + " has a value that is no number");
+        require(finite(member), name + " has a value that is not a number");
     }
   });
   check_statuses(s.status);
@@ -184,25 +184,26 @@ void check_interior(const body::Interior& interior, const body::Operator& op, co
   const std::size_t points = mesh.cells.size() * fem::stiffness_rule(mesh.kind).size();
   require(interior.F0.empty() || interior.F0.size() == points,
           "body " + body + " has a deformation too many or too few inside");
-  require(finite(interior.F0), "body " + body + " has a deformation that is no number");
-  require(finite(interior.y.high) && finite(interior.y.low), "body " + body + " has a displacement that is no number");
+  require(finite(interior.F0), "body " + body + " has a deformation that is not a number");
+  require(finite(interior.y.high) && finite(interior.y.low),
+          "body " + body + " has a displacement that is not a number");
   for (const auto& point : interior.history)
     require(finite(point.strain) && finite(point.accumulated) && point.accumulated >= 0.0,
-            "body " + body + " has a plastic strain that is none");
+            "body " + body + " has an invalid plastic strain");
 }
 
 void check_guess(const solver::Guess& guess, const solver::System& system,
                  const std::vector<body::Interior>& interiors) {
   require(guess.dq.size() == system.dofs && finite(guess.dq) && guess.lambda.size() == system.contacts.size() &&
               guess.status.size() == system.contacts.size() && guess.inside.size() == system.bodies.size(),
-          "an increment led elsewhere than it can");
+          "the recalled end of an increment is impossible");
   for (std::size_t b = 0; b < interiors.size(); ++b)
     require(guess.inside[b].size() == interiors[b].y.size() && finite(guess.inside[b]),
-            "an increment led elsewhere than it can");
+            "the recalled end of an increment is impossible");
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto nodes = static_cast<std::size_t>(system.contacts[c].secondary_count());
     require(guess.lambda[c].size() == nodes && finite(guess.lambda[c]) && guess.status[c].size() == nodes,
-            "an increment led elsewhere than it can");
+            "the recalled end of an increment is impossible");
     check_statuses(guess.status[c]);
   }
 }
@@ -220,15 +221,15 @@ void check_solution(const Problem& problem, const State& state, const solver::Sy
 
 void check_beside(const Problem& problem, const State& state) {
   require(optional(state.renewed_at.size(), problem.supports.size()) && finite(state.renewed_at),
-          "a support stands nowhere");
+          "the position of a support is not a number");
   require(optional(state.displaced.size(), state.shapes.size()) && finite(state.displaced),
-          "a body is displaced by no number");
+          "the displacement of a body is not a number");
   for (std::size_t b = 0; b < state.displaced.size(); ++b)
     require(optional(state.displaced[b].size(), state.shapes[b]->mesh.X.size()),
             "a body is displaced at nodes that it lacks");
-  require(optional(state.watch.size(), problem.contacts.size()), "it has seen contacts that there are not");
-  require(optional(state.bonds.size(), problem.bonds.size()), "it has seen bonds that there are not");
-  require(finite(state.small_strain_error), "its error of small strain is no number");
+  require(optional(state.watch.size(), problem.contacts.size()), "it refers to contacts that do not exist");
+  require(optional(state.bonds.size(), problem.bonds.size()), "it refers to bonds that do not exist");
+  require(finite(state.small_strain_error), "its error of small strain is not a number");
 }
 
 }  // namespace

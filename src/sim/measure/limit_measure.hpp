@@ -11,7 +11,7 @@ namespace reye::sim {
 double limit_measure(const scene::Limit& limit, const contact::Setup& setup, const contact::ContactState& state,
                      const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
 
-/// The same of all limits, by name.
+/// The values of all limits, by name.
 std::map<std::string, double> limit_measures(const Problem& problem, const solver::System& system, const State& state);
 
 }  // namespace reye::sim

@@ -47,7 +47,7 @@ bool is_ring(const SurfaceRecord& s) {
 }
 
 /// Rows of a table in order, with their arc length. A ring is opened in the middle of the longest stretch of rows that
-/// `keep` refuses, so that what is looked for is in one piece wherever the table begins.
+/// `keep` refuses, so that the kept rows are in one piece wherever the table begins.
 struct Opened {
   std::vector<std::size_t> row;
   std::vector<double> arc;
@@ -74,7 +74,7 @@ Opened opened(const SurfaceRecord& s, Keep keep) {
   return o;
 }
 
-/// A bump that ends on the axis of axisymmetry goes on beyond it as its mirror image. `r`: distances from the axis.
+/// A bump that ends on the axis of axisymmetry continues beyond it as its mirror image. `r`: distances from the axis.
 void mirror_at_axis(const std::vector<double>& r, std::vector<double>& x, std::vector<double>& f) {
   const std::size_t n = r.size();
   if (n == 0) return;
@@ -158,7 +158,7 @@ double scar_width(const SurfaceRecord& s) {
 
 namespace {
 
-/// What a contact carries: all of it, and the part of the pressures.
+/// The force of a contact: the whole, and the part of the pressures.
 struct Carried {
   Vec2 all = Vec2::Zero(), pressure = Vec2::Zero();
 };

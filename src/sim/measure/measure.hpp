@@ -15,7 +15,7 @@ namespace reye::sim {
 std::optional<double> contact_half_width(const SurfaceRecord& surface,
                                          base::Analysis analysis = base::Analysis::plane_strain);
 
-/// The same with (mu p - |q|)^2 at the outermost stick nodes; exact for Cattaneo-Mindlin.
+/// Half width between the zeros of (mu p - |q|)^2, from the outermost stick nodes; exact for Cattaneo-Mindlin.
 std::optional<double> stick_half_width(const SurfaceRecord& surface, double friction,
                                        base::Analysis analysis = base::Analysis::plane_strain);
 

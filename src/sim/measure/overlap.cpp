@@ -47,7 +47,7 @@ Outline outline_of(const Problem& problem, const body::ShapePtr& shape, const st
   return o;
 }
 
-/// Whether a contact is between a node of one body and a piece of the other.
+/// Whether a contact exists between a node of one body and a piece of the other.
 bool in_contact(const std::vector<int>& sides, const Outline& other, const std::array<int, 2>& piece) {
   const auto on = [&](int node, int side) {
     return std::find(other.sides[node].begin(), other.sides[node].end(), side) != other.sides[node].end();
@@ -56,7 +56,7 @@ bool in_contact(const std::vector<int>& sides, const Outline& other, const std::
                      [&](int side) { return on(piece[0], side ^ 1) && on(piece[1], side ^ 1); });
 }
 
-/// How deep a node lies inside the other body where no contact is between them; 0: it does not.
+/// Depth of a node inside the other body where no contact exists between them; 0 outside.
 double depth_of(const Outline& own, int node, const Outline& other) {
   const Vec2& x = own.x[node];
   bool inside = false;

@@ -16,7 +16,7 @@ struct Overlap {
 std::vector<Overlap> overlaps(const Problem& problem, const std::vector<body::ShapePtr>& shapes,
                               const std::vector<std::vector<base::Vec2>>& u);
 
-/// The same in words.
+/// Overlaps of bodies as warnings.
 std::vector<Warning> overlap_warnings(const Problem& problem, const std::vector<body::ShapePtr>& shapes,
                                       const std::vector<std::vector<base::Vec2>>& u);
 

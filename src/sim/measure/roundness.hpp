@@ -10,14 +10,14 @@ namespace reye::sim {
 double effective_modulus(const Problem& problem, const PlacedContact& contact);
 
 /// Turning of the surface at a node between its two facets over their mean length, positive where the body is convex
-/// [1/mm]; at an end that of the node beside it, of a single facet none, empty at corners. Of facets of second order:
+/// [1/mm]; at an end that of the node beside it, zero for a single facet, empty at corners. Of facets of second order:
 /// between chords.
 std::optional<double> curvature(const mortar::Surface& surface, int node);
 
 /// Longer one of the facets beside a node, over the order of the facet [mm].
 double spacing(const mortar::Surface& surface, int node);
 
-/// How far straight facets lie from the arc they are chords of, h^2 kappa / 8 [mm]; zero in second order.
+/// Distance of straight facets from the arc of which they are chords, h^2 kappa / 8 [mm]; zero in second order.
 double sagitta(const mortar::Surface& surface, int node);
 
 }  // namespace reye::sim

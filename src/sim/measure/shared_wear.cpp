@@ -73,7 +73,7 @@ std::set<std::pair<int, int>> facets_of(const Problem& problem, const contact::B
   return facets;
 }
 
-/// Volume at node k of a part that other parts have booked and that waits.
+/// Waiting volume at node k of a part that other parts have removed.
 double waiting(const std::vector<Part>& parts, const Part& own, std::size_t k, const Contacts& contacts) {
   double sum = 0.0;
   for (const auto& part : parts)
@@ -146,7 +146,7 @@ std::vector<std::string> told_shared(const Problem& problem) {
     }
     if (wearing > 1)
       lines.push_back("contacts " + names + " wear the same boundary, " + key.second +
-                      ": depths there are what all of them have worn, areas and energy each one's own");
+                      ": depths there are the sum over all of them, areas and energies are counted per contact");
   }
   return lines;
 }

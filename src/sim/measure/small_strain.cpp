@@ -41,11 +41,12 @@ std::string check_small_strain(const Problem& problem, State& state, const solve
     if (strain <= strain_warned_of) continue;
     constexpr double crushed = 0.3;
     char text[300];
-    std::snprintf(text, sizeof text,
-                  "%s %.2g %% where body %s stores its energy: small strain gets that wrong by about %.2g %%; write "
-                  "kinematics = \"finite\"%s",
-                  turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain, input.name.c_str(),
-                  200.0 * strain, strain > crushed ? ", and check loads, motions and E_MPa" : "");
+    std::snprintf(
+        text, sizeof text,
+        "%s %.2g %% where body %s stores its energy: the error of small strain in that is about %.2g %%; write "
+        "kinematics = \"finite\"%s",
+        turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain, input.name.c_str(),
+        200.0 * strain, strain > crushed ? ", and check loads, motions and E_MPa" : "");
     const auto found = problem.scene.body_material.find(input.name);
     const bool asked = found != problem.scene.body_material.end() && found->second.kinematics_given;
     if (strain > strain_refused && !asked) return scene_line(problem.scene, "body " + input.name) + text;

@@ -53,7 +53,7 @@ std::vector<double> direction(const std::vector<Row>& rows, int count) {
   return sign;
 }
 
-/// Where multipliers are linear, what lies between two nodes: the mean of both, open where one of them is.
+/// Where multipliers are linear, the values between two nodes: the mean of both, open where one of them is.
 void fill_between(const contact::Setup& setup, NodalValues& v) {
   for (const auto& [a, b, c] : setup.secondary.facets) {
     if (c < 0 || !setup.between(c)) continue;
@@ -71,7 +71,7 @@ Vec2 shown(const contact::Setup& setup, const contact::ContactState& state, int 
 NodalValues secondary_values(const contact::Setup& setup, const contact::ContactState& state,
                              const std::vector<double>& along) {
   NodalValues v;
-  const auto& n = state.normal;  // those that the friction law saw
+  const auto& n = state.normal;  // normals of the friction law
   for (int j = 0; j < setup.secondary_count(); ++j) {
     const Vec2 lambda = shown(setup, state, j);
     const Vec2 tangent(-n[j].y(), n[j].x());
@@ -86,7 +86,7 @@ NodalValues secondary_values(const contact::Setup& setup, const contact::Contact
 }
 
 /// Near an end of contact the forces M^T lambda change sign from node to node, as M does, though nothing pulls there:
-/// nodes that would show tension show nothing, the others less by what that adds.
+/// nodes that would show tension are set to zero, and the others are reduced so that the sum stays.
 void without_tension(NodalValues& v, const std::vector<double>& area) {
   double force = 0.0, pressing = 0.0;
   for (std::size_t l = 0; l < area.size(); ++l) {
@@ -101,7 +101,7 @@ void without_tension(NodalValues& v, const std::vector<double>& area) {
   }
 }
 
-/// Tractions are those that the secondary side carries, in its own normals and tangents: what presses there presses
+/// Tractions are those that the secondary side carries, in its own normals and tangents: pressure there is pressure
 /// here.
 NodalValues primary_values(const contact::Setup& setup, const contact::ContactState& state,
                            const std::vector<double>& along) {

@@ -8,10 +8,10 @@ namespace reye::sim {
 
 /// Both sides of a contact as tables along their boundaries (mesh::arc_chains).
 /// Pressure is force per length on X; a node covered by less than half reports lambda D / A. Slip and depth are the
-/// values at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h that
-/// is off by h^2 p'' / 40, and what these means interpolate by h^2 p'' / 10.
-/// Shear is the traction on the side's own body along increasing arc length. The primary side repeats M^T lambda / A,
-/// without the tension that M's change of sign makes of it near the ends of contact.
+/// values at the node. Pressure and shear are means weighted by its function: in the middle of a curve of length h the
+/// error of a mean is h^2 p'' / 40, and that of an interpolation of the means h^2 p'' / 10. Shear is the traction on
+/// the side's own body along increasing arc length. The primary side repeats M^T lambda / A, without the tension that
+/// the changing sign of M causes near the ends of contact.
 std::array<SurfaceRecord, 2> surface_records(const contact::Setup& setup, const contact::ContactState& state,
                                              const std::vector<body::ShapePtr>& shapes, const PlacedContact& placed);
 

@@ -28,7 +28,7 @@ std::vector<double> volume_ratio(const mesh::Mesh& mesh, const base::Points& x, 
   return now;
 }
 
-/// Of the nodes of one boundary, in the order of mesh::nodes_of.
+/// Thickness at the nodes of one boundary, in the order of mesh::nodes_of.
 std::vector<double> of_boundary(const Problem& problem, const State& state, const solver::System& system,
                                 const contact::BoundaryRef& ref) {
   const auto& mesh = state.shapes[ref.body]->mesh;

@@ -4,7 +4,7 @@
 
 namespace reye::sim {
 
-/// What a worn layer of one unit on X opens in the present gap, per node of a contact's two sides: J over the stretch
+/// Opening of the present gap by a worn layer of one unit on X, per node of a contact's two sides: J over the stretch
 /// of the surface, which is 1 / |F^-T N|. J and stretch are means over the cells and facets of a node. Empty where a
 /// side has no finite strain.
 struct LayerThickness {

@@ -18,7 +18,7 @@ namespace {
 constexpr double facet_share = 0.1;  ///< of the approach: facets beyond it carry the load on their corners
 constexpr double milder_side = 0.2;  ///< a limit's side wears less than this share of the other
 constexpr double remesh_jump = 0.1;  ///< of the pressure, L2: beyond it the mesh rules the pressure
-constexpr int edge_nodes = 2;        ///< one at each edge of contact: no slip zone that a mesh resolves
+constexpr int edge_nodes = 2;        ///< one at each edge of contact, which is not a slip zone that the mesh resolves
 
 template <class... Args>
 std::string text(const char* format, Args... args) {
@@ -27,7 +27,7 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
-/// How far the load presses the two sides together, about [mm]: 2 P / E* of a line contact, in axisymmetry under the
+/// Approximate approach of the two sides under the load [mm]: 2 P / E* of a line contact, in axisymmetry under the
 /// force per length of the circle through its peak; P / (E* a) of a contact round the axis.
 double approach_of(const Problem& problem, std::size_t c, const Pressed& p) {
   const double modulus = effective_modulus(problem, problem.contacts[c]);
@@ -79,7 +79,7 @@ void warn_of_limit(const scene::Scene& scene, const scene::Limit& limit, const C
 
 void warn_of_ledger(const ContactSummary& contact, State& state, const Observer& observer) {
   constexpr double open_book = 1e-6;  // relative
-  constexpr double rounding = 1e-12;  // mm^2 or mm^3, that an outline of stored coordinates does not tell
+  constexpr double rounding = 1e-12;  // mm^2 or mm^3, below the resolution of stored coordinates
   const double error = contact.ledger_relative_error.value_or(0.0);
   if (error <= open_book || contact.secondary.worn_area + contact.primary.worn_area <= rounding) return;
   warn(state, observer,
@@ -140,7 +140,7 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
                          touching(p, state));
     if (!p.cut.empty())
       found.push_back({"boundary_end", "contact " + name,
-                       text("The contact runs to the end of %s at cycle %g, where the outline goes on smoothly: what "
+                       text("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
                             "would touch there does not, "
                             "and the pressure rises at the end. Name the edges beyond it as well.",
                             p.cut.c_str(), state.cycle)});
@@ -170,7 +170,7 @@ void warn_of_run(const Problem& problem, State& state, const Summary& summary, c
             "presses the sides together."});
       continue;
     }
-    // The end is what is shown: its pressure must be resolved, whatever was before.
+    // The end of a run is shown, so its pressure must be resolved.
     std::vector<Warning> found;
     if (watch.pressed.force > 0.0 && !watch.pressed.bounded)
       warn_of_resolution(found, options.name, watch.pressed.across, fewest_across, watch.pressed.length_mm,

@@ -27,7 +27,7 @@ std::string text(const char* format, Args... args) {
   return line;
 }
 
-/// One contact where the last good state has it.
+/// One contact in the last good state.
 struct Seen {
   const Problem& problem;
   const PlacedContact& placed;
@@ -49,7 +49,7 @@ struct Seen {
   }
 };
 
-/// The way that the sides slide along one another in one play of the step: as supports move them, or as is imposed.
+/// The sliding distance of the sides in one play of the step: as supports move them, or as imposed.
 double way_of_play(const Seen& c, const scene::Step& step) {
   double way = 0.0;
   if (c.placed.options.imposed) {
@@ -115,7 +115,8 @@ std::string few_nodes(const Seen& c) {
                                       [](auto s) { return s != contact::ContactStatus::inactive; });
   if (touching == 0 || touching > too_few) return {};
   return text(
-      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry it; make them shorter there, "
+      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry its load; make them shorter "
+      "there, "
       "with a fine_zone",
       static_cast<int>(touching), touching == 1 ? "" : "s", c.name(), touching == 1 ? "es" : "", c.facet());
 }
@@ -127,7 +128,7 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
     const double strain = distortion_of(problem, last, system, b).strain;
     if (strain > crushed)
       return text(
-          "body %s is strained by %.2g %% on average already: more than it bears; check loads, motions and E_MPa",
+          "body %s is strained by %.2g %% on average already: more than it can bear; check loads, motions and E_MPa",
           problem.inputs[b].name.c_str(), 100.0 * strain);
   }
   return {};
@@ -140,7 +141,8 @@ std::string came_away(const Problem& problem) {
       return joint.secondary.body == b ||
              std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
     };
-    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins)) continue;  // it goes with what it is joined to
+    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins))
+      continue;  // it moves with the body to which it is bonded
     const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}},
                                             problem.scene.analysis == base::Analysis::axisymmetric);
     if (free.empty()) continue;

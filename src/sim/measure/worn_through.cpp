@@ -11,8 +11,8 @@ namespace reye::sim {
 
 namespace {
 
-/// The way from a node along d to the nearest facet of the outline that does not end at it; infinite where there is
-/// none.
+/// The distance from a node along d to the nearest facet of the outline that does not end at it; infinite where there
+/// is none.
 double way_through(const mesh::Mesh& mesh, int node, const Vec2& d) {
   double way = std::numeric_limits<double>::infinity();
   const Vec2& from = mesh.X[node];
@@ -28,7 +28,7 @@ double way_through(const mesh::Mesh& mesh, int node, const Vec2& d) {
   return way;
 }
 
-/// Into the body, at every node of a boundary: the material lies left of its facets.
+/// Direction into the body at every node of a boundary: the material lies left of its facets.
 std::map<int, Vec2> inward(const mesh::Mesh& mesh, const mesh::Boundary& boundary) {
   std::map<int, Vec2> sums;
   for (const auto& chain : boundary)

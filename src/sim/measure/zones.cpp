@@ -14,8 +14,8 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double margin_elements = 3.0;  ///< what a zone keeps free at each end
-constexpr double room = 1.5;             ///< how much wider than the contact a new zone is
+constexpr double margin_elements = 3.0;  ///< elements that a zone keeps free at each end
+constexpr double room = 1.5;             ///< width of a new zone over that of the contact
 
 Vec2 direction(const cad::FineZone& zone) {
   const double angle = zone.angle_deg * std::numbers::pi / 180.0;
@@ -49,7 +49,7 @@ std::set<int> nodes_in_use(const Problem& problem, const State& state, int conta
   return used;
 }
 
-/// Whether X lies where this zone is the nearest of those of its contact on this body: each follows what lies round it.
+/// Whether this zone is the nearest to X of those of its contact on this body: each follows the contact nearest to it.
 bool is_at(const cad::Drawing& drawing, const cad::FineZone& zone, const Vec2& X) {
   const auto zones = zones_of(drawing, zone.contact);
   return zones[cad::zone_at(zones, X)] == &zone;
@@ -94,8 +94,8 @@ std::array<double, 2> extent(const Problem& problem, const cad::FineZone& zone, 
   return all;
 }
 
-/// How far the contact reaches into the margin at an end of the zone behind which the boundary goes on; <= 0: it does
-/// not.
+/// Length by which the contact enters the margin at an end of the zone behind which the boundary continues; <= 0: it
+/// does not.
 double excess(const Problem& problem, const State& state, int body, const cad::FineZone& zone,
               const body::Shape& shape) {
   if (zone.turns) return 0.0;
@@ -114,8 +114,8 @@ bool is_of(const PlacedContact& contact, int body, const std::string& boundary) 
   return is(contact.secondary) || std::any_of(contact.primary.begin(), contact.primary.end(), is);
 }
 
-/// The zone's centre, moved across the zone onto the boundary of its contact: wear has taken the outline away from it,
-/// and a zone is walked from the outline point nearest to its centre. Where the boundary does not pass, as it was.
+/// The zone's centre, moved across the zone onto the boundary of its contact: wear has moved the outline away from it,
+/// and a zone starts at the outline point nearest to its centre. Unchanged where the boundary does not pass the zone.
 Vec2 on_outline(const Problem& problem, const cad::FineZone& zone, int body, const mesh::Mesh& mesh) {
   const Vec2 along = direction(zone);
   Vec2 centre = zone.centre_mm;

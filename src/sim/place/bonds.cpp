@@ -10,7 +10,7 @@ namespace reye::sim {
 
 namespace {
 
-/// Of a facet: facets of curves that lie on one another differ by less where six of them make a quarter turn.
+/// Share of a facet; facets of coincident curves differ by less where six of them make a quarter turn.
 constexpr double apart = 0.1;
 
 std::string why_unbonded(const contact::Setup& setup) {

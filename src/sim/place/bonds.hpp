@@ -4,11 +4,11 @@
 
 namespace reye::sim {
 
-/// A linear body that is free to turn, but bonded to one that keeps its direction, keeps its own.
+/// Marks bodies that keep their direction because they are bonded to one that does, although they are free to turn.
 void keep_directions(Problem& problem);
 
-/// Bonds whose sides, as drawn, do not lie on one another: nothing of them is opposite, or more than a fraction of a
-/// facet apart.
+/// Issues of bonds whose sides, as drawn, do not lie on one another: no facets are opposite, or they are more than a
+/// fraction of a facet apart.
 std::vector<base::Issue> bond_issues(const Problem& problem, const solver::System& system);
 
 }  // namespace reye::sim

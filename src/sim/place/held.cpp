@@ -12,8 +12,8 @@ namespace {
 
 using base::Issue;
 
-/// Contacts hold a rotation only where the body cannot lift off them while it turns: where they or supports hold it in
-/// place.
+/// Whether contacts hold a motion; a rotation only where the body cannot lift off them: where they or supports hold it
+/// in place.
 bool contacts_hold(const Problem& p, int b, const std::string& motion) {
   if (!held_by_contact(p, b, motion)) return false;
   if (motion != "rotation") return true;
@@ -61,7 +61,7 @@ std::vector<std::vector<int>> groups_in_contact(const Problem& p) {
   return groups;
 }
 
-/// What touches must be held somewhere: a force needs something to push against.
+/// Checks that each group of touching bodies is held somewhere, so that forces have a reaction.
 void check_groups(const Problem& p, std::vector<Issue>& issues) {
   for (const auto& group : groups_in_contact(p)) {
     if (group.size() < 2) continue;

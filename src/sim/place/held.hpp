@@ -4,8 +4,8 @@
 
 namespace reye::sim {
 
-/// Rigid motions that nothing holds: of a body by itself, where no load, no friction and no contacts that touch on
-/// either side stand for a support, and of bodies in contact together, where only a support does.
+/// Issues of rigid motions that nothing holds: of a single body, where neither load nor friction nor touching contacts
+/// on either side replace a support, and of bodies in contact together, where only a support counts.
 std::vector<base::Issue> unheld_issues(const Problem& problem);
 
 }  // namespace reye::sim

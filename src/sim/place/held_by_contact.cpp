@@ -26,7 +26,7 @@ double distance(const Vec2& x, const std::array<Vec2, 2>& facet) {
   return (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
 }
 
-/// How the motion presses the two sides of a touching contact together (> 0) or takes them apart (< 0), at most.
+/// The largest closing (> 0) and opening (< 0) of a touching contact by the motion.
 void look(const Problem& problem, const contact::BoundaryRef& own, const contact::BoundaryRef& other,
           const std::string& motion, double& most, double& least) {
   const Vec2 centre = problem.inputs[own.body].centre;

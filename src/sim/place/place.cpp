@@ -90,11 +90,11 @@ void check_sides(const Problem& p, const PlacedContact& contact, const std::stri
                         "lies on the same body as the secondary side (" + name(ref.body) + ")"});
     if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
       issues.push_back(
-          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which can not wear"});
+          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which cannot wear"});
   }
 }
 
-/// The nodes of both sides stay when bodies are condensed.
+/// Retains the nodes of both sides when bodies are condensed.
 void retain_sides(Problem& p, const PlacedContact& joint) {
   const auto retain = [&](const contact::BoundaryRef& ref) {
     auto& list = p.inputs[ref.body].contact_boundaries;
@@ -130,7 +130,7 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
       if (!support.rigid || support.edge.empty()) continue;
       const auto list = mesh::nodes_of(mesh.boundaries.at(support.edge));
       const std::set<int> held(list.begin(), list.end());
-      // An end node that the two share is cut down; a whole facet on the rigid edge could not take part.
+      // A shared end node carries no multiplier; a whole facet on the rigid edge could not take part.
       bool facet = false;
       for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
         for (std::size_t i = 1; i < chain.size(); ++i)
@@ -199,7 +199,7 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   if (!geometry.guarded)
     warn(p.warnings, {"geometry", "",
                       "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
-                      "it is held by what scripts may say and by limits of time and memory alone"});
+                      "it is limited only by the commands that scripts may use, and in time and memory"});
   for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
     const auto& options = scene.geometry.bodies[b];
     p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),

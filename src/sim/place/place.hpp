@@ -4,9 +4,9 @@
 
 namespace reye::sim {
 
-/// The bodies of a scene with their meshes, and what supports, loads, contacts and bonds mean on them; checked. Plays
+/// The bodies of a scene with their meshes, and supports, loads, contacts and bonds placed on them; checked. Plays
 /// nothing: a body that leaves its kinematics to the run is small-strained, and there is no plan. `cache` takes the
-/// equations that were set up to be looked at. Throws base::InputError at the keys concerned, base::MeshError,
+/// equations that were set up for the checks. Throws base::InputError at the keys concerned, base::MeshError,
 /// base::SolveError.
 Problem place(const scene::Scene& scene, Cache& cache);
 

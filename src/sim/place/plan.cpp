@@ -46,7 +46,7 @@ const char* law_name(const material::Material& material) {
   return names[material.index()];
 }
 
-/// Why a body that leaves it to the run is strained as it is.
+/// Reports why a body that leaves its kinematics to the run has small or finite strain.
 void tell_kinematics(const Problem& p, int b, Plan& plan) {
   if (!p.kinematics[b]) return;
   const auto& [largest, failure] = *p.kinematics[b];
@@ -71,7 +71,7 @@ bool wears(const Problem& p, int b) {
          });
 }
 
-/// What the displacements inside a linear body are wanted for.
+/// The purpose for which displacements inside a linear body are recovered.
 std::string solved_back_for(const Problem& p, int b) {
   const bool triggers = wears(p, b) && p.scene.remesh.automatic, estimate = p.kinematics[b].has_value();
   const auto& output = p.scene.output;
@@ -82,7 +82,7 @@ std::string solved_back_for(const Problem& p, int b) {
   return uses;
 }
 
-/// What a linear body turns about, or why its rotation is taken as small.
+/// Reports the pivot of a linear body, or why its rotation is taken as small.
 void tell_turning(const Problem& p, const body::LinearBody& linear, int b, Plan& plan) {
   const auto& mesh = p.shapes[b]->mesh;
   if (linear.turning()) {
@@ -110,9 +110,10 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
                               law_name(p.inputs[b].material), finite ? "finite" : "small", mesh.cell_count(),
                               cell_name(mesh.kind), body->full_dofs(), body->dofs()));
     if (finite && !can_renew(p, b))
-      plan.skipped.push_back("body " + name +
-                             " keeps its reference however poor deformation makes its elements: it wears, or loads or "
-                             "supports are counted on the shape it started from");
+      plan.skipped.push_back(
+          "body " + name +
+          " keeps its reference configuration even if deformation degrades its elements: it wears, or loads or "
+          "supports are counted on the shape it started from");
     if (body->symmetric())
       plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
     if (!material::has_history(p.inputs[b].material))
@@ -191,9 +192,9 @@ void tell_remeshing(const Problem& p, Plan& plan) {
   bool possible = false;
   for (int b = 0; b < p.body_count(); ++b) possible = possible || (!p.rigid[b] && (wears(p, b) || can_renew(p, b)));
   if (!p.scene.remesh.automatic)
-    plan.skipped.push_back("remesh.automatic = false: no trigger is looked at, no body is meshed anew");
+    plan.skipped.push_back("remesh.automatic = false: no trigger is evaluated, no body is remeshed");
   else if (!possible)
-    plan.skipped.push_back("no boundary moves by wear and no reference may be renewed: no body is meshed anew");
+    plan.skipped.push_back("no boundary moves by wear and no reference may be renewed: no body is remeshed");
 }
 
 void tell_output(const Problem& p, Plan& plan) {
@@ -201,7 +202,7 @@ void tell_output(const Problem& p, Plan& plan) {
   if (!paraview)
     plan.skipped.push_back("no files for ParaView: frames are rows of the surface tables alone");
   else if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
-    plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered there alone");
+    plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered only there");
   const auto passes = [&](const scene::Step& step) {
     return step.cycles > 0.0 && (step.jump_tolerance > 0.0 || std::fmod(cycles, step.jump) != 0.0);
   };

@@ -25,7 +25,7 @@ double size_at(const mesh::Mesh& mesh, int node) {
   return size;
 }
 
-/// A point that the scene puts on a body.
+/// A point of the scene on a body.
 struct Point {
   std::string kind, name;  ///< "load", "weight"
   std::string key;         ///< of its place
@@ -33,7 +33,7 @@ struct Point {
   Vec2 at{0.0, 0.0};
 };
 
-/// Where forces act and supports hold.
+/// The points of loads and supports.
 std::vector<Point> acting_points(const Problem& problem) {
   std::vector<Point> points;
   for (const auto& placed : problem.supports)

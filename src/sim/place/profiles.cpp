@@ -13,7 +13,7 @@ namespace {
 
 constexpr double missed = 0.2;  ///< of the heights of a profile
 
-/// By straight lines between its points, zero outside of them.
+/// Height by straight lines between its points, zero outside of them.
 double height(const cad::Profile& profile, double s) {
   const auto& arc = profile.arc_mm;
   const auto after = std::upper_bound(arc.begin(), arc.end(), s);

@@ -44,8 +44,8 @@ std::string Resolver::cut_off(const std::string& name) const {
   for (const auto& facts : facts_)
     for (const auto& own : facts.cut_off)
       if (own == name || facts.name + "." + own == name)
-        return "; its curve lies at x < 0, which is cut away, and its mirror image has not this name: the half x >= "
-               "0 of body " +
+        return "; its curve lies at x < 0, which is cut away, and its mirror image does not have this name: the "
+               "half x >= 0 of body " +
                quoted(facts.name) + " is taken";
   return {};
 }

@@ -95,7 +95,7 @@ const cad::FineZone* zone_of(const Problem& problem, const contact::Setup& setup
   return zone_round(*problem.shapes[setup.secondary_nodes.front().body], setup.options.name, setup.secondary.X[j]);
 }
 
-/// No zone holds any of the places where the sides come as near as anywhere, to one of its elements.
+/// Warns where no zone contains, to one of its elements, any of the places at which the sides are nearest.
 void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& touch, const PlacedContact& contact) {
   const auto* zone = zone_of(problem, setup, touch.secondary);
   if (!zone) return;
@@ -149,7 +149,7 @@ void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& to
   if (axisymmetric && !ball) force = *force / (2.0 * std::numbers::pi * r);
   if (!own || !other || *own + *other <= 0.0) return;
   const double length = hertz_length(*force, 1.0 / (*own + *other), modulus, ball);
-  if (length * std::max(std::abs(*own), std::abs(*other)) > 0.5) {  // no half spaces: the sides conform
+  if (length * std::max(std::abs(*own), std::abs(*other)) > 0.5) {  // not half spaces: the sides conform
     if (!ball)
       warn_of_facets(problem.warnings, setup.options.name, sagitta(s, j) + sagitta(setup.primary, touch.primary),
                      2.0 * *force / modulus, h);

@@ -37,7 +37,7 @@ std::vector<base::Issue> support_conflicts(Problem& problem) {
 
 namespace {
 
-/// Runs of one direction in a history: what is not resolved in time by one increment each.
+/// Number of strokes, runs of one direction, in a history; one increment each does not resolve them in time.
 int strokes(const scene::History& history) {
   int count = 0;
   double last = 0.0;
@@ -50,7 +50,7 @@ int strokes(const scene::History& history) {
   return count;
 }
 
-/// Whether anything slides in every play of a step that wears, whatever it plays.
+/// Whether a contact slides evenly in every play of a step that wears, whatever it plays.
 bool slides_evenly(const contact::ContactOptions& contact) {
   const auto even = [](const base::Part& part) { return part.history.empty(); };
   return std::any_of(contact.imposed_sliding.begin(), contact.imposed_sliding.end(), even) ||

@@ -3,13 +3,13 @@
 #include "sim/problem/problem.hpp"
 #include "sim/problem/records.hpp"
 
-/// What can be known to be wrong, or worth a word, before a run.
+/// Errors that can be known before a run, and what deserves a warning.
 namespace reye::sim {
 
-/// Supports that ask different things of one place: those that are refused, and, as warnings, those that lose a corner.
+/// Issues of supports that contradict each other in one place; supports that lose a corner become warnings.
 std::vector<base::Issue> support_conflicts(Problem& problem);
 
-/// Steps whose cycles do not count, play nothing or are too coarse in time; limits without cycles.
+/// Warns of steps whose cycles do not count, play nothing or are too coarse in time, and of limits without cycles.
 void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings);
 
 }  // namespace reye::sim

@@ -23,7 +23,7 @@ std::array<double, 2> range_of(const scene::Scene& scene, const body::Motion& mo
 
 double length(const std::array<double, 2>& range) { return range[1] - range[0]; }
 
-/// The farthest that a support moves what lies at x, of all bodies but one.
+/// The largest motion by a support at x, of all bodies but one.
 double longest_way(const Problem& p, int body, const Vec2& x) {
   double way = 0.0;
   for (int b = 0; b < p.body_count(); ++b)

@@ -18,9 +18,9 @@ double factor_at(const scene::History& history, double progress) {
 
 namespace {
 
-constexpr double most_turn = 0.3;  ///< rad in one increment: what slides while it turns is seen from where it ends
+constexpr double most_turn = 0.3;  ///< rad in one increment: slip during a rotation is evaluated at its end
 
-/// What parts change by between two moments of a step.
+/// The change of a sum of parts between two moments of a step.
 double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
                       double to) {
   double sum = 0.0;
@@ -95,7 +95,7 @@ const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
   return std::visit([](const auto& b) -> const std::vector<body::LoadColumn>& { return b.loads(); }, op);
 }
 
-/// What is slid between two moments of a step: parts without history evenly, where `evenly` says so.
+/// The imposed slip between two moments of a step: parts without history evenly, where `evenly` says so.
 double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
                     double to, bool evenly) {
   double sum = played_between(scene, step, parts, from, to);
@@ -104,7 +104,7 @@ double slid_between(const scene::Scene& scene, const scene::Step& step, const ba
   return sum;
 }
 
-/// The sign of what slides first: of the first part that does.
+/// The sign of the first imposed slip: of the first part that slides.
 double first_way(const scene::Scene& scene, const base::Parts& parts) {
   for (const auto& [value, history] : parts) {
     double way = value;

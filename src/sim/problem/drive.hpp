@@ -2,10 +2,11 @@
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
-/// Histories, and what they impose at a moment of a step.
+/// Histories, and the values they impose at a moment of a step.
 namespace reye::sim {
 
-/// What is left of drawn overlaps, as a history: from 1 to 0 over the step that lets them in. No scene can name it.
+/// The remaining share of drawn overlaps, as a history from 1 to 0 over the step that lets them in. No scene can name
+/// it.
 inline const std::string overlap_left = "drawn overlap";
 
 /// Factor of a history at a progress in [0, 1], linear between its corners.
@@ -19,19 +20,19 @@ std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step&
 std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
                                          const std::map<std::string, double>& held);
 
-/// What is imposed at the given factors; `from`, `to`: the part of the step's play in this increment.
+/// The controls at the given factors; `from`, `to`: the part of the step's play in this increment.
 solver::Controls controls_at(const Problem& problem, const solver::System& system,
                              const std::map<std::string, double>& factors, const scene::Step& step, double from,
                              double to, double jump);
 
-/// How far inside its body the primary side of a contact lies while its drawn overlap is let in: overlap x what is left
-/// [mm].
+/// Distance of the primary side of a contact inside its body while its drawn overlap is let in: overlap x remaining
+/// share [mm].
 double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors);
 
-/// Coefficients of friction at a cycle, in contacts that have a table of them: constant before and after it.
+/// Sets the coefficients of friction at a cycle for contacts that have a table of them: constant before and after it.
 void set_friction(solver::Controls& controls, const Problem& problem, double cycle);
 
-/// Prescribed motions counted from where the references of their bodies were renewed.
+/// Counts prescribed motions from the positions at which the references of their bodies were renewed.
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
                         const State& state);
 

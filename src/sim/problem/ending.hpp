@@ -2,7 +2,7 @@
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
-/// Where steps and runs end.
+/// The end of steps and runs.
 namespace reye::sim {
 
 /// Cycles still to be played in a step.

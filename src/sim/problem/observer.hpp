@@ -7,7 +7,7 @@
 
 namespace reye::sim {
 
-/// Who watches a run; every member may be empty. Exceptions thrown by a member end the run.
+/// Callbacks that observe a run; every member may be empty. Exceptions thrown by a member end the run.
 struct Observer {
   std::function<void(const Progress&)> progress;
   std::function<void(const IncrementRecord&)> increment;

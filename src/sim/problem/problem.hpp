@@ -17,10 +17,10 @@ struct PlacedSupport {
   int body = 0;
 };
 
-/// How the two sides of a contact lie to one another on the drawing.
+/// The gap or overlap of the two sides of a contact on the drawing.
 struct DrawnGap {
   double gap_mm = 0.0;      ///< shortest way between them; 0: they touch or overlap
-  double overlap_mm = 0.0;  ///< how deep a node of one side lies inside the body of the other at most; 0: none does
+  double overlap_mm = 0.0;  ///< largest depth of a node of one side inside the body of the other; 0: none
   Vec2 at{0.0, 0.0};        ///< where they are nearest, or that node
   Vec2 out{0.0, 0.0};       ///< from there along the shortest way out, a unit normal
   int primary = 0;          ///< body of the primary side there
@@ -36,13 +36,13 @@ struct PlacedContact {
   DrawnGap drawn;
 };
 
-/// What decided the kinematics of a body that left it to the run: a trial at small strain.
+/// The trial at small strain that decided the kinematics of a body which leaves it to the run.
 struct KinematicsChoice {
-  fem::Distortion largest;  ///< that it met
+  fem::Distortion largest;  ///< largest distortion in the trial
   std::string failure;      ///< why it failed; empty when it did not
 };
 
-/// What each body and contact is, what is skipped and why: what `plan` prints is what runs.
+/// The kind of each body and contact, what is skipped and why, as `reye plan` prints it.
 struct Plan {
   std::vector<std::string> lines;
   std::vector<std::string> skipped;
@@ -58,7 +58,7 @@ struct Problem {
   std::vector<PlacedContact> contacts;
   std::vector<PlacedContact> bonds;    ///< in `solver::System` and `State` they come after the contacts
   std::vector<body::ShapePtr> shapes;  ///< at the start
-  std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene says it
+  std::vector<std::optional<KinematicsChoice>> kinematics;  ///< per body; empty where the scene decides it
   Plan plan;
   std::vector<Warning> warnings;  ///< known before the run
 

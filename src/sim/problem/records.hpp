@@ -9,7 +9,7 @@
 #include "base/linalg.hpp"
 #include "mesh/mesh.hpp"
 
-/// What a run tells the outside: plain records, filled by `sim`, written by `output`.
+/// Records of a run: plain values, filled by `sim`, written by `output`.
 namespace reye::sim {
 
 using base::Vec2;
@@ -23,15 +23,15 @@ struct ContactRow {
   double normal_force = 0.0, tangential_force = 0.0;
 };
 
-/// Where a traction is largest.
+/// The place and moment of a largest traction.
 struct TractionPeak {
-  double MPa = 0.0;  ///< 0: there is none, nor a place
+  double MPa = 0.0;  ///< 0: no such traction, and no place
   Vec2 at_mm{0.0, 0.0};
   double cycle = 0.0;
   bool at_end = false;  ///< within two facets of a free end of the bond, where it grows without bound as they shorten
 };
 
-/// What a bond carries, or the most that it has carried. Tension is what pulls it open.
+/// The tractions of a bond, or the largest so far. Tension opens it.
 struct BondTraction {
   TractionPeak tension, shear;
   double mean_tension_MPa = 0.0;  ///< over its length; below zero where it is pressed
@@ -60,7 +60,7 @@ enum class Side { secondary, primary };
 
 /// One side of a contact as rows along its chains (mesh::arc_chains), one chain after the other: where the next one
 /// begins, the arc length of the last row is repeated. A ring ends with the row it began with.
-/// status: 0 inactive, 1 stick, 2 slip; the primary side repeats what the secondary presses on it.
+/// status: 0 inactive, 1 stick, 2 slip; the primary side repeats the tractions of the secondary.
 struct SurfaceRecord {
   std::string contact;
   Side side = Side::secondary;
@@ -73,7 +73,7 @@ struct BodyFrame {
   std::string name;
   std::shared_ptr<const mesh::Mesh> mesh;         ///< on X; a rigid body has outline only
   std::vector<Vec2> u;                            ///< nodal displacement [mm]
-  double angle_rad = 0.0;                         ///< by which a linear body has turned: it is strained in that frame
+  double angle_rad = 0.0;                         ///< rotation of a linear body, whose strain is measured in that frame
   std::vector<std::array<double, 4>> stress_MPa;  ///< nodal (11, 22, 12, 33); empty for a rigid body
   std::vector<double> plastic_strain;             ///< nodal, accumulated; empty where nothing yields
   std::vector<double> wear_depth_mm;              ///< nodal, zero inside
@@ -86,7 +86,7 @@ struct Frame {
   std::vector<BodyFrame> bodies;
   std::vector<SurfaceRecord> surfaces;
   std::vector<SurfaceRecord>
-      bonds;  ///< of bonds the secondary side alone: what it carries, pressure below zero where it pulls
+      bonds;  ///< of bonds the secondary side alone: its tractions, pressure below zero in tension
 };
 
 struct SideSummary {
@@ -95,7 +95,7 @@ struct SideSummary {
   double scar_width_mm = 0.0;
 };
 
-/// Values at the end of the last accepted increment; what is not known is empty (null on disk).
+/// Values at the end of the last accepted increment; unknown values are empty (null on disk).
 struct ContactSummary {
   std::string name;
   std::optional<double> peak_pressure_MPa, contact_half_width_mm, stick_half_width_mm;
@@ -112,7 +112,7 @@ struct BondSummary {
   BondTraction end, most;
 };
 
-/// One body meshed anew. The jumps compare the equilibrium before the shape step with that on the new mesh.
+/// One body remeshed. The jumps compare the equilibrium before the shape step with that on the new mesh.
 struct RemeshRecord {
   std::string step;
   double cycle = 0.0;
@@ -120,16 +120,16 @@ struct RemeshRecord {
   std::string reason;
   int nodes_before = 0, nodes_after = 0;
   double scaled_jacobian_before = 0.0, scaled_jacobian_after = 0.0;  ///< of the poorest element
-  double projection_mm = 0.0;  ///< farthest a new contact node lay outside the old mesh
-  double area_residue = 0.0;   ///< what the fresh outline was corrected by [mm^2; mm^3 in axisymmetry]
-  double gap_moved_mm = 0.0;   ///< farthest a worn node was moved so that pressures hold on the new mesh
+  double projection_mm = 0.0;  ///< largest distance of a new contact node from the old mesh
+  double area_residue = 0.0;   ///< correction of the fresh outline's content [mm^2; mm^3 in axisymmetry]
+  double gap_moved_mm = 0.0;   ///< largest move of a worn node to keep pressures on the new mesh
   double gap_left_mm = 0.0;    ///< largest gap under a pressure that no worn node could close
   double pressure_jump =
       0.0;  ///< difference in pressure over the pressure, both as root mean squares; the worst of this body's contacts
   double peak_jump = 0.0;    ///< largest difference at a node within 0.9 of the contact, over the largest pressure
   double force_jump = 0.0;   ///< difference of the contact force over the force
   double energy_jump = 0.0;  ///< difference of the strain energy over the energy
-  double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh and all in all, re-equilibration included
+  double mesh_seconds = 0.0, seconds = 0.0;  ///< in gmsh, and in total with re-equilibration
 };
 
 /// The life of a limit under the scatter of the wear coefficients; empty when it is not reached.
@@ -143,11 +143,11 @@ struct Counts {
   long refused_blocks = 0;  ///< blocks under a tolerance that were tried with too many cycles
 };
 
-/// What a reader of the results must know before trusting them.
+/// A warning that a reader of the results must know before trusting them.
 struct Warning {
   std::string kind;       ///< one word for scripts: "strain", "overlap", "resolution", "tolerance" ...
   std::string about;      ///< contact, body, step, limit or support of the scene, "contact pad"; empty: the whole run
-  std::string text;       ///< a sentence with the size of the thing and what to change
+  std::string text;       ///< a sentence with the size of the problem and what to change
   double severity = 0.0;  ///< of one kind about one thing only the most severe is kept
 };
 
@@ -177,7 +177,7 @@ struct Summary {
   base::Analysis analysis = base::Analysis::plane_strain;
 };
 
-/// What the progress line shows.
+/// Data of the progress line.
 struct Progress {
   std::string step;
   double cycle = 0.0, cycles = 0.0;

@@ -3,7 +3,7 @@
 
 #include "scene/scene.hpp"
 
-/// When something is written: frames at block ends, rows of the history.
+/// Rules of output: frames at block ends, rows of the history.
 namespace reye::sim {
 
 /// A block of cycles, or a load step, that has been played.
@@ -11,14 +11,14 @@ struct PlayedBlock {
   double cycle_before = 0.0, cycle = 0.0;  ///< at its start and end
   long number = 1;                         ///< in its step, from 1
   bool last = false;                       ///< of its step, or of the run
-  bool remeshed = false;                   ///< a body was meshed anew in it
+  bool remeshed = false;                   ///< a body was remeshed in it
 };
 
 /// Whether the state at the end of the block is a frame; several rules that want it make one frame.
 /// per_decade: where n log10(cycle) passes a whole number; the first block from cycle 0 always does.
 bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block);
 
-/// The last cycle in (from, to] at which `every_cycles` or `per_decade` want a frame.
+/// The last cycle in (from, to] at which `every_cycles` or `per_decade` ask for a frame.
 std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double from, double to);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.

@@ -8,7 +8,7 @@ namespace reye::sim {
 
 namespace {
 
-/// Steps have no names in keys: the number of a step in the file is that of the names before it, for a spectrum repeats
+/// The key of a step, which has its number in the file: that of the distinct names before it, since a spectrum repeats
 /// steps.
 std::string key_of_step(const scene::Scene& scene, const std::string& name) {
   std::vector<std::string> names;

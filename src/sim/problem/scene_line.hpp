@@ -3,8 +3,8 @@
 
 namespace reye::sim {
 
-/// Where the scene writes what a message is about ("contact pad", "step wear"): "scene.toml:16: "; empty where it is no
-/// table of the scene.
+/// The line of the table that a message refers to ("contact pad", "step wear"), as "scene.toml:16: "; empty where it is
+/// not a table of the scene.
 std::string scene_line(const scene::Scene& scene, const std::string& about);
 
 }  // namespace reye::sim

@@ -12,14 +12,15 @@ struct BlockSpan {
   const scene::Step* step = nullptr;
   double jump = 1.0;  ///< cycles of this block; 1 for a load step
   bool cycles = false;
-  bool last = false;           ///< no block of the step comes after it
-  bool level = false;          ///< its end is shown: under a tolerance levelling cycles are its last part
-  bool remesh = true;          ///< false: poor elements wait for the end of the block
-  bool extrapolated = false;   ///< its wear was corrected, and the pressures not: they are no measure of the new shape
+  bool last = false;   ///< no block of the step comes after it
+  bool level = false;  ///< its end is shown: under a tolerance levelling cycles are its last part
+  bool remesh = true;  ///< false: poor elements wait for the end of the block
+  bool extrapolated =
+      false;  ///< its wear was corrected, but not the pressures, which therefore do not fit the new shape
   std::vector<double> ends{};  ///< of its increments, by progress; empty: as the step has them
 };
 
-/// A state, or why there is none.
+/// A state, or the reason of a failure.
 struct Outcome {
   State state;
   std::string failure;  ///< empty when the state is accepted

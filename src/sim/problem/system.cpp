@@ -6,14 +6,14 @@ namespace reye::sim {
 
 namespace {
 
-/// What a new system takes over of a body: all of it while its shape is the same, else at most the analysis.
+/// Parts of a body that a new system reuses: all of it while its shape is unchanged, else at most the analysis.
 struct Legacy {
   std::optional<body::Operator> kept;
   algebra::SchurAnalysisPtr analysis;
 };
 
-/// Empties the cache but for that: a factor at the old shape is gone before one at the new shape is made, and where
-/// that fails nothing is left that could be taken for this state's.
+/// Clears the cache except for these parts: the factor at the old shape is released before the one at the new shape is
+/// made, and a failure leaves nothing that could be mistaken for this state's.
 std::vector<Legacy> take_over(const State& state, Cache& cache) {
   cache.newton.reset();
   const auto shapes = std::exchange(cache.shapes, {});

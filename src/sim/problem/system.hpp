@@ -10,7 +10,7 @@
 
 namespace reye::sim {
 
-/// Derived things, keyed by the shapes they came from; throwing it away changes no result.
+/// Derived data, keyed by the shapes they came from; discarding them changes no result.
 struct Cache {
   std::vector<body::ShapePtr> shapes;
   solver::System system;
@@ -20,8 +20,8 @@ struct Cache {
   double cpu_s = 0.0;                     ///< processor time that went into it before the run
 };
 
-/// The system of equations on the state's shapes; unchanged bodies keep their operators. What it returned before is
-/// gone where a shape has changed.
+/// The system of equations on the state's shapes; unchanged bodies keep their operators. The system returned before is
+/// invalid where a shape has changed.
 const solver::System& system_of(const Problem& problem, const State& state, Cache& cache);
 
 }  // namespace reye::sim

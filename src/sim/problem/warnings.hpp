@@ -11,7 +11,7 @@ namespace reye::sim {
 /// Adds a warning; of one kind about one thing only the most severe stays. True: it is new.
 bool warn(std::vector<Warning>& list, Warning warning);
 
-/// The same on the warnings of a state. The log reports a warning when it is new.
+/// Adds a warning to those of a state. The log reports a warning when it is new.
 void warn(State& state, const Observer& observer, Warning warning);
 
 /// "resolution, contact pad: ..." for a line of text.

@@ -40,7 +40,7 @@ body::NonlinearBody::Linearised at_start(const body::NonlinearBody& body, const 
   return out;
 }
 
-/// The largest factor of a history in a step, in size; where the step does not play it, the one it starts from.
+/// The largest factor of a history in a step, in size; where the step does not play it, its factor at the start.
 double peak_factor(const Problem& problem, const scene::Step& step, const std::string& history) {
   if (history.empty()) return 1.0;
   const auto& corners = problem.scene.histories.at(history);
@@ -85,7 +85,7 @@ double driving_force(const Problem& problem, const scene::Step& step, const solv
   return force - std::visit(at_rest, op).dot(t);
 }
 
-/// How the interior of a nonlinear body goes along with t in its q, without load; empty for other bodies.
+/// The change of the interior of a nonlinear body with t in its q, without load; empty for other bodies.
 Vector interior_of(const body::Operator& op, const Vector& t) {
   const auto* body = std::get_if<body::NonlinearBody>(&op);
   if (!body) return {};
@@ -129,8 +129,8 @@ bool held_along(const Problem& problem, const solver::System& system, int b, con
 
 namespace {
 
-/// Moves body b along d until its first node meets. The facet that is met changes on the way: repeat until nothing is
-/// left to close.
+/// Moves body b along d until its first node meets. The facet that is met changes on the way: repeated until no gap is
+/// left.
 void close_gap(const Problem& problem, State& state, const solver::System& system, int b, const Vec2& d) {
   const Vector t = translation(problem, system, b, d), inside = interior_of(system.bodies[b], t);
   for (int round = 0; round < 50; ++round) {
@@ -155,7 +155,7 @@ void approach(const Problem& problem, State& state, const solver::System& system
         close_gap(problem, state, system, b, force > 0.0 ? axis : Vec2(-axis));
         driven = true;
       }
-      if (driven) break;  // what a later step adds does not bring together what this one presses
+      if (driven) break;  // loads of a later step do not matter where this one presses
     }
 }
 

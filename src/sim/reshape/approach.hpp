@@ -4,7 +4,7 @@
 
 namespace reye::sim {
 
-/// Bodies apart and loaded by force are moved along what loads them first, rigidly and by geometry alone, until the
+/// Bodies apart and loaded by a force are moved along the first force, rigidly and by geometry alone, until the
 /// first secondary node meets its facet.
 void approach(const Problem& problem, State& state, const solver::System& system);
 

@@ -5,10 +5,10 @@
 #include "sim/problem/state.hpp"
 #include "sim/reshape/equilibrate.hpp"
 
-/// What the equilibria before and after a remesh are compared by.
+/// Quantities by which the equilibria before and after a remesh are compared.
 namespace reye::sim {
 
-/// What the equilibria before and after a remesh are compared by.
+/// Quantities by which the equilibria before and after a remesh are compared.
 struct Balance {
   std::vector<Vec2> force;     ///< on the secondary side of each contact
   std::vector<double> energy;  ///< strain energy of each body [mJ per mm; mJ]

@@ -11,15 +11,15 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// The weighted gaps of a contact, and both sides on their way.
+/// The weighted gaps of a contact, and the moves of both sides so far.
 struct Gaps {
   const contact::Setup& setup;
   const std::vector<contact::MortarRow>& rows;
   Values gap;    ///< weighted
-  Values rates;  ///< by which a length of the secondary's way as a whole closes the gap of a node
+  Values rates;  ///< closing of a node's gap per length of a motion of the whole secondary side
   SideShift secondary, primary;
 
-  /// What the moves have left of the weighted gap of a node.
+  /// The weighted gap of a node that the moves have not closed.
   double left(std::size_t j) const {
     double sum = gap[j] - rows[j].D * secondary.by[j];
     for (const auto& [k, share] : rows[j].off) sum -= share * secondary.by[k];
@@ -48,7 +48,7 @@ SideShift side_of(const mortar::Surface& surface, const Values& removed, double 
 
 double limited(double by, const SideShift& side, std::size_t k) { return std::clamp(by, -side.room[k], side.room[k]); }
 
-/// Control points without multiplier go as the mean of the nodes beside them.
+/// Control points without multiplier move by the mean of the nodes beside them.
 void fill_between(const contact::Setup& setup, SideShift& side) {
   for (const auto& [a, b, c] : setup.secondary.facets) {
     if (c < 0 || !setup.between(c)) continue;
@@ -68,7 +68,7 @@ void close_by_secondary(Gaps& c) {
   }
 }
 
-/// What the secondary has left: the least moves of the primary that close it, sum_l M_jl b_l = left_j in least squares.
+/// The least moves of the primary that close the gap left by the secondary, sum_l M_jl b_l = left_j in least squares.
 void close_by_primary(Gaps& c) {
   const auto nl = static_cast<Eigen::Index>(c.primary.by.size());
   std::vector<std::size_t> nodes;
@@ -85,7 +85,7 @@ void close_by_primary(Gaps& c) {
   base::Matrix normal = B.transpose() * B;
   normal.diagonal() += diagonal;
   const Eigen::LLT<base::Matrix> factor(normal);
-  constexpr int turns = 3;  // each takes what the damping has left
+  constexpr int turns = 3;  // each closes the part that damping has left
   for (int turn = 0; turn < turns; ++turn) {
     Vector r(B.rows());
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -120,8 +120,8 @@ Vec2 pressed_along(const contact::Interface& face, const HeldTraction& held) {
   return load.norm() > least * all ? Vec2(load.normalized()) : Vec2(Vec2::Zero());
 }
 
-/// By how much the gap of each secondary node closes when its side goes along e as a whole, per length: n . e, but
-/// beside a corner, where n is not that of the facets it meets.
+/// Closing of the gap of each secondary node when its whole side moves along e, per length: n . e, except beside a
+/// corner, where n is not that of the facets it meets.
 Values closed_by(const Vec2& e, const contact::Interface& face, const contact::ContactState& contact,
                  solver::Sides at) {
   const auto& setup = face.setup();
@@ -138,7 +138,7 @@ Values closed_by(const Vec2& e, const contact::Interface& face, const contact::C
   return rates;
 }
 
-/// Takes the way out of the gaps that the sides are apart as a whole: it is the support's, and moves no content.
+/// Subtracts the distance of the sides as a whole from the gaps: it belongs to the support, and moves no content.
 void bring_together(Gaps& c) {
   double apart = 0.0, closed = 0.0;
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
@@ -150,8 +150,8 @@ void bring_together(Gaps& c) {
   for (std::size_t j = 0; j < c.rows.size(); ++j) c.gap[j] -= apart / closed * c.rows[j].carried() * c.rates[j];
 }
 
-/// What content may be given back by: under the contact a motion of the whole side against its load, which costs no
-/// pressure.
+/// The free motion that restores the content: under the contact a motion of the whole side against its load, which
+/// changes no pressure.
 void free_motion(Gaps& c) {
   Values met(c.primary.by.size(), 0.0), sum = met;
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
@@ -181,7 +181,7 @@ std::vector<std::vector<int>> lines(const mortar::Surface& surface) {
   return all;
 }
 
-/// Beyond its ends a motion goes on for a facet, so that what is open beside it stays as open, and fades out over two
+/// Beyond its ends a motion continues for a facet, so that an open gap beside it stays as open, and fades out over two
 /// more.
 void fade_out(const mortar::Surface& surface, SideShift& side) {
   const int whole = surface.order, reach = 3 * surface.order;
@@ -201,7 +201,7 @@ void fade_out(const mortar::Surface& surface, SideShift& side) {
       }
 }
 
-/// Open nodes of the secondary do not come to touch, and those that overlap give way.
+/// Keeps open nodes of the secondary open, and moves overlapping ones back.
 void keep_open(Gaps& c) {
   for (std::size_t j = 0; j < c.rows.size(); ++j) {
     const double D = c.rows[j].carried();

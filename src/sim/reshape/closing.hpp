@@ -3,12 +3,12 @@
 
 #include "sim/reshape/equilibrate.hpp"
 
-/// What closes the gaps that a shape has under held tractions.
+/// Moves of worn nodes that close the gaps of a shape under held tractions.
 namespace reye::sim {
 
-/// One side of a contact: what its nodes have lost, where tractions act, and how far the nodes go outwards.
+/// One side of a contact: the losses of its nodes, the tractions, and the outward moves of the nodes.
 struct SideShift {
-  std::vector<double> room;  ///< no node goes farther: what it, or a node beside it, has lost
+  std::vector<double> room;  ///< largest move of a node: the depth that it, or a node beside it, has lost
   std::vector<char> loaded;
   std::vector<double> by, free;
 };

@@ -26,8 +26,8 @@ void measure(const Problem& problem, const State& state, const contact::Boundary
              const double* others, double* removed) {
   const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
   const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
-  // A remesh divides an arc into other chords and keeps the content under them: nodes lie about a sagitta off the worn
-  // curve. Wear that is not much deeper is told by the volume removed at each node.
+  // A remesh divides an arc into other chords and keeps the content under them: nodes lie off the worn curve by about a
+  // sagitta. The depth of wear that is not much deeper follows from the volume removed at each node.
   constexpr double sagittas = 20.0;
   double facets = 0.0, deepest = 0.0;
   for (std::size_t k = 0; k < depth.size(); ++k) {

@@ -12,7 +12,8 @@ namespace reye::sim {
 
 namespace {
 
-/// The shear as given load; of the nodes that no support holds the one of largest pressure is offered as anchor.
+/// Sets the shear as given load; among the nodes that no support holds, the one of largest pressure is offered as
+/// anchor.
 void hold_shear(const contact::Setup& setup, const contact::ContactState& contact, const HeldTraction& held,
                 contact::IncrementOptions& o) {
   for (std::size_t j = 0; j < held.normal.size(); ++j) {
@@ -35,8 +36,8 @@ bool driven_only_by_friction(const Problem& problem, const solver::System& syste
   return free;
 }
 
-/// The bodies where no point flows. What a new mesh changes in the stress has either sign and is no load: were points
-/// at yield to flow by it, p would grow with each mesh, for what flows does not flow back.
+/// The bodies without plastic flow. The change of stress by a new mesh has either sign and is not a load: if points at
+/// yield flowed by it, p would grow with each mesh, since flow is not reversed.
 solver::System unyielding(solver::System system) {
   for (auto& op : system.bodies)
     if (const auto* body = std::get_if<body::NonlinearBody>(&op)) op = body->unyielding();
@@ -44,9 +45,9 @@ solver::System unyielding(solver::System system) {
 }
 
 /// How soft springs must be for pressures that stay nearly as they are given: a layer of thirty lengths of the contact,
-/// which leaves a thirtieth of what a gap would change to the next pass. Where normals have turned, the given tractions
-/// miss the load, and a body goes that share of the approach times thirty: on softer springs it would go too far for
-/// gaps to be linear.
+/// which leaves a thirtieth of the change by a gap to the next pass. Where normals have turned, the given tractions
+/// miss the load, and a body moves by thirty times that share of the approach: on softer springs it would move too far
+/// for gaps to be linear.
 double soft(const contact::Setup& setup, const contact::ContactState& contact) {
   double compliance = 0.0;
   for (std::size_t j = 0; j < contact.status.size(); ++j)
@@ -113,7 +114,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged)
     return scene_line(problem.scene, "step " + span.step->name) +
-           "the bodies find no equilibrium on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
+           "no equilibrium was found on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +
            why_failed(problem, state, {span.step, span.jump, result.report.failure, result.report.reason}, system);
   state.solution = std::move(result.state);
   for (std::size_t c = 0; c < status.size(); ++c)

@@ -17,11 +17,13 @@ struct HeldTraction {
 
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state);
 
-/// Equilibrium on the state's shapes with the shear as given load, its nodal resultant kept; a failure in words.
+/// Brings the state to equilibrium on its shapes with the shear as given load, whose nodal resultant is kept. Returns a
+/// failure in words.
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held);
 
-/// Equilibrium with all tractions held: springs stand in the gaps, too soft to change a pressure. A failure in words.
+/// Brings the state to equilibrium with all tractions held: springs in the gaps are too soft to change a pressure.
+/// Returns a failure in words.
 std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                                    const std::vector<HeldTraction>& held);
 

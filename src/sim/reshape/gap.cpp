@@ -24,8 +24,7 @@ bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wea
 
 double sum(const Values& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
-/// What the moves give back a node has no longer lost; the body keeps its content, so that all together have lost what
-/// they had.
+/// Subtracts the moves from the losses of the nodes; the body keeps its content, so that the sum of losses stays.
 void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
   const double before = sum(removed);
   for (std::size_t k = 0; k < removed.size(); ++k)
@@ -51,7 +50,7 @@ void collect(const PlacedContact& placed, const State& state, const Closing& c, 
   }
 }
 
-/// What rounding has left of the content is booked where the body wears.
+/// Adds the rounding error of the content to the ledger where the body wears.
 void book(const Problem& problem, State& next, int body, double removed) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& placed = problem.contacts[c];
@@ -64,7 +63,7 @@ void book(const Problem& problem, State& next, int body, double removed) {
   }
 }
 
-/// Moves the worn nodes of `next` by what one linear step says, from equilibrium under the held tractions.
+/// Moves the worn nodes of `next` by one linear step from equilibrium under the held tractions.
 CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
                      const std::vector<HeldTraction>& held) {
   CarriedGap carried;
@@ -116,10 +115,10 @@ double largest_jump(const solver::System& system, const State& state, const std:
 
 std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
                                  const std::vector<HeldTraction>& held, CarriedGap& gap) {
-  constexpr int passes = 4;        // the first is linear, where corners move it is not enough
-  constexpr double small = 0.003;  // jump of pressure that needs no other pass
+  constexpr int passes = 4;        // one linear pass is not enough where corners move
+  constexpr double small = 0.003;  // jump of pressure that needs no further pass
   State carried = next;
-  // What moves nodes must be better than moving none: the equilibrium of the shape as it was redrawn is the measure.
+  // Moving nodes must be better than moving none: it is compared with the equilibrium of the shape as redrawn.
   if (std::string why = re_equilibrate(problem, next, cache, span, held); !why.empty()) return why;
   double jump = largest_jump(system_of(problem, next, cache), next, held);
   for (int pass = 0; pass < passes && jump > small; ++pass) {
@@ -130,7 +129,8 @@ std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cac
     if (!re_equilibrate(problem, tried, cache, span, held).empty()) break;
     const double after = largest_jump(system_of(problem, tried, cache), tried, held);
     if (!(after < jump)) break;
-    const bool settled = after > 0.5 * jump;  // what is left is no gap: tractions turned with the normals
+    const bool settled =
+        after > 0.5 * jump;  // the remaining change is not due to a gap: tractions turned with the normals
     jump = after;
     next = std::move(tried);
     gap.moved_mm += now.moved_mm;

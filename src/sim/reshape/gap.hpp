@@ -7,16 +7,16 @@
 
 namespace reye::sim {
 
-/// What has been given back of a gap [mm].
+/// The result of carrying a gap [mm].
 struct CarriedGap {
   double moved_mm = 0.0;  ///< farthest that a node was moved
   double left_mm = 0.0;   ///< largest gap under a pressure that no worn node could close
-  std::string failure;    ///< why nothing was moved; empty when it was
+  std::string failure;    ///< why no node was moved; empty otherwise
 };
 
 /// Equilibrium after a shape step or a remesh that carries the gap of worn contacts: worn nodes of `next` move until
-/// the pressures in `held` are in equilibrium on the new shapes, and every body keeps its content. What a conforming
-/// contact presses is decided by gaps far below what a moved or redrawn outline keeps of them. A failure of the
+/// the pressures in `held` are in equilibrium on the new shapes, and every body keeps its content. The pressure of a
+/// conforming contact depends on gaps far smaller than a moved or redrawn outline preserves. Returns a failure of the
 /// equilibrium in words. (README, 5)
 std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cache, const BlockSpan& span,
                                  const std::vector<HeldTraction>& held, CarriedGap& gap);

@@ -27,7 +27,7 @@ const std::vector<body::SupportColumn>& support_columns(const body::Operator& op
       [](const auto& o) -> const auto& { return o.support_columns(); }, op);
 }
 
-/// A body as it was before its mesh was made anew.
+/// A body as it was before its remesh.
 struct Displaced {
   body::ShapePtr on;  ///< X that all of this is counted on
   base::Points u;     ///< of all nodes, in the frame of a linear body
@@ -38,7 +38,8 @@ struct Displaced {
   fem::Prestrain F0;
 };
 
-/// Farther outside than half of this no node of a sound remesh can lie: chords of coarse facets cut off less.
+/// The longest facet. No node of a sound remesh lies farther outside than half of it: chords of coarse facets cut off
+/// less.
 double longest_facet(const mesh::Mesh& mesh) {
   double longest = 0.0;
   for (const auto& loop : mesh.outline)
@@ -47,7 +48,7 @@ double longest_facet(const mesh::Mesh& mesh) {
   return longest;
 }
 
-/// Displacements of nodes at X, interpolated in the old mesh. Returns why it can not be done.
+/// Displacements of nodes at X, interpolated in the old mesh. Returns why this fails, or nothing.
 std::string carry_displacement(const mesh::Mesh& old, const base::Points& u, const base::Points& X,
                                base::Points& carried, double& projection) {
   adapt::Field field{"displacement", 2, {}};
@@ -74,7 +75,7 @@ fem::Prestrain carry_prestrain(const mesh::Mesh& old, const fem::Prestrain& F0, 
   return carried;
 }
 
-/// The body on the shape before wear moved it; or, when the current shape becomes X, undisplaced on that.
+/// The body on the shape before the wear step; or, when the current shape becomes X, undisplaced on that.
 Displaced displaced_body(const Problem& problem, const State& state, const solver::System& system, int b, bool renew,
                          const body::ShapePtr& current) {
   const auto& interior = state.solution.interiors[b];
@@ -120,8 +121,8 @@ std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const
   return {};
 }
 
-/// How far the nodes of a fresh mesh have come since the start: what the body had been displaced by before, and in a
-/// renewal its present displacement, too. Returns why it cannot be carried.
+/// Displacement of the nodes of a fresh mesh since the start: that before earlier renewals, and in a renewal the
+/// present one, too. Returns why it cannot be carried, or nothing.
 std::string carry_displaced(const State& state, int b, const Displaced& before, const base::Points& u, bool renew,
                             const mesh::Mesh& fresh, State& next) {
   base::Points all = state.displaced.empty() ? base::Points() : state.displaced[b];
@@ -134,11 +135,11 @@ std::string carry_displaced(const State& state, int b, const Displaced& before, 
   return carry_displacement(before.on->mesh, all, fresh.X, next.displaced[b], projection);
 }
 
-/// D and M on the fresh meshes: what the next equilibrium starts from.
+/// Computes D and M on the fresh meshes, from which the next equilibrium starts.
 void renew_displaced(const Problem& problem, const solver::System& system, State& next) {
   auto& solution = next.solution;
   for (std::size_t c = problem.contacts.size(); c < system.contacts.size(); ++c)
-    solution.contacts[c] = contact::fresh_state(system.contacts[c]);  // what a bond carries follows from equilibrium
+    solution.contacts[c] = contact::fresh_state(system.contacts[c]);  // the tractions of a bond follow from equilibrium
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     contact::IncrementOptions held;
     held.held = true;
@@ -173,7 +174,7 @@ std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& st
                                          const std::vector<Moved>& moved) {
   const auto& options = problem.scene.remesh;
   std::vector<RemeshReason> reasons(moved.size());
-  bool worn = false;  // without wear a fine zone is the user's, whatever the contact does in it
+  bool worn = false;  // without wear a fine zone stays as the user gave it
   for (int b = 0; b < problem.body_count(); ++b) worn = worn || moved[b].shape != state.shapes[b];
   const bool due = options.every_blocks > 0 && (state.counts.blocks + 1) % options.every_blocks == 0;
   for (int b = 0; b < problem.body_count(); ++b) {

@@ -23,7 +23,7 @@ bool wear_waits(const State& state) {
                      [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
 }
 
-/// Where the nodes of a body are now.
+/// The present positions of the nodes of a body.
 base::Points current_nodes(const Problem& problem, const State& state, const solver::System& system, int b) {
   base::Points x = state.shapes[b]->mesh.X;
   const auto u = recovered(problem, state, system, b);
@@ -31,8 +31,7 @@ base::Points current_nodes(const Problem& problem, const State& state, const sol
   return x;
 }
 
-/// The shape with its nodes at x. It still knows the mesh it was born with, so that its outline is drawn through the
-/// nodes.
+/// The shape with its nodes at x. It keeps its mesh of birth, so that its outline is drawn through the nodes.
 body::ShapePtr moved_to(const body::Shape& before, base::Points x) {
   auto shape = std::make_shared<body::Shape>(before);
   shape->mesh.X = std::move(x);
@@ -47,7 +46,7 @@ RemeshReason reason_of(const Problem& problem, const body::Shape& before, const 
   return {"deformation: " + why, adapt::measure(before, x).size_ratio.value > triggers.size_ratio, true};
 }
 
-/// Where the supports of a body are when its reference is renewed.
+/// Stores the positions of the supports of a body when its reference is renewed.
 void note_supports(const Problem& problem, const State& state, const solver::System& system, int b, State& next) {
   next.renewed_at.resize(problem.supports.size());
   const Vector q = system.part(state.solution.q, b);

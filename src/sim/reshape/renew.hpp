@@ -7,9 +7,9 @@
 
 namespace reye::sim {
 
-/// Bodies whose elements deformation has made poor: the current shape becomes X, meshed anew; Gauss points keep F0 and
-/// plastic state, contacts their tractions; then re-equilibration with the shear as history. Waits while wear waits in
-/// the gap. False: nothing was done, because there was no reason or, as the log then says, because it failed.
+/// Bodies whose elements deformation has made poor: the current shape becomes X, remeshed; Gauss points keep F0 and
+/// plastic state, contacts their tractions; then re-equilibration with the shear as history. It is postponed while wear
+/// waits in the gap. False: nothing was done, for lack of a reason or because it failed, which the log reports.
 bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                       const Observer& observer);
 

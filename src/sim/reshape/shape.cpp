@@ -51,7 +51,7 @@ std::vector<adapt::WornBoundary> worn_boundaries(const Problem& problem, const S
   return worn;
 }
 
-/// What waited in the gap is now gone from the body: books the strip, share by share.
+/// Enters the strip in the ledger, share by share, once the body has lost the volume that waited in the gap.
 void book_strips(const Problem& problem, State& state, const std::vector<double>& ratio) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& placed = problem.contacts[c];
@@ -72,7 +72,7 @@ void book_strips(const Problem& problem, State& state, const std::vector<double>
 
 double relative(double now, double before) { return before != 0.0 ? std::abs(now - before) / std::abs(before) : 0.0; }
 
-/// The outlines of all worn bodies taken back by what waited in the gap; `ratio`: strip over waiting volume.
+/// Moves the outlines of all worn bodies by the volume that waited in the gap; `ratio`: strip over waiting volume.
 std::string move_outlines(const Problem& problem, const State& state, Cache& cache, std::vector<Moved>& moved,
                           std::vector<double>& ratio) {
   Timer timer(cache, "adapt");
@@ -99,7 +99,7 @@ std::string too_thin(const Problem& problem, const State& state, const std::vect
   return place && place->share_left() < thinnest_share ? in_words(problem, *place, state.cycle) : std::string();
 }
 
-/// The state before the block, as far as the cause is looked for in it.
+/// The state before the block, in the parts that the search for a cause reads.
 State without_block(State state, const BlockSpan& span) {
   if (span.cycles) state.cycle -= span.jump;
   return state;
@@ -112,7 +112,7 @@ void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
     char text[400];
     std::snprintf(
         text, sizeof text,
-        "body %s meshed anew at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
+        "body %s remeshed at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
         "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
         r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,
         r.pressure_jump, r.force_jump, r.energy_jump, r.projection_mm, r.seconds, r.mesh_seconds);
@@ -120,7 +120,7 @@ void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
   }
 }
 
-/// What the new equilibrium changed against the one before.
+/// Fills in the jumps from the equilibrium before to the new one.
 void fill_jumps(const Problem& problem, const State& next, const solver::System& system, const Balance& before,
                 const std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
   const Balance now = balance_of(problem, next, system);

@@ -10,12 +10,12 @@
 
 namespace reye::sim {
 
-/// Shape evolution of all worn bodies, fresh meshes where a trigger, or `asked` (per body, or none), wants them, then
-/// re-equilibration with the shear as history.
+/// Moves the shapes of all worn bodies, remeshes where a trigger or `asked` (per body, or none) requires it, then finds
+/// equilibrium with the shear as history.
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked = {});
 
-/// Fresh meshes where asked for and re-equilibration; the state before it where that fails.
+/// Remeshes where asked for and finds equilibrium; the state is unchanged where that fails.
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
                const Observer& observer);
 

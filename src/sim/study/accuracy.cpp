@@ -14,11 +14,11 @@ namespace reye::sim {
 
 namespace {
 
-/// Elements per half width of a fine zone: of the first and the last pilot, and more than which are not chosen.
+/// Elements per half width of a fine zone: of the first and the last pilot, and the most that are chosen.
 constexpr double first_elements = 16.0, last_elements = 128.0, most_elements = 400.0;
-constexpr double reach = 4.0;  ///< times its own elements, up to which the order of a pilot's error is relied on
-/// Of the accuracy, what the mesh may put wrong by the estimate: the cycle jump has half of it, and the true error may
-/// be 1.8 times as large as the estimate (`results/mesh_error`).
+constexpr double reach = 4.0;  ///< times the elements of a pilot, up to which the order of its error is extrapolated
+/// The share of the accuracy that the error of the mesh may take by the estimate: the cycle jump has half of it, and
+/// the true error may be 1.8 times as large as the estimate (`results/mesh_error`).
 constexpr double share = 0.4;
 
 template <class... Args>
@@ -37,7 +37,7 @@ scene::Scene with_elements(scene::Scene scene, double elements) {
   return scene;
 }
 
-/// Plays a scene and its companion, shown to nobody.
+/// Plays a scene and its companion without output.
 DiscretisationError played(scene::Scene scene) {
   scene.output = {};
   Cache cache;
@@ -61,13 +61,13 @@ struct Pilot {
   double suited = 0.0;  ///< elements that the accuracy asks for by this error
 };
 
-/// Whether what a pilot asks for is near enough to be relied on, or too far to be ever given.
+/// Whether the elements that a pilot asks for are near enough to its own, or too many in any case.
 bool reaches(const Pilot& pilot) {
   const bool hopeless = pilot.suited > 2.0 * most_elements;
   return pilot.elements > 0.0 && (hopeless || pilot.suited <= reach * pilot.elements);
 }
 
-/// The pilot on the longest elements that reaches as far as what it asks for, or the shortest that tell an error.
+/// The coarsest pilot whose extrapolation reaches the elements it asks for, or the finest that gives an error.
 Pilot piloted(const scene::Scene& scene) {
   Pilot best;
   std::string reason;
@@ -80,10 +80,11 @@ Pilot piloted(const scene::Scene& scene) {
   }
   if (best.elements > 0.0) return best;
   refuse(scene,
-         text("a pilot run on %g elements per half width of the fine zones tells no error: ", last_elements) + reason);
+         text("a pilot run on %g elements per half width of the fine zones gives no error estimate: ", last_elements) +
+             reason);
 }
 
-/// The sizes chosen, as the scene could say them.
+/// The sizes chosen, as a scene would give them.
 std::string sizes(const scene::Scene& asked, const scene::Scene& chosen) {
   std::string list;
   for (std::size_t z = 0; z < asked.geometry.fine_zones.size(); ++z)
@@ -112,7 +113,7 @@ std::vector<std::string> choose_sizes(scene::Scene& scene, Cache& cache) {
   const double seconds = cpu_seconds() - start;
   cache.cpu_s += seconds;
   return {text("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
-          text("  a pilot run has told, in %.2g s of processor time; it is played again at each restart", seconds)};
+          text("    the pilot run took %.2g s of processor time; it is repeated at each restart", seconds)};
 }
 
 }  // namespace reye::sim

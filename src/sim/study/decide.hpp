@@ -4,7 +4,7 @@
 
 namespace reye::sim {
 
-/// `place`, and what it takes a trial to know: the kinematics of bodies that leave it to the run. With the plan.
+/// The problem as `place` gives it, with its plan and with the kinematics that only a trial can decide.
 Problem decide(const scene::Scene& scene, Cache& cache);
 
 }  // namespace reye::sim

@@ -28,14 +28,14 @@ constexpr double traction_order = 1.0, wear_order = 2.0, stick_order = 1.0;
 constexpr double margin = 3.0;  ///< elements that a zone keeps free at each end
 
 /// Error on the mesh h over the difference between h and 2 h: 1 / (2^p - 1) where both errors have the same shape,
-/// 1 / sqrt(4^p + 1) where they know nothing of each other, for an edge of contact lies anywhere in its element. The
+/// 1 / sqrt(4^p + 1) where they are independent, since an edge of contact lies anywhere in its element. The
 /// geometric mean of the two is off by at most sqrt(5^(1/2)) = 1.5 (p = 1) or sqrt(17^(1/2) / 3) = 1.2 (p = 2).
 double left(double order) {
   const double apart = std::pow(2.0, order);
   return 1.0 / std::sqrt((apart - 1.0) * std::sqrt(apart * apart + 1.0));
 }
 
-/// Element size away from contacts: what the scene says, or a twentieth of the body's diagonal.
+/// Element size away from contacts: that of the scene, or a twentieth of the body's diagonal.
 double far_size(const cad::BodyOptions& body, const mesh::Mesh& mesh) {
   if (body.mesh.far_size_mm > 0.0) return body.mesh.far_size_mm;
   const auto box = mesh::bounding_box(mesh.X);
@@ -141,7 +141,7 @@ bool same_meshes(const Problem& a, const Problem& b) {
   return true;
 }
 
-/// On some secondary side that touches at all, fewer elements than an estimate can be read off (`results/mesh_error`).
+/// Whether some secondary side that touches has fewer elements than an estimate needs (`results/mesh_error`).
 bool too_few(const std::vector<SurfaceRecord>& surfaces, const State& state) {
   constexpr int fewest = 4;
   for (const auto& s : surfaces) {
@@ -164,7 +164,7 @@ bool has_stick_edge(const std::vector<SurfaceRecord>& surfaces) {
   return false;
 }
 
-/// Hears of nothing but progress, and may interrupt.
+/// An observer of progress alone, which may interrupt.
 Observer aside(const Observer& outside) {
   Observer o;
   o.interrupted = outside.interrupted;
@@ -176,7 +176,7 @@ Observer aside(const Observer& outside) {
   return o;
 }
 
-/// The companion run; the error of the surface where it comes to its end.
+/// Plays the companion run; gives the error of the surface if it ends as the run did.
 DiscretisationError compared(const Problem& problem, const State& state, Cache& cache, const Observer& observer) {
   Cache of_coarse;
   const Problem coarse = decide(coarser(problem, state), of_coarse);
@@ -191,7 +191,8 @@ DiscretisationError compared(const Problem& problem, const State& state, Cache& 
   const Summary summary = march(coarse, end, aside(observer), of_coarse);
   if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
-  if (too_few(surfaces, end)) return none(RunStatus::done, "of elements twice as long fewer than four touch");
+  if (too_few(surfaces, end))
+    return none(RunStatus::done, "fewer than four elements touch where they are twice as long");
   const auto fine = surfaces_of(problem, state, cache);
   const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);
   if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");
@@ -214,7 +215,7 @@ scene::Scene coarser(const Problem& problem, const State& state) {
     auto& body = scene.geometry.bodies[b];
     body.mesh.far_size_mm = coarsening * far_size(body, problem.shapes[b]->mesh);
     if (body.rigid) continue;
-    auto& choice = scene.body_material.at(body.name);  // what the run has decided stays
+    auto& choice = scene.body_material.at(body.name);  // decisions of the run stay
     choice.kinematics = problem.inputs[b].kinematics;
     choice.material = "of " + body.name;
     scene.materials[choice.material] = problem.inputs[b].material;
@@ -249,7 +250,7 @@ DiscretisationError mesh_error(const Problem& problem, const State& state, Cache
   DiscretisationError error;
   try {
     error = compared(problem, state, cache, observer);
-  } catch (const std::runtime_error& refusal) {  // a scene or a mesh that is none on longer elements
+  } catch (const std::runtime_error& refusal) {  // the scene or mesh is not valid with longer elements
     error.companion = RunStatus::failed;
     error.reason = refusal.what();
   }

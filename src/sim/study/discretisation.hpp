@@ -5,29 +5,30 @@
 #include "sim/problem/state.hpp"
 #include "sim/problem/system.hpp"
 
-/// How far a run may be from one on a mesh without end.
+/// The error of a run against the limit of an infinitely fine mesh.
 namespace reye::sim {
 
-/// The scene of `problem` on elements twice as long, played as far as `state` has come, nothing to show or to watch,
-/// its kinematics as the run has decided. Fine zones are wider by what its longer elements ask for at their ends
+/// The scene of `problem` on elements twice as long, played as far as `state` has come, without output and limits, with
+/// the kinematics of the run. Fine zones are wider by the margins that longer elements need at their ends
 /// (`leaves_zone`).
 scene::Scene coarser(const Problem& problem, const State& state);
 
-/// How far apart the ends of a run are on two meshes, the largest of all contacts; a point of one mesh is compared with
-/// the nearest one of the other.
+/// Differences between the ends of a run on two meshes, the largest of all contacts; a point of one mesh is compared
+/// with the nearest one of the other.
 struct MeshDifference {
-  /// Of sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest depth.
+  /// For sides that have worn: int |w - w'| over int w, and the difference of the largest depths over the largest
+  /// depth.
   std::optional<double> wear;
-  /// Of secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
+  /// For secondary sides that touch, t = (p, q): root of int |t - t'|^2 over int |t|^2.
   std::optional<double> traction;
-  /// Of the same: the difference of the largest pressures over the largest pressure.
+  /// For secondary sides that touch: the difference of the largest pressures over the largest pressure.
   std::optional<double> peak;
 };
 
 MeshDifference mesh_difference(const std::vector<SurfaceRecord>& fine, const std::vector<SurfaceRecord>& coarse,
                                base::Analysis analysis);
 
-/// What the mesh is estimated to put wrong, both relative.
+/// The estimated errors of the mesh, both relative.
 struct DiscretisationError {
   RunStatus companion = RunStatus::done;  ///< how the run on longer elements ended
   std::string reason;                     ///< why there is no error of the surface; empty when there is
@@ -38,7 +39,8 @@ struct DiscretisationError {
 };
 
 /// Plays the companion run and compares the surfaces at the end, by wear where anything wears, else by tractions. The
-/// errors of the two fall with powers of the element size that are known, so that their difference tells what is left.
+/// errors of the two fall with powers of the element size that are known, so that their difference gives the error that
+/// is left.
 DiscretisationError mesh_error(const Problem& problem, const State& state, Cache& cache, const Observer& observer);
 
 }  // namespace reye::sim

@@ -4,10 +4,10 @@
 
 namespace reye::sim {
 
-/// What is solved: reads geometry, finds names, meshes, checks, and decides what the scene leaves open, sizes of fine
-/// zones
+/// The problem of a scene: reads geometry, finds names, meshes, checks, and decides values that the scene leaves open:
+/// sizes of fine zones
 /// (`choose_sizes`) and kinematics. Throws base::InputError with located lines. `cache`: takes the equations that were
-/// set up to be looked at; a run that is given it goes on with them.
+/// set up for the checks; a run that is given it uses them.
 Problem prepare(const scene::Scene& scene, Cache* cache = nullptr);
 
 }  // namespace reye::sim

@@ -29,7 +29,7 @@ std::string in_words(const DiscretisationError& error) {
   return words + text;
 }
 
-/// What the mesh puts wrong; an interruption here leaves a run that goes on with the estimate.
+/// The error of the mesh; a run interrupted here resumes with the estimate.
 void estimate(const Problem& problem, const State& state, const Observer& observer, Cache& cache, Summary& summary) {
   const DiscretisationError error = mesh_error(problem, state, cache, observer);
   summary.error_discretisation = error.surface;

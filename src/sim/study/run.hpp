@@ -7,8 +7,8 @@
 
 namespace reye::sim {
 
-/// What a user asks for: `march`, and after it, where the scene wants it, the error of its mesh. `cache`: of `prepare`,
-/// if it was kept.
+/// Runs a problem: `march`, and after it, where the scene asks for it, the error of its mesh. `cache`: that of
+/// `prepare`, if it was kept.
 Summary run(const Problem& problem, State& state, const Observer& observer, Cache& cache);
 Summary run(const Problem& problem, State& state, const Observer& observer);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts the table of scene keys, as `reye reference` prints it, between its markers in the README."""
+"""Puts the table of scene keys, as `reye reference` prints it, between its markers in geo/REFERENCE.md."""
 import os
 import pathlib
 import subprocess
@@ -8,9 +8,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BEGIN, END = "<!-- scene reference: begin -->", "<!-- scene reference: end -->"
 COMMAND = pathlib.Path(os.environ.get("REYE_BUILD", ROOT / "build")) / "bin" / "reye"
 
-readme = ROOT / "README.md"
-text = readme.read_text(encoding="utf-8")
+page = ROOT / "geo" / "REFERENCE.md"
+text = page.read_text(encoding="utf-8")
 table = subprocess.run([str(COMMAND), "reference"], check=True, capture_output=True, text=True).stdout
 head, rest = text.split(BEGIN)
 tail = rest.split(END)[1]
-readme.write_text(f"{head}{BEGIN}\n{table}{END}{tail}", encoding="utf-8")
+page.write_text(f"{head}{BEGIN}\n{table}{END}{tail}", encoding="utf-8")
