@@ -9,11 +9,11 @@
 
 namespace reye::scene {
 
-/// The table of keys as a tree: what may stand under a place of the scene.
+/// The table of keys as a tree: the values that a place of the scene may hold.
 struct Spec {
   const Key* key = nullptr;    ///< set when a plain value may stand here
   bool list = false;           ///< a list of tables: each element takes the names below
-  bool list_or_table = false;  ///< the same, where a table by itself is a list of one
+  bool list_or_table = false;  ///< a list of tables, where a single table counts as a list of one
   std::vector<std::pair<std::string, std::unique_ptr<Spec>>> named;
   std::unique_ptr<Spec> any;  ///< under a name the user gives
 
