@@ -19,7 +19,7 @@ constexpr double worse = 1.5;            ///< out of balance than before: a star
 constexpr double far_out = 0.01;         ///< where that is more of the forces than this
 constexpr int settling = 5;              ///< iterations that follow the last change
 constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
-constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised anew
+constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< of the force out of balance: a renewal has not changed it
 constexpr int standing = 3;              ///< such renewals in a row, of contact that has not settled: it never will
 constexpr double on_kept =
@@ -111,7 +111,7 @@ bool NewtonPath::finite() {
   if (std::isfinite(row_.force) && std::isfinite(row_.condition)) return true;
   end(Failure::contact_lost,
       "the residual is not finite after " + std::to_string(iteration_) +
-          " iterations: displacements grow without bound, as where a body has lost the contact that holds it");
+          " iterations: displacements grow without bound, as where a body that contact holds is unsupported");
   return false;
 }
 
@@ -158,7 +158,7 @@ bool NewtonPath::met() {
   return false;
 }
 
-/// The state is the answer, unless contact has outrun its reach: then Newton goes on round the contact that it has
+/// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has
 /// found.
 void NewtonPath::accept() {
   if (increment_.accept(system_, q_, result_.state)) {
@@ -217,7 +217,7 @@ void NewtonPath::step() {
     const double way = increment_.way(dq), bound = 1e3 * system_.extent;
     if (!system_.contacts.empty() && !(way < bound))
       return end(Failure::contact_lost,
-                 "a body moves by " + std::to_string(way) + " in one iteration: it has lost the contact that holds it");
+                 "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported");
     if (narrowed && iteration_ == 0) {  // what the first step closes is judged among all nodes
       increment_.widen(system_, controls_, q_);
       matrices_ = {};
