@@ -44,9 +44,9 @@ void ContactsInReach::begin(const System& system, const SolverState& before, con
   start_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
     const auto& setup = system.contacts[c];
-    start_[c] = sides_[c] = positions(system, setup, before.q);
+    start_[c] = sides_[c] = positions(system, setup, before.q.high);
     faces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
-    faces_[c].hold(mobility(system, setup, before.q, controls));
+    faces_[c].hold(mobility(system, setup, before.q.high, controls));
     if (guess) faces_[c].expect(guess->status[c], guess->lambda[c]);
   }
   limit_faces();

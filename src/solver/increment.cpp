@@ -30,7 +30,7 @@ void Increment::forget() {
 }
 
 void Increment::remember(const SolverState& before, const SolverState& accepted) {
-  last_step_ = accepted.q - before.q;
+  last_step_ = accepted.q.high - before.q.high;
   nonlinear_.remember(accepted);
 }
 
@@ -50,7 +50,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), guess, continues);
-  base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
+  base::TwoPart q{reduction().restrict_to(before.q.high), reduction().restrict_to(before.q.low)};
   if (guess) q += reduction().restrict_to(guess->dq);
   if (continues > 0.0) q += continues * reduction().restrict_to(last_step_);
   // The tangent leads a nonlinear body to its imposed motion, without distorting the elements beside it.
@@ -137,10 +137,8 @@ bool Increment::touching() const {
 }
 
 bool Increment::accept(const System& system, const base::TwoPart& q, SolverState& state) {
-  auto expanded = contacts_.reduction().expand(q);
-  state.q = std::move(expanded.high);
-  state.q_low = std::move(expanded.low);
-  contacts_.place_all(system, state.q);
+  state.q = contacts_.reduction().expand(q);
+  contacts_.place_all(system, state.q.high);
   if (!contacts_.enclosed()) return false;
   state.contacts.clear();
   for (std::size_t c = 0; c < lambda_.size(); ++c) {
@@ -148,7 +146,7 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
     face.evaluate(lambda_[c]);
     state.contacts.push_back(face.accepted(lambda_[c]));
   }
-  state.interiors = nonlinear_.accepted({state.q, state.q_low});
+  state.interiors = nonlinear_.accepted(state.q);
   return true;
 }
 
