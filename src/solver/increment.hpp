@@ -86,7 +86,8 @@ class Increment {
   NonlinearBodies nonlinear_;
   Multipliers lambda_;
   Condenser condenser_;
-  Vector balance_, loads_, arm_;  ///< on the reduced columns
+  Reduction::Loads loads_;
+  Vector balance_, arm_;  ///< on the reduced columns
   Suspects suspects_;
 };
 
