@@ -11,7 +11,7 @@ if(NOT failed AND below STREQUAL "")   # no archive that lies inside the clone o
   endif()
 endif()
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [[
-#include "output/commit.hpp"
+#include "output/run/commit.hpp"
 
 namespace reye::output {
 

@@ -2,6 +2,16 @@
 # The same list drives the link order and the architecture test.
 set(REYE_ROOMS base algebra mesh cad material fem body mortar wear contact solver adapt scene sim output)
 
+# Large rooms are divided into floors, folders that are in order, too: a floor includes only itself and floors before it.
+set(REYE_FLOORS_cad part meshing build)
+set(REYE_FLOORS_adapt shape redraw transfer)
+set(REYE_FLOORS_sim problem measure place reshape march study)
+set(REYE_FLOORS_output folder report run)
+foreach(room IN LISTS REYE_ROOMS)
+  string(JOIN "/" order ${room} ${REYE_FLOORS_${room}})
+  list(APPEND REYE_HOUSE ${order})   # sim/problem/measure/...: a room and its floors in order
+endforeach()
+
 add_library(reye_options INTERFACE)
 target_compile_options(reye_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                        -Wno-restrict)  # g++ 12 warns falsely about std::string + std::string
@@ -25,7 +35,11 @@ endif()
 
 # reye_room(<name> [libraries private to this room...])
 function(reye_room name)
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp")
+  set(sources)
+  foreach(folder "" ${REYE_FLOORS_${name}})
+    file(GLOB found CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${folder}/*.cpp")
+    list(APPEND sources ${found})
+  endforeach()
   if(sources)
     add_library(reye_${name} STATIC ${sources})
     set(scope PUBLIC)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Includes of src/ as designed: a room includes itself and rooms before it, no file includes itself through others, a
-third-party library is named in the room that owns it alone.
+"""Includes of src/ as designed: a room includes itself and rooms before it, a floor of a room (a folder in it) itself and
+floors before it, no file includes itself through others, a third-party library is named in the room that owns it alone.
 
-  architecture.py SOURCE ROOM...   rooms in their order
+  architecture.py SOURCE ROOM[/FLOOR...]...   rooms in their order, each with its floors in theirs
 """
 import pathlib
 import re
@@ -17,6 +17,13 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.M
 def unit(path):
     """A header and its source are one unit."""
     return path.rsplit(".", 1)[0]
+
+
+def climbs(name, own, floors):
+    """Whether a file includes one of a later floor of its own room."""
+    (room, *here), (other, *there) = name.split("/"), own.split("/")
+    order = floors[room]
+    return room == other and here[0] in order and there[0] in order and order.index(there[0]) > order.index(here[0])
 
 
 def circle(includes):
@@ -39,7 +46,9 @@ def circle(includes):
 
 
 def main():
-    source, rooms = pathlib.Path(sys.argv[1]), sys.argv[2:]
+    source = pathlib.Path(sys.argv[1])
+    floors = {room: rest for room, *rest in (given.split("/") for given in sys.argv[2:])}
+    rooms = list(floors)
     failures, includes = [], {}
     for number, room in enumerate(rooms):
         for file in sorted((source / room).rglob("*.[ch]pp")):
@@ -48,6 +57,8 @@ def main():
             for own, library in INCLUDE.findall(file.read_text(encoding="utf-8")):
                 if own and own.split("/")[0] not in rooms[:number + 1]:
                     failures.append(f"{name}: room '{room}' includes '{own}', which stands after it or is not written by its room")
+                if own and climbs(name, own, floors):
+                    failures.append(f"{name}: '{own}' stands on a floor after it")
                 if own and unit(own) != unit(name):
                     here.add(unit(own))
                 failures += [f"{name}: {library} is named only in {', '.join(sorted(owners))}"

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fem/stiffness.hpp"
-#include "sim/problem.hpp"
-#include "sim/state.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/state.hpp"
 
 /// Common parts of the benches that count in plain factorisations.
 namespace reye::bench {

@@ -8,8 +8,8 @@
 #include "algebra/factor.hpp"
 #include "factorisations.hpp"
 #include "scene/read.hpp"
-#include "sim/block.hpp"
-#include "sim/prepare.hpp"
+#include "sim/march/block.hpp"
+#include "sim/study/prepare.hpp"
 
 /// The cost of a wear cycle in plain factorisations of the stiffness of its bodies, the lower bound of any method that
 /// factorises, both measured in turn in one run; and how it grows with the bodies. CPU time.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "adapt/gauss_points.hpp"
-#include "adapt/gauss_transfer.hpp"
+#include "adapt/transfer/gauss_points.hpp"
+#include "adapt/transfer/gauss_transfer.hpp"
 
 /// State of Gauss points from mesh to mesh by each choice: error, decay over a hundred transfers there and back, time.
 namespace {

@@ -5,7 +5,7 @@
 
 #include "algebra/factor.hpp"
 #include "mortar/integrate.hpp"
-#include "output/vtk_frames.hpp"
+#include "output/folder/vtk_frames.hpp"
 
 /// The inner kernels one by one: dual numbers, mortar integrals and their derivatives, the dense solve of an iteration,
 /// a frame on its way to disk. Gauss point transfer stands in gauss_transfer.cpp.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <string>
 
-#include "adapt/gauss_points.hpp"
+#include "adapt/transfer/gauss_points.hpp"
 #include "material/hardening.hpp"
 #include "scene/read.hpp"
-#include "sim/block.hpp"
-#include "sim/prepare.hpp"
-#include "sim/shape.hpp"
+#include "sim/march/block.hpp"
+#include "sim/reshape/shape.hpp"
+#include "sim/study/prepare.hpp"
 
 /// Plastic bodies are pressed together and remeshed many times: their plastic strain against that of equal bodies
 /// pressed alike on their first mesh.

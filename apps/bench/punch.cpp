@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "scene/read.hpp"
-#include "sim/prepare.hpp"
-#include "sim/problem.hpp"
-#include "sim/state.hpp"
-#include "sim/system.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+#include "sim/study/prepare.hpp"
 
 /// A flat punch, pressed or sheared, on the multipliers of one body: the ratio of its edge forces in the two cases. It
 /// is one for a half-plane; on a mesh it depends on the elements at the last facet.

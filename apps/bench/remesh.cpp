@@ -6,10 +6,10 @@
 #include "algebra/factor.hpp"
 #include "factorisations.hpp"
 #include "scene/read.hpp"
-#include "sim/block.hpp"
-#include "sim/prepare.hpp"
-#include "sim/remesh.hpp"
-#include "sim/shape.hpp"
+#include "sim/march/block.hpp"
+#include "sim/reshape/remesh.hpp"
+#include "sim/reshape/shape.hpp"
+#include "sim/study/prepare.hpp"
 
 /// The cost of a remesh beyond gmsh, in plain factorisations of the stiffness of the bodies that are remeshed; both
 /// measured in turn in one run.

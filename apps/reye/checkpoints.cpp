@@ -2,12 +2,12 @@
 
 #include "base/errors.hpp"
 #include "base/printable.hpp"
-#include "output/commit.hpp"
-#include "output/state_archive.hpp"
+#include "output/run/commit.hpp"
+#include "output/run/state_archive.hpp"
 #include "scene/read.hpp"
-#include "sim/ending.hpp"
-#include "sim/extend.hpp"
-#include "sim/intact.hpp"
+#include "sim/march/extend.hpp"
+#include "sim/measure/intact.hpp"
+#include "sim/problem/ending.hpp"
 
 namespace reye::apps {
 

@@ -2,12 +2,12 @@
 #include <chrono>
 #include <optional>
 
-#include "output/checkpoint.hpp"
-#include "output/run_writer.hpp"
+#include "output/run/checkpoint.hpp"
+#include "output/run/run_writer.hpp"
 #include "scene/extension.hpp"
-#include "sim/problem.hpp"
-#include "sim/state.hpp"
-#include "sim/system.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
 
 namespace reye::apps {
 

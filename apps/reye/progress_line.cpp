@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/printable.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 namespace reye::apps {
 

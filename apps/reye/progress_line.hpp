@@ -1,7 +1,7 @@
 #pragma once
 #include <chrono>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 namespace reye::apps {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "cad/drawing.hpp"
+#include "cad/build/drawing.hpp"
 #include "mesh/mesh.hpp"
 
 namespace reye::body {

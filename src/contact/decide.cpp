@@ -74,66 +74,79 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   status_last_ = status_;
   sign_last_ = sign_;
   const auto& o = setup_->options;
-  const bool searching = iteration < 5, unjudged = iteration == 0 && from != Start::predicted;
-  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
-  const double c_normal = searching ? o.c_normal : 1.0, c_tangential = searching ? o.c_tangential : 1.0;
-  const bool spread = late && wear_spreads();
-  const double sliding = o.imposed ? sliding_sign() : 1.0;
+  const bool searching = iteration < 5;
+  Judgement by{};
+  by.from = from;
+  by.unjudged = iteration == 0 && from != Start::predicted;
+  by.late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
+  by.spread = by.late && wear_spreads();
+  by.c_normal = searching ? o.c_normal : 1.0;
+  by.c_tangential = searching ? o.c_tangential : 1.0;
+  by.sliding = o.imposed ? sliding_sign() : 1.0;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const int node = static_cast<int>(j);
-    const double D = rows_[j].D, stiffness = setup_->stiffness[j], faint = setup_->faint;
     if (setup_->cut[j] || !touching(node)) {
       status_[j] = ContactStatus::inactive;
-      continue;
-    }
-    if (o.bonded) {
+    } else if (o.bonded) {
       status_[j] = ContactStatus::stick;
       unmoved_[j] = support_slip(node).has_value();
-      continue;
-    }
-    const double lambda_n = lambda[j].dot(normal_[j]);
-    const double opened = (gap_[j] + worn_before_[j] + (spread ? others_wear(node) : 0.0)) / D;
-    const bool was = status_last_[j] != ContactStatus::inactive;
-    // Nodes that touch at zero gap start active: the first matrix would be singular without them.
-    const bool start = unjudged && (was || opened <= 1e-9 * setup_->secondary.area[j]);
-    const bool pressed = options_.compliance > 0.0 && options_.held_pressure[j] > 0.0;
-    if (options_.compliance > 0.0 && !pressed) {
+    } else if (const Pressed pressed = decide_normal(node, lambda[j], by); !pressed.active) {
       status_[j] = ContactStatus::inactive;
-      continue;
-    }
-    // In late iterations an active node stays active for its pressure alone: the wear that a node in tension ascribes
-    // to itself would keep it active. A node with neither pressure nor gap keeps its status, as both are consistent
-    // there.
-    if (!start && !pressed &&
-        lambda_n - (late && was ? 0.0 : c_normal * stiffness * opened) <= (was ? -faint : faint)) {
-      status_[j] = ContactStatus::inactive;
-      continue;
-    }
-    const Vec2 tangent(-normal_[j].y(), normal_[j].x());
-    unmoved_[j] = 0;
-    if (o.imposed || friction_ == 0.0) {
-      status_[j] = ContactStatus::slip;
-      sign_[j] = o.out_of_plane ? 0.0 : sliding;
-    } else if (const auto slip = support_slip(node); slip && !options_.held) {
-      unmoved_[j] = std::abs(*slip) <= least_slip * setup_->length[j];
-      status_[j] = unmoved_[j] ? ContactStatus::stick : ContactStatus::slip;
-      sign_[j] = *slip < 0.0 ? -1.0 : 1.0;
-    } else if (unjudged || options_.held) {
-      status_[j] = ContactStatus::stick;
-      unmoved_[j] = from == Start::sheared && !options_.held;
     } else {
-      const double trial = lambda[j].dot(tangent) + c_tangential * stiffness * tangent.dot(motion(node)) / D;
-      // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
-      // As a sticking node it would be dragged by the whole slip of the increment, and open and close for ever.
-      const double bound = friction_ * (was ? lambda_n : lambda_n - c_normal * stiffness * opened);
-      const double sign = trial < 0.0 ? -1.0 : 1.0;
-      // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
-      const bool reverses = status_last_[j] == ContactStatus::slip && sign_[j] * sign < 0.0;
-      const double yields = status_last_[j] == ContactStatus::stick ? bound + faint : bound;
-      status_[j] = reverses || std::abs(trial) < yields ? ContactStatus::stick : ContactStatus::slip;
-      sign_[j] = sign;
+      decide_tangential(node, lambda[j], pressed, by);
     }
   }
+}
+
+/// Whether a node carries pressure.
+Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const Judgement& by) const {
+  const double stiffness = setup_->stiffness[node], faint = setup_->faint;
+  const double lambda_n = lambda.dot(normal_[node]);
+  const double opened = (gap_[node] + worn_before_[node] + (by.spread ? others_wear(node) : 0.0)) / rows_[node].D;
+  const bool was = status_last_[node] != ContactStatus::inactive;
+  // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
+  // As a sticking node it would be dragged by the whole slip of the increment, and open and close for ever.
+  const double bound = was ? lambda_n : lambda_n - by.c_normal * stiffness * opened;
+  const bool springs = options_.compliance > 0.0;
+  if (springs) return {options_.held_pressure[node] > 0.0, was, bound};
+  // Nodes that touch at zero gap start active: the first matrix would be singular without them.
+  if (by.unjudged && (was || opened <= 1e-9 * setup_->secondary.area[node])) return {true, was, bound};
+  // In late iterations an active node stays active for its pressure alone: the wear that a node in tension ascribes to
+  // itself would keep it active. A node with neither pressure nor gap keeps its status, as both are consistent there.
+  const double closing = by.late && was ? 0.0 : by.c_normal * stiffness * opened;
+  return {!(lambda_n - closing <= (was ? -faint : faint)), was, bound};
+}
+
+/// Whether an active node sticks or slips, and which way.
+void Interface::decide_tangential(int node, const Vec2& lambda, const Pressed& pressed, const Judgement& by) {
+  unmoved_[node] = 0;
+  if (setup_->options.imposed || friction_ == 0.0) {
+    status_[node] = ContactStatus::slip;
+    sign_[node] = setup_->options.out_of_plane ? 0.0 : by.sliding;
+  } else if (const auto slip = support_slip(node); slip && !options_.held) {
+    unmoved_[node] = std::abs(*slip) <= least_slip * setup_->length[node];
+    status_[node] = unmoved_[node] ? ContactStatus::stick : ContactStatus::slip;
+    sign_[node] = *slip < 0.0 ? -1.0 : 1.0;
+  } else if (by.unjudged || options_.held) {
+    status_[node] = ContactStatus::stick;
+    unmoved_[node] = by.from == Start::sheared && !options_.held;
+  } else {
+    decide_free(node, lambda, pressed, by.c_tangential);
+  }
+}
+
+/// Coulomb's law where nothing imposes the motion.
+void Interface::decide_free(int node, const Vec2& lambda, const Pressed& pressed, double c_tangential) {
+  const Vec2 tangent(-normal_[node].y(), normal_[node].x());
+  const double trial =
+      lambda.dot(tangent) + c_tangential * setup_->stiffness[node] * tangent.dot(motion(node)) / rows_[node].D;
+  const double bound = friction_ * pressed.bound;
+  const double sign = trial < 0.0 ? -1.0 : 1.0;
+  // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
+  const bool reverses = status_last_[node] == ContactStatus::slip && sign_[node] * sign < 0.0;
+  const double yields = status_last_[node] == ContactStatus::stick ? bound + setup_->faint : bound;
+  status_[node] = reverses || std::abs(trial) < yields ? ContactStatus::stick : ContactStatus::slip;
+  sign_[node] = sign;
 }
 
 }  // namespace reye::contact

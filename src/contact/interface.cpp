@@ -275,44 +275,4 @@ Vector Interface::forces(const std::vector<Vec2>& lambda) const {
   return f;
 }
 
-ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
-  ContactState next = *before_;
-  next.lambda = lambda;
-  next.normal = normal_;
-  next.status = status_;
-  next.reference = rows_;
-  next.friction = friction_;
-  for (std::size_t j = 0; j < lambda.size(); ++j)
-    if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
-  if (options_.held || setup_->options.bonded) return next;
-  const auto& law = setup_->options.wear;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    const auto& c = condition_[j];
-    if (status_[j] != ContactStatus::slip || next.lambda[j].isZero(0.0)) continue;
-    next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(static_cast<int>(j)));
-    const double friction_work = options_.jump * std::abs(c.drag * c.slip);
-    next.frictional_work += friction_work;
-    const auto& area = setup_->secondary.area;
-    const auto spread = [&](auto add) {
-      add(j, area[j] / worn_length_[j]);
-      for (const auto& [k, per_volume] : between_[j]) add(static_cast<std::size_t>(k), 0.5 * area[k] / worn_length_[j]);
-    };
-    spread([&](std::size_t k, double share) { next.energy_secondary[k] += share * friction_work; });
-    if (!options_.wear || !law.wears()) continue;
-    const double work = options_.jump * c.work;
-    next.worn_work += friction_work;
-    next.law_work += work;
-    spread([&](std::size_t k, double share) {
-      next.pending_secondary[k] += share * law.secondary * work;
-      next.removed_secondary[k] += share * law.secondary * work;
-    });
-    if (law.primary == 0.0) continue;
-    for (const auto& [l, T] : cover_[j]) {
-      next.pending_primary[l] += law.primary * work * T / spread_[j];
-      next.removed_primary[l] += law.primary * work * T / spread_[j];
-    }
-  }
-  return next;
-}
-
 }  // namespace reye::contact

@@ -149,6 +149,7 @@ class Interface {
     int col = 0;
     double value = 0.0;
   };
+  void book(int node, ContactState& next) const;
   void place_primary(const Points& xm);
   void integrate_here();
   void integrate_bond(const Points& xs, const Points& xm);
@@ -162,6 +163,23 @@ class Interface {
   bool uses_drift(int node) const;
   double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
+  /// What one decision is made by.
+  struct Judgement {
+    Start from;
+    bool unjudged;  ///< the start decides, not the state
+    bool late;      ///< wear of this increment counts
+    bool spread;    ///< that of neighbours, too
+    double c_normal, c_tangential;
+    double sliding;  ///< the way of imposed sliding
+  };
+  /// What the normal direction says of a node.
+  struct Pressed {
+    bool active, was;
+    double bound;  ///< pressure that friction is bounded by
+  };
+  Pressed decide_normal(int node, const Vec2& lambda, const Judgement& by) const;
+  void decide_tangential(int node, const Vec2& lambda, const Pressed& pressed, const Judgement& by);
+  void decide_free(int node, const Vec2& lambda, const Pressed& pressed, double c_tangential);
   std::optional<double> support_slip(int node) const;
   double sliding_sign() const;
   double shear_before(int node) const;

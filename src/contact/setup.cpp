@@ -1,5 +1,7 @@
 #include "contact/setup.hpp"
 
+#include "contact/fields.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <unordered_map>
@@ -83,16 +85,7 @@ ContactState fresh_state(const Setup& setup) {
   const auto ns = static_cast<std::size_t>(setup.secondary_count()),
              nm = static_cast<std::size_t>(setup.primary_count());
   ContactState state;
-  state.lambda.assign(ns, Vec2::Zero());
-  state.normal.assign(ns, Vec2::Zero());
-  state.status.assign(ns, ContactStatus::inactive);
-  state.reference.resize(ns);
-  state.pending_secondary.assign(ns, 0.0);
-  state.pending_primary.assign(nm, 0.0);
-  state.removed_secondary.assign(ns, 0.0);
-  state.removed_primary.assign(nm, 0.0);
-  state.slip.assign(ns, 0.0);
-  state.energy_secondary.assign(ns, 0.0);
+  clear_fields(state, ns, nm, [](const Field&) { return true; });
   return state;
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "cad/profile.hpp"
+#include "cad/build/profile.hpp"
 #include "scene/build.hpp"
 #include "scene/geometry_files.hpp"
 

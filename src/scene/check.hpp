@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "scene/document.hpp"
 #include "scene/keys.hpp"
+#include "scene/spec.hpp"
 
 /// Each key by itself against the table: known, of its type, in its range, not missing.
 namespace reye::scene {

@@ -8,7 +8,7 @@
 
 #include "base/linalg.hpp"
 #include "scene/document.hpp"
-#include "scene/keys.hpp"
+#include "scene/spec.hpp"
 
 namespace reye::scene {
 

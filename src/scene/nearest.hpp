@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys.hpp"
+#include "scene/spec.hpp"
 
 /// Suggestions of the name that the user may have meant.
 namespace reye::scene {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "adapt/gauss_transfer.hpp"
-#include "adapt/remesh.hpp"
-#include "adapt/triggers.hpp"
+#include "adapt/redraw/remesh.hpp"
+#include "adapt/shape/triggers.hpp"
+#include "adapt/transfer/gauss_transfer.hpp"
 #include "base/analysis.hpp"
 #include "body/supports.hpp"
-#include "cad/options.hpp"
+#include "cad/part/options.hpp"
 #include "contact/options.hpp"
 #include "fem/loads.hpp"
 #include "material/material.hpp"

@@ -19,9 +19,6 @@ class Newton {
   void reset() { increment_.forget(); }
 
  private:
-  SolveResult iterate(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
-                      bool chords, bool narrowing);
-
   NewtonOptions options_;
   Increment increment_;
 };

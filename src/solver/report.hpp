@@ -23,9 +23,21 @@ struct Iteration {
   int changes = 0;         ///< nodes whose status changed
 };
 
+/// Why an increment has no state.
+enum class Failure : unsigned char {
+  none,
+  torn,            ///< a nonlinear body cannot be taken or linearised where the solve has led it
+  contact_lost,    ///< a body moves without bound, or nothing holds it
+  singular,        ///< the matrix is singular though a node is in contact
+  astray,          ///< the start that was predicted leads away from balance
+  passed_through,  ///< a node went through the other side unseen
+  no_convergence
+};
+
 struct SolveReport {
   bool converged = false;
-  std::string reason;  ///< empty when converged
+  Failure failure = Failure::no_convergence;  ///< none when converged
+  std::string reason;                         ///< the failure in words, with numbers and places; empty when converged
   std::vector<Iteration> table;
   int solves = 0;    ///< steps taken
   int matrices = 0;  ///< built and factorised for them

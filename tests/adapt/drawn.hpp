@@ -1,7 +1,7 @@
 #pragma once
 #include <numbers>
 
-#include "adapt/remesh.hpp"
+#include "adapt/redraw/remesh.hpp"
 #include "adapt/worn.hpp"
 
 /// Shapes with a drawing, for tests of redrawing and remeshing.

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/gauss_transfer.hpp"
+#include "adapt/transfer/gauss_transfer.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 

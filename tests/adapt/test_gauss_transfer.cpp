@@ -4,8 +4,8 @@
 #include <numeric>
 #include <random>
 
-#include "adapt/gauss_points.hpp"
-#include "adapt/gauss_transfer.hpp"
+#include "adapt/transfer/gauss_points.hpp"
+#include "adapt/transfer/gauss_transfer.hpp"
 #include "mesh/quality.hpp"
 #include "support/meshes.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/relocation.hpp"
+#include "adapt/shape/relocation.hpp"
 #include "adapt/worn.hpp"
 #include "mesh/quality.hpp"
 

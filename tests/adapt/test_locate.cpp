@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/locate.hpp"
+#include "adapt/transfer/locate.hpp"
 #include "base/errors.hpp"
 #include "fem/element.hpp"
 #include "mesh/quality.hpp"

@@ -1,11 +1,11 @@
-#include "adapt/redraw.hpp"
+#include "adapt/redraw/redraw.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "adapt/drawn.hpp"
-#include "adapt/fit.hpp"
-#include "adapt/own_outline.hpp"
+#include "adapt/redraw/own_outline.hpp"
+#include "adapt/shape/fit.hpp"
 #include "mesh/outline.hpp"
 
 namespace reye {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "adapt/crossing.hpp"
+#include "adapt/shape/crossing.hpp"
 #include "adapt/worn.hpp"
 
 namespace reye {

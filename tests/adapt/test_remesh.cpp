@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "adapt/correct.hpp"
 #include "adapt/drawn.hpp"
+#include "adapt/redraw/correct.hpp"
 #include "mesh/quality.hpp"
 
 namespace reye {

@@ -2,11 +2,11 @@
 
 #include <set>
 
-#include "adapt/crossing.hpp"
 #include "adapt/curved.hpp"
-#include "adapt/relocation.hpp"
-#include "adapt/shape_step.hpp"
-#include "adapt/triggers.hpp"
+#include "adapt/shape/crossing.hpp"
+#include "adapt/shape/relocation.hpp"
+#include "adapt/shape/shape_step.hpp"
+#include "adapt/shape/triggers.hpp"
 #include "mesh/quality.hpp"
 
 /// Shape steps of meshes of second order, whose outline is made of quadratic edges.

@@ -4,8 +4,8 @@
 
 #include "adapt/curved.hpp"
 #include "adapt/drawn.hpp"
-#include "adapt/remesh.hpp"
-#include "adapt/surface_transfer.hpp"
+#include "adapt/redraw/remesh.hpp"
+#include "adapt/transfer/surface_transfer.hpp"
 #include "mesh/quality.hpp"
 #include "support/surfaces.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/segment_tree.hpp"
+#include "adapt/shape/segment_tree.hpp"
 #include "support/meshes.hpp"
 #include "support/surfaces.hpp"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/shift_outline.hpp"
+#include "adapt/shape/shift_outline.hpp"
 #include "adapt/worn.hpp"
 
 namespace reye {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "adapt/surface_transfer.hpp"
+#include "adapt/transfer/surface_transfer.hpp"
 #include "support/surfaces.hpp"
 
 namespace reye {

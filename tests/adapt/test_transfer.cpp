@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "adapt/transfer.hpp"
+#include "adapt/transfer/transfer.hpp"
 #include "mesh/quality.hpp"
 #include "support/meshes.hpp"
 #include "support/surfaces.hpp"

@@ -1,4 +1,4 @@
-#include "adapt/triggers.hpp"
+#include "adapt/shape/triggers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "adapt/unworn.hpp"
+#include "adapt/shape/unworn.hpp"
 #include "adapt/worn.hpp"
 
 namespace reye {

@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "adapt/shape_step.hpp"
+#include "adapt/shape/shape_step.hpp"
 #include "mesh/measure.hpp"
 #include "support/meshes.hpp"
 

@@ -5,9 +5,9 @@
 #include "apps/command.hpp"
 #include "apps/same_results.hpp"
 #include "apps/scenes.hpp"
-#include "output/checkpoint.hpp"
-#include "output/files.hpp"
-#include "output/state_archive.hpp"
+#include "output/folder/files.hpp"
+#include "output/run/checkpoint.hpp"
+#include "output/run/state_archive.hpp"
 
 /// Checkpoints that were altered and sealed again with the right checksum.
 namespace reye::test {

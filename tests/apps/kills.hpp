@@ -5,9 +5,9 @@
 #include "apps/command.hpp"
 #include "apps/same_results.hpp"
 #include "apps/scenes.hpp"
-#include "output/checkpoint.hpp"
-#include "output/state_archive.hpp"
-#include "output/tables.hpp"
+#include "output/folder/tables.hpp"
+#include "output/run/checkpoint.hpp"
+#include "output/run/state_archive.hpp"
 
 /// A run that is killed again and again.
 namespace reye::test {

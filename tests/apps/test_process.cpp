@@ -1,7 +1,7 @@
 #include "alterations.hpp"
 #include "base/printable.hpp"
 #include "command.hpp"
-#include "output/folder_lock.hpp"
+#include "output/folder/folder_lock.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "output/checkpoint.hpp"
+#include "output/run/checkpoint.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 

@@ -16,7 +16,7 @@
 #include <set>
 
 #include "command.hpp"
-#include "output/run_data.hpp"
+#include "output/report/run_data.hpp"
 #include "scenes.hpp"
 
 using namespace reye;

@@ -1,4 +1,4 @@
-#include "cad/raw_bytes.hpp"
+#include "cad/part/raw_bytes.hpp"
 #include "support.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "cad/half.hpp"
+#include "cad/part/half.hpp"
 
 #include <algorithm>
 #include <numbers>

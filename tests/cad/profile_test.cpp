@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cad/height_curve.hpp"
-#include "cad/profile.hpp"
+#include "cad/build/height_curve.hpp"
+#include "cad/build/profile.hpp"
 #include "mesh/outline.hpp"
 #include "support.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "cad/geometry.hpp"
+#include "cad/build/geometry.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "cad/turned_zone.hpp"
+#include "cad/build/turned_zone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "output/animation.hpp"
+#include "output/report/animation.hpp"
 
 #include <gtest/gtest.h>
 #include <vtk-9.1/vtkNew.h>
@@ -6,11 +6,11 @@
 
 #include <cmath>
 
-#include "output/drawn_frame.hpp"
-#include "output/files.hpp"
-#include "output/profiles.hpp"
-#include "output/report.hpp"
-#include "output/vtk_frames.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/vtk_frames.hpp"
+#include "output/report/drawn_frame.hpp"
+#include "output/report/profiles.hpp"
+#include "output/report/report.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

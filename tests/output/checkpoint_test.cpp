@@ -1,15 +1,15 @@
-#include "output/checkpoint.hpp"
+#include "output/run/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "output/checksum.hpp"
-#include "output/commit.hpp"
-#include "output/files.hpp"
-#include "output/layout.hpp"
-#include "output/serialize.hpp"
-#include "output/state_archive.hpp"
+#include "output/folder/files.hpp"
+#include "output/run/checksum.hpp"
+#include "output/run/commit.hpp"
+#include "output/run/layout.hpp"
+#include "output/run/serialize.hpp"
+#include "output/run/state_archive.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

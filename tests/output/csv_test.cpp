@@ -1,4 +1,4 @@
-#include "output/csv.hpp"
+#include "output/folder/csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <random>
 
 #include "base/errors.hpp"
-#include "output/files.hpp"
-#include "output/report.hpp"
-#include "output/sweep_table.hpp"
+#include "output/folder/files.hpp"
+#include "output/report/report.hpp"
+#include "output/run/sweep_table.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

@@ -2,9 +2,9 @@
 
 #include <charconv>
 
-#include "output/files.hpp"
-#include "output/run_data.hpp"
-#include "output/text.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/text.hpp"
+#include "output/report/run_data.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

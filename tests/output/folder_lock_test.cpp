@@ -1,4 +1,4 @@
-#include "output/folder_lock.hpp"
+#include "output/folder/folder_lock.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -6,7 +6,7 @@
 #include <csignal>
 
 #include "base/errors.hpp"
-#include "output/folder.hpp"
+#include "output/folder/folder.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "output/files.hpp"
-#include "output/folder.hpp"
-#include "output/report.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/folder.hpp"
+#include "output/report/report.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

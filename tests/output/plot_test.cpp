@@ -1,11 +1,11 @@
-#include "output/plot.hpp"
+#include "output/report/plot.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "output/text.hpp"
+#include "output/folder/text.hpp"
 
 using namespace reye::output;
 using Labels = std::vector<std::string>;

@@ -5,8 +5,8 @@
 #include <map>
 #include <random>
 
-#include "output/checkpoint.hpp"
-#include "output/files.hpp"
+#include "output/folder/files.hpp"
+#include "output/run/checkpoint.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

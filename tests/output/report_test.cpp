@@ -1,12 +1,12 @@
-#include "output/report.hpp"
+#include "output/report/report.hpp"
 
 #include <gtest/gtest.h>
 #include <vtk-9.1/vtkNew.h>
 #include <vtk-9.1/vtkXMLDataParser.h>
 
-#include "output/figures.hpp"
-#include "output/files.hpp"
-#include "output/summary.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/summary.hpp"
+#include "output/report/figures.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

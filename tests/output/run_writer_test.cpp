@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "output/files.hpp"
-#include "output/run_writer.hpp"
-#include "output/tables.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/tables.hpp"
+#include "output/run/run_writer.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;

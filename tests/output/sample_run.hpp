@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "output/run_writer.hpp"
+#include "output/run/run_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 /// A made-up fretting run of a block on a flat and a rigid bar: enough to fill every output.

@@ -1,4 +1,4 @@
-#include "output/state_archive.hpp"
+#include "output/run/state_archive.hpp"
 
 #include <gtest/gtest.h>
 

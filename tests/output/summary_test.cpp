@@ -1,4 +1,4 @@
-#include "output/summary.hpp"
+#include "output/folder/summary.hpp"
 
 #include <gtest/gtest.h>
 

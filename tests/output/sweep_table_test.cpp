@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "output/files.hpp"
-#include "output/summary.hpp"
-#include "output/sweep_table.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/summary.hpp"
+#include "output/run/sweep_table.hpp"
 #include "sample_run.hpp"
 
 using namespace reye;

@@ -1,4 +1,4 @@
-#include "output/vtk_frames.hpp"
+#include "output/folder/vtk_frames.hpp"
 
 #include <gtest/gtest.h>
 #include <vtk-9.1/vtkCellData.h>

@@ -9,6 +9,7 @@
 #include "scene/keys.hpp"
 #include "scene/read.hpp"
 #include "scene/sha256.hpp"
+#include "scene/spec.hpp"
 
 using namespace reye;
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "problem_of.hpp"
-#include "sim/problem.hpp"
+#include "sim/problem/problem.hpp"
 
 /// Half a disc of R = 1 mm pressed with 60 N/mm on a flat of 2 x 1: by Hertz 2 a = 0.0527 mm.
 namespace reye::test {

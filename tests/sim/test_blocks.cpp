@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "problem_of.hpp"
-#include "sim/block.hpp"
-#include "sim/measure.hpp"
-#include "sim/surfaces.hpp"
+#include "sim/march/block.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/surfaces.hpp"
 
 using namespace reye;
 

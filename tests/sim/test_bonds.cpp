@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 #include "mesh/quality.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "solver/system.hpp"
 #include "support/problem.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "problem_of.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

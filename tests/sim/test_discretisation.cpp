@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/discretisation.hpp"
+#include "sim/study/discretisation.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;

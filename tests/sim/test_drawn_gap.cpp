@@ -4,9 +4,9 @@
 
 #include "base/errors.hpp"
 #include "problem_of.hpp"
-#include "sim/drawn_gap.hpp"
-#include "sim/drive.hpp"
-#include "sim/run.hpp"
+#include "sim/measure/drawn_gap.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "problem_of.hpp"
-#include "sim/drive.hpp"
-#include "sim/system.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/problem/system.hpp"
 
 using namespace reye;
 

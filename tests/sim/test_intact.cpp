@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "problem_of.hpp"
-#include "sim/intact.hpp"
-#include "sim/run.hpp"
+#include "sim/measure/intact.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

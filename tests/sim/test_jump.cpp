@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "problem_of.hpp"
-#include "sim/correction.hpp"
-#include "sim/jump.hpp"
-#include "sim/run.hpp"
+#include "sim/march/jump.hpp"
+#include "sim/measure/correction.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "problem_of.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

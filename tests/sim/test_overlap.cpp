@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "problem_of.hpp"
-#include "sim/overlap.hpp"
-#include "sim/run.hpp"
+#include "sim/measure/overlap.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "problem_of.hpp"
-#include "sim/drive.hpp"
-#include "sim/run.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

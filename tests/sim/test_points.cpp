@@ -3,7 +3,7 @@
 #include "base/errors.hpp"
 #include "mesh/arc.hpp"
 #include "problem_of.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

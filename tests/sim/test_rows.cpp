@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

@@ -1,9 +1,9 @@
-#include "sim/rules.hpp"
+#include "sim/problem/rules.hpp"
 
 #include <gtest/gtest.h>
 
 #include "problem_of.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

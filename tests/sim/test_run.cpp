@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "problem_of.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 
 using namespace reye;
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sim/measure.hpp"
-#include "sim/run.hpp"
-#include "sim/surfaces.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/surfaces.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

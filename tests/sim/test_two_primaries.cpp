@@ -4,10 +4,10 @@
 #include <numeric>
 
 #include "mesh/measure.hpp"
-#include "sim/block.hpp"
-#include "sim/measure.hpp"
-#include "sim/run.hpp"
-#include "sim/surfaces.hpp"
+#include "sim/march/block.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/surfaces.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

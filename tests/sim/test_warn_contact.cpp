@@ -1,5 +1,5 @@
-#include "sim/run.hpp"
-#include "sim/warn_contact.hpp"
+#include "sim/measure/warn_contact.hpp"
+#include "sim/study/run.hpp"
 
 #include <gtest/gtest.h>
 

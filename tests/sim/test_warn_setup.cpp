@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "disc_scene.hpp"
-#include "sim/warn_setup.hpp"
+#include "sim/place/warn_setup.hpp"
 
 using namespace reye;
 

@@ -1,8 +1,8 @@
-#include "sim/warnings.hpp"
+#include "sim/problem/warnings.hpp"
 
 #include <gtest/gtest.h>
 
-#include "sim/watch_block.hpp"
+#include "sim/march/watch_block.hpp"
 
 namespace {
 

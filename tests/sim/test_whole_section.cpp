@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

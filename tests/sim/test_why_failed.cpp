@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "problem_of.hpp"
-#include "sim/block.hpp"
-#include "sim/why_failed.hpp"
+#include "sim/march/block.hpp"
+#include "sim/measure/why_failed.hpp"
 
 using namespace reye;
 using Changes = std::vector<std::pair<std::string, std::string>>;
@@ -23,10 +23,8 @@ struct Begun {
   sim::State state;
   sim::Cache cache;
   solver::System system;
-  sim::Attempt attempt{nullptr, 1.0, "no convergence in 30 iterations"};
+  sim::Attempt attempt{nullptr, 1.0, solver::Failure::no_convergence, "no convergence in 30 iterations"};
 };
-
-const char* const lost = "no node is in contact, and a body is unsupported";
 
 }  // namespace
 
@@ -37,7 +35,7 @@ TEST(WhyFailed, NoKnownCause) { EXPECT_EQ(Begun().why(), "no convergence in 30 i
 TEST(WhyFailed, OutOfReach) {
   Begun begun({{"force_N_per_mm = -20.0", "motion_mm = -0.2"}}, 0.1);
   begun.system.contacts[0].search = 0.05;
-  begun.attempt.reason = lost;
+  begun.attempt.failure = solver::Failure::contact_lost;
   EXPECT_EQ(begun.why(),
             "the sides of contact pad are 0.1 mm apart, and facets are paired no farther than search_mm = 0.05; write "
             "search_mm = 0.15");
@@ -56,7 +54,7 @@ TEST(WhyFailed, TwoNodes) {
 // A body that nothing but the lost contact held must be named with its motion.
 TEST(WhyFailed, CameAway) {
   Begun begun;
-  begun.attempt.reason = lost;
+  begun.attempt.failure = solver::Failure::contact_lost;
   EXPECT_EQ(begun.why(),
             "body slider has come away from contact pad, and no support holds its translation along y; check the "
             "direction of its loads, and "

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "sim/measure.hpp"
-#include "sim/nodal_depth.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/nodal_depth.hpp"
 
 using namespace reye;
 

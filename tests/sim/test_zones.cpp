@@ -1,10 +1,10 @@
-#include "sim/zones.hpp"
+#include "sim/measure/zones.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 using namespace reye;

@@ -7,9 +7,9 @@
 
 #include "base/errors.hpp"
 #include "scene/rewrite.hpp"
-#include "sim/block.hpp"
-#include "sim/drive.hpp"
-#include "sim/run.hpp"
+#include "sim/march/block.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 
 namespace reye::test {

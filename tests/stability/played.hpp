@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "stability/members.hpp"
 
 /// A member played through the library, and the checks that every one must pass.

@@ -7,9 +7,9 @@
 #include "apps/scenes.hpp"
 #include "mesh/quality.hpp"
 #include "scene/read.hpp"
-#include "sim/measure.hpp"
-#include "sim/prepare.hpp"
-#include "sim/run.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/study/prepare.hpp"
+#include "sim/study/run.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace reye;

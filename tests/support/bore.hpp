@@ -2,7 +2,7 @@
 #include <numbers>
 #include <string>
 
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 #include "support/three_arcs.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "scene/read.hpp"
-#include "sim/prepare.hpp"
-#include "sim/problem.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/study/prepare.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace reye::support {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "mesh/measure.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// An audit of finished runs: what a run reports about one thing in several places is one number.

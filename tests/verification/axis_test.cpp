@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// Contacts that reach the axis of axisymmetry, and sliding about it.

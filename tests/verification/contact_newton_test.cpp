@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/block.hpp"
-#include "sim/drive.hpp"
+#include "sim/march/block.hpp"
+#include "sim/problem/drive.hpp"
 #include "verification/contact_scene.hpp"
 
 using namespace reye;

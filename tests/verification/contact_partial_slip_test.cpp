@@ -1,4 +1,4 @@
-#include "sim/measure.hpp"
+#include "sim/measure/measure.hpp"
 #include "verification/contact_scene.hpp"
 
 using namespace reye;

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// A block pressed on its top and dragged to and fro by its side, over a base: the node at the side slides as all

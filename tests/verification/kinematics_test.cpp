@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "fem/finite.hpp"
-#include "sim/kinematics.hpp"
-#include "sim/small_strain.hpp"
+#include "sim/measure/small_strain.hpp"
+#include "sim/study/kinematics.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/run.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 #include "verification/contact_scene.hpp"
 

@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "adapt/gauss_points.hpp"
-#include "sim/block.hpp"
-#include "sim/measure.hpp"
-#include "sim/remesh.hpp"
-#include "sim/shape.hpp"
-#include "sim/surfaces.hpp"
+#include "adapt/transfer/gauss_points.hpp"
+#include "sim/march/block.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/surfaces.hpp"
+#include "sim/reshape/remesh.hpp"
+#include "sim/reshape/shape.hpp"
 #include "verification/contact_scene.hpp"
 
 using namespace reye;

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "contact_scene.hpp"
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 
 /// Wear of bodies of second order: quadratic edges, multipliers and depths in Bernstein functions.
 namespace reye::verification {

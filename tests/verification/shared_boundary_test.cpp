@@ -3,9 +3,9 @@
 #include <numeric>
 
 #include "mesh/measure.hpp"
-#include "output/state_archive.hpp"
-#include "sim/observer.hpp"
-#include "sim/run.hpp"
+#include "output/run/state_archive.hpp"
+#include "sim/problem/observer.hpp"
+#include "sim/study/run.hpp"
 #include "support/problem.hpp"
 #include "wear_scene.hpp"
 

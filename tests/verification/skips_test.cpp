@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/block.hpp"
+#include "sim/march/block.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// Sliding that is imposed with sign and history: what slides forth and back wears as what slides forth alone.

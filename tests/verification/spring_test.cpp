@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// Supports that are springs, against closed forms: geo/sliding_block without friction, nu = 0, two blocks of 10 x 5

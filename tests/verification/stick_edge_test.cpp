@@ -1,4 +1,4 @@
-#include "sim/stick_edge.hpp"
+#include "sim/march/stick_edge.hpp"
 
 #include <algorithm>
 

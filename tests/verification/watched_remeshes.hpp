@@ -1,7 +1,7 @@
 #pragma once
-#include "sim/carry.hpp"
-#include "sim/measure.hpp"
-#include "sim/nodal_depth.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/nodal_depth.hpp"
+#include "sim/reshape/carry.hpp"
 #include "verification/wear_scene.hpp"
 
 namespace reye::verification {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/block.hpp"
-#include "sim/measure.hpp"
-#include "sim/shape.hpp"
+#include "sim/march/block.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/reshape/shape.hpp"
 #include "wear_scene.hpp"
 
 /// References B5: a block under 10 MPa, mu = 0.3, slides 1000 mm: 3 J/mm^2, depth 3e-4 mm at alpha = 1e-4 mm^3/J.

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// References B6: a confined column under fixed compression, K = M / H, wear kept in the gap.

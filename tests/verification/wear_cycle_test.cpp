@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// A fretting cycle of elastic bodies in gross slip: where the energy comes from and where it goes.

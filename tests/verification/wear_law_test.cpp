@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// Rates that depend on pressure, speed and history: the block of references B5 and the column of B6 with closed forms.

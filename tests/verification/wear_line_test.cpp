@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/records.hpp"
+#include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
 /// References B8: a line contact in gross slip, S = k E* s / a0; universal curve of an implicit half-plane solution.

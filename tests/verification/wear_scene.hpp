@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "scene/read.hpp"
-#include "sim/prepare.hpp"
-#include "sim/run.hpp"
+#include "sim/study/prepare.hpp"
+#include "sim/study/run.hpp"
 #include "support/temporary_folder.hpp"
 
 /// Scenes of geo/ with a few words replaced, played through the whole program but for its output.

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "cad/gmsh/session.hpp"
-#include "cad/kernel.hpp"
-#include "cad/text.hpp"
+#include "cad/meshing/kernel.hpp"
+#include "cad/part/text.hpp"
 #include "mesh/outline.hpp"
 #include "mesh/quality.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "cad/gmsh/section.hpp"
 #include "cad/gmsh/session.hpp"
-#include "cad/kernel.hpp"
+#include "cad/meshing/kernel.hpp"
 
 namespace reye::cad {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "cad/raw.hpp"
+#include "cad/part/raw.hpp"
 
 /// Readers of gmsh's current model. gmsh's bare std::string exceptions pass through.
 namespace reye::cad {

@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 #include "cad/gmsh/session.hpp"
-#include "cad/text.hpp"
+#include "cad/part/text.hpp"
 
 namespace reye::cad {
 

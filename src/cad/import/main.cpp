@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <new>
 
+#include "cad/build/importer_process.hpp"
 #include "cad/import/guard.hpp"
 #include "cad/import/read_file.hpp"
-#include "cad/importer_process.hpp"
-#include "cad/kernel.hpp"
-#include "cad/raw_bytes.hpp"
+#include "cad/meshing/kernel.hpp"
+#include "cad/part/raw_bytes.hpp"
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...

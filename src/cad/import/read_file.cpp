@@ -8,7 +8,7 @@
 #include "cad/import/content.hpp"
 #include "cad/import/read_vtu.hpp"
 #include "cad/import/script.hpp"
-#include "cad/kernel.hpp"
+#include "cad/meshing/kernel.hpp"
 
 namespace reye::cad {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "cad/raw.hpp"
+#include "cad/part/raw.hpp"
 
 namespace reye::cad {
 

@@ -1,0 +1,127 @@
+#include "cad/build/importer_process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+
+#include "cad/part/beside.hpp"
+
+extern char** environ;
+
+namespace reye::cad {
+
+namespace {
+
+constexpr int pipe_of_importer = 3;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Starts the process with its pipe as descriptor 3 and no other open file of this program.
+pid_t start(const std::string& program, const std::vector<std::string>& arguments, int pipe) {
+  posix_spawn_file_actions_t files;
+  ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_adddup2(&files, pipe, pipe_of_importer);
+  ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  for (int out : {STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_addclosefrom_np(&files, pipe_of_importer + 1);
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  pid_t pid = 0;
+  const int error = ::posix_spawn(&pid, program.c_str(), &files, nullptr, words.data(), environ);
+  ::posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw std::runtime_error("the importer " + program + " cannot be started: " + std::strerror(error));
+  return pid;
+}
+
+std::string in_words(int signal) {
+  const char* const mend = "; export the file again from the program it comes from, or in another format";
+  if (signal == SIGXCPU)
+    return "reading it takes more than " + std::to_string(computing_s) +
+           " s of computing; a file that you trust may take longer with --trust-geometry";
+  return std::string("the program that reads it crashes on it (") + ::strsignal(signal) + ")" + mend;
+}
+
+}  // namespace
+
+ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments) {
+  int ends[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string("no pipe to the importer: ") + std::strerror(errno));
+  pipe_ = ends[0];
+  try {
+    pid_ = start(beside_program("reye-import"), arguments, ends[1]);
+  } catch (...) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw;
+  }
+  ::close(ends[1]);
+}
+
+ImporterProcess::~ImporterProcess() {
+  ::close(pipe_);
+  if (pid_ == 0) return;
+  ::kill(pid_, SIGKILL);
+  while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+bool ImporterProcess::read_all(char* to, std::size_t bytes, double deadline) {
+  while (bytes > 0) {
+    pollfd waited{pipe_, POLLIN, 0};
+    const double left = deadline - now();
+    constexpr double longest_s = 1e6;  // poll counts milliseconds as int
+    const int ready = left > 0.0 ? ::poll(&waited, 1, static_cast<int>(1e3 * std::min(left, longest_s)) + 1) : 0;
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) {
+      too_long_ = ready == 0;
+      return false;
+    }
+    const ssize_t n = ::read(pipe_, to, bytes);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    to += n;
+    bytes -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+std::optional<std::string> ImporterProcess::message(double most_s) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 30;
+  const double deadline = now() + most_s;
+  std::uint64_t size = 0;
+  if (!read_all(reinterpret_cast<char*>(&size), sizeof size, deadline)) return std::nullopt;
+  too_large_ = size > most;
+  if (too_large_) return std::nullopt;
+  std::string text(static_cast<std::size_t>(size), '\0');
+  if (!read_all(text.data(), text.size(), deadline)) return std::nullopt;
+  return text;
+}
+
+std::string ImporterProcess::end_in_words() {
+  if (too_large_) return "holds more than 1 GB of outlines or mesh";
+  if (too_long_) {
+    return "reading it takes more than " + std::to_string(static_cast<int>(waiting_s)) +
+           " s; a file that you trust may take longer with --trust-geometry";
+  }
+  int status = 0;
+  while (::waitpid(pid_, &status, 0) < 0)
+    if (errno != EINTR) return "the program that reads it ended without a message";
+  pid_ = 0;
+  if (WIFSIGNALED(status)) return in_words(WTERMSIG(status));
+  return "the program that reads it ended without a message (code " + std::to_string(WEXITSTATUS(status)) + ")";
+}
+
+}  // namespace reye::cad

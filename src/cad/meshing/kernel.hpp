@@ -1,0 +1,21 @@
+#pragma once
+#include "cad/meshing/region.hpp"
+#include "cad/part/raw.hpp"
+
+/// gmsh and OpenCASCADE are in a separate library (`cad/gmsh`), loaded on first use: loading takes longer than many a
+/// small scene, and a scene that brings its mesh does not need it.
+namespace reye::cad {
+
+/// The functions of that library.
+struct Kernel {
+  std::vector<RawPart> (*read_file)(const std::string& path, Format format, const std::optional<Section>& section);
+  void (*fill)(Region& region, const SizeField& size);
+};
+
+/// Loads it; throws std::runtime_error when it is not found.
+const Kernel& kernel();
+
+std::vector<RawPart> read_by_gmsh(const std::string& path, Format format, const std::optional<Section>& section);
+void fill_by_gmsh(Region& region, const SizeField& size);
+
+}  // namespace reye::cad

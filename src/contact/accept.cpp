@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include "contact/interface.hpp"
+
+namespace reye::contact {
+
+/// Volumes and work of one slipping node go to the nodes that wear with it, on either side.
+void Interface::book(int node, ContactState& next) const {
+  const auto j = static_cast<std::size_t>(node);
+  const auto& c = condition_[j];
+  const auto& law = setup_->options.wear;
+  const auto& area = setup_->secondary.area;
+  const double friction_work = options_.jump * std::abs(c.drag * c.slip);
+  const auto spread = [&](auto add) {
+    add(j, area[j] / worn_length_[j]);
+    for (const auto& [k, per_volume] : between_[j]) add(static_cast<std::size_t>(k), 0.5 * area[k] / worn_length_[j]);
+  };
+  next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(node));
+  next.frictional_work += friction_work;
+  spread([&](std::size_t k, double share) { next.energy_secondary[k] += share * friction_work; });
+  if (!options_.wear || !law.wears()) return;
+  const double work = options_.jump * c.work;
+  next.worn_work += friction_work;
+  next.law_work += work;
+  spread([&](std::size_t k, double share) {
+    next.pending_secondary[k] += share * law.secondary * work;
+    next.removed_secondary[k] += share * law.secondary * work;
+  });
+  if (law.primary == 0.0) return;
+  for (const auto& [l, T] : cover_[j]) {
+    const double volume = law.primary * work * T / spread_[j];
+    next.pending_primary[l] += volume;
+    next.removed_primary[l] += volume;
+  }
+}
+
+ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
+  ContactState next = *before_;
+  next.lambda = lambda;
+  next.normal = normal_;
+  next.status = status_;
+  next.reference = rows_;
+  next.friction = friction_;
+  for (std::size_t j = 0; j < lambda.size(); ++j)
+    if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
+  if (options_.held || setup_->options.bonded) return next;
+  for (std::size_t j = 0; j < rows_.size(); ++j)
+    if (status_[j] == ContactStatus::slip && !next.lambda[j].isZero(0.0)) book(static_cast<int>(j), next);
+  return next;
+}
+
+}  // namespace reye::contact

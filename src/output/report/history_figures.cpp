@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "output/report/figures.hpp"
+
+namespace reye::output {
+
+namespace {
+
+bool any_nonzero(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v != 0.0; });
+}
+
+void add_energy(const RunData& run, std::vector<Figure>& all) {
+  const std::string energy = suffixes(run.identity.analysis).energy;
+  const auto& y = run.history.column("energy_" + energy);
+  const auto& cycle = run.history.column("cycle");
+  if (!any_nonzero(y)) return;
+  const bool ring = run.identity.analysis == base::Analysis::axisymmetric;
+  Figure figure{.id = "energy",
+                .title = "Energy dissipated by friction",
+                .x_label = "cycles",
+                .y_label = ring ? "energy, mJ" : "energy, mJ per mm"};
+  const bool cycles = any_nonzero(cycle);
+  Line line{.x = cycle, .y = y};
+  if (!cycles) {
+    figure.x_label = "increment";
+    for (std::size_t i = 0; i < line.x.size(); ++i) line.x[i] = static_cast<double>(i + 1);
+  }
+  figure.y_from_zero = true;
+  figure.lines.push_back(std::move(line));
+  all.push_back(std::move(figure));
+}
+
+/// Rows of the last play of the last step: back to where the progress starts again.
+std::size_t last_play(const Table& history) {
+  const auto& progress = history.column("progress");
+  const auto& step = history.column("step");
+  std::size_t first = history.rows() - 1;
+  while (first > 0 && step[first - 1] == step[first] && progress[first - 1] < progress[first]) --first;
+  return first;
+}
+
+void add_forces(const RunData& run, std::vector<Figure>& all) {
+  const Table& history = run.history;
+  if (history.rows() < 2) return;
+  const std::size_t first = last_play(history);
+  if (history.rows() - first < 3) return;
+  const std::string unit = suffixes(run.identity.analysis).force;
+  const auto& progress = history.column("progress");
+  Figure figure{.id = "forces",
+                .title = "Support forces through the last '" + history.word(history.column("step").back()) + "'",
+                .x_label = "progress of the step",
+                .y_label = unit == "N" ? "force on the body, N" : "force on the body, N per mm"};
+  std::size_t supports = 0;
+  for (std::size_t c = 8; c < history.columns.size(); ++c) {
+    const std::string& column = history.columns[c];
+    const auto x = column.rfind("_force_x_"), y = column.rfind("_force_y_");
+    const bool along_y = y != std::string::npos && (x == std::string::npos || y > x);
+    const auto end = along_y ? y : x;
+    if (end == std::string::npos) continue;
+    const std::string name = column.substr(0, end) + (along_y ? ", y" : ", x");
+    const auto from = static_cast<std::ptrdiff_t>(first);
+    Line line{.label = name,
+              .x = {progress.begin() + from, progress.end()},
+              .y = {history.values[c].begin() + from, history.values[c].end()},
+              .colour = line_colour(supports),
+              .dashed = along_y};
+    if (any_nonzero(line.y)) figure.lines.push_back(std::move(line));
+    if (along_y) ++supports;
+  }
+  if (!figure.lines.empty()) all.push_back(std::move(figure));
+}
+
+}  // namespace
+
+std::vector<Figure> history_figures(const RunData& run) {
+  std::vector<Figure> all;
+  add_energy(run, all);
+  add_forces(run, all);
+  return all;
+}
+
+}  // namespace reye::output

@@ -1,0 +1,156 @@
+#include "output/report/report.hpp"
+
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/text.hpp"
+#include "output/report/animation.hpp"
+#include "output/report/figures.hpp"
+#include "output/report/report_tables.hpp"
+#include "output/report/run_data.hpp"
+
+namespace reye::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { margin: 0 auto; max-width: 1180px; padding: 28px 24px 60px; color: #2b2f36; background: #fff;
+       font: 15px/1.5 Helvetica, Arial, "DejaVu Sans", sans-serif; }
+h1 { font-size: 26px; line-height: 1.25; margin: 0 0 6px; }
+h2 { font-size: 18px; margin: 34px 0 10px; padding-bottom: 5px; border-bottom: 1px solid #d9dde2; }
+p { margin: 4px 0; }
+.quiet { color: #6a717c; font-size: 13px; word-break: break-all; }
+.status { display: inline-block; padding: 2px 12px; border-radius: 11px; color: #fff; font-weight: 600; }
+.done { background: #2f8f5b; } .failed { background: #b8352a; } .interrupted, .open { background: #b08900; }
+table { border-collapse: collapse; margin: 6px 0 10px; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; padding: 4px 18px 4px 0; border-bottom: 1px solid #eceff2; vertical-align: top; }
+th { font-weight: 600; } tbody th { font-weight: 400; } thead th { color: #6a717c; font-size: 13px; }
+td.number { text-align: right; white-space: nowrap; } th.number { text-align: right; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 18px; }
+figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
+.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
+li { margin: 2px 0; }
+.warnings { margin: 14px 0; padding: 2px 18px 8px; background: #fff6df; border-left: 4px solid #b08900; }
+.warnings h2 { border: 0; margin: 8px 0 4px; }
+@media print { body { max-width: none; padding: 0; font-size: 12px; } h2 { break-after: avoid; }
+  .figures { grid-template-columns: 1fr 1fr; } }
+)";
+
+std::string heading(const RunData& run) {
+  const bool ended = run.summary.is_object();
+  const std::string status = ended ? run.summary.value("status", "open") : "open";
+  std::string html = "<h1>" + escaped(run.identity.title) + "</h1>\n<p><span class=\"status " + escaped(status) +
+                     "\">" + (ended ? escaped(status) : "not finished") + "</span></p>\n";
+  if (ended && run.summary.contains("reason") && run.summary["reason"].is_string())
+    html += "<p><strong>Reason:</strong> " + escaped(run.summary["reason"].get<std::string>()) + "</p>\n";
+  if (!ended) html += "<p>The run has not ended, or was killed: the figures show what is on disk so far.</p>\n";
+  const char* kind[] = {"plane strain, per mm of thickness", "plane stress, per mm of thickness",
+                        "axisymmetric, whole circumference"};
+  for (const auto& [contact, sides] : run.identity.sides)
+    html += "<p>Contact " + escaped(contact) + ": secondary side " + escaped(sides[0]) + ", primary side " +
+            escaped(sides[1]) + ".</p>\n";
+  return html + "<p class=\"quiet\">Scene " + escaped(run.identity.name) + " · " +
+         kind[static_cast<int>(run.identity.analysis)] + " · reye " + version + "</p>\n";
+}
+
+std::string warning_list(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  const auto warnings = run.summary.find("warnings");
+  if (warnings == run.summary.end() || !warnings->is_array() || warnings->empty()) return {};
+  std::string html = "<div class=\"warnings\">\n<h2>Warnings</h2>\n<ul>\n";
+  for (const auto& w : *warnings) {
+    const std::string about = w.contains("about") && w["about"].is_string() ? ", " + w["about"].get<std::string>() : "";
+    html += "<li><strong>" + escaped(w.value("kind", "") + about) + ":</strong> " + escaped(w.value("text", "")) +
+            "</li>\n";
+  }
+  return html + "</ul>\n</div>\n";
+}
+
+std::string figure_grid(const std::vector<Figure>& all) {
+  if (all.empty()) return {};
+  std::string html = "<h2>Figures</h2>\n<div class=\"figures\">\n";
+  for (const auto& figure : all) html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
+  return html + "</div>\n";
+}
+
+/// Moving figures, in step with each other, with a slider to hold them at any frame.
+std::string film(const std::vector<Figure>& moving) {
+  if (moving.empty()) return {};
+  const std::string seconds = number(moment_seconds), last = std::to_string(moving.front().moments.size() - 1);
+  std::string html =
+      "<h2>Animation</h2>\n<p><button type=\"button\" onclick=\"play()\">play</button> "
+      "<input type=\"range\" id=\"moment\" min=\"0\" max=\"" +
+      last + "\" value=\"" + last + "\" oninput=\"hold(Number(this.value))\"/></p>\n<div class=\"figures moving\">\n";
+  for (const auto& figure : moving)
+    html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
+  return html +
+         "</div>\n<script>\nconst films = document.querySelectorAll('.moving svg');\n"
+         "function hold(k) { films.forEach(f => { f.pauseAnimations(); f.setCurrentTime((k + 0.5) * " +
+         seconds +
+         "); }); }\nfunction play() { films.forEach(f => { f.setCurrentTime(0); f.unpauseAnimations(); }); "
+         "}\n</script>\n";
+}
+
+std::string page(const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
+  std::string html =
+      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+      "<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
+  html += heading(run) + warning_list(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) +
+          remesh_table(run) + run_tables(run);
+  return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
+         "</p>\n</body>\n</html>\n";
+}
+
+/// Worn profile and pressure of each contact beside each other: the most important picture of a run.
+void write_overviews(const RunData& run, const std::vector<Figure>& all, const fs::path& folder) {
+  for (const auto& contact : run.contacts) {
+    const std::string name = file_part(contact.name);
+    std::vector<Figure> row;
+    for (const auto& figure : all)
+      if (figure.id == "profile-" + name + "-secondary" || figure.id == "pressure-" + name) row.push_back(figure);
+    if (row.size() == 2) atomic_write((folder / ("overview-" + name + ".svg")).string(), svg_row(row));
+  }
+}
+
+/// The page; a summary with another type where a text is expected counts as damaged.
+std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
+                    const std::vector<Figure>& moving) {
+  try {
+    return page(run, all, moving);
+  } catch (const nlohmann::json::exception& error) {
+    throw base::InputError({{"dir", "", (fs::path(dir) / "summary.json").string() + " is damaged: " + error.what()}});
+  }
+}
+
+/// The folder for separate figures, without those of a former report.
+fs::path emptied_figures(const std::string& dir) {
+  const auto folder = fs::path(dir) / "figures";
+  make_folder(folder.string());
+  std::vector<fs::path> former;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".svg") former.push_back(entry.path());
+  for (const auto& path : former) fs::remove(path);
+  return folder;
+}
+
+}  // namespace
+
+void write_report(const std::string& dir, bool animation) {
+  const RunData run = read_run(dir);
+  const auto all = figures(run);
+  const auto moving = animation ? moving_figures(run, dir) : std::vector<Figure>{};
+  const std::string html = page_of(dir, run, all, moving);
+  const auto folder = emptied_figures(dir);
+  for (const auto* list : {&all, &moving})
+    for (const auto& figure : *list) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
+  write_overviews(run, all, folder);
+  atomic_write((fs::path(dir) / "report.html").string(), html);
+}
+
+}  // namespace reye::output

@@ -1,0 +1,253 @@
+#include "output/report/report_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "output/folder/text.hpp"
+#include "output/report/plot.hpp"
+
+namespace reye::output {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+using Row = std::vector<std::string>;  ///< label, then numbers as HTML
+
+/// A value of the summary for readers; a dash where it is null or missing.
+std::string shown(const Json& object, const std::string& key, int digits = 5, double factor = 1.0) {
+  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "–";
+  return rounded(factor * object[key].get<double>(), digits);
+}
+
+const Json& part(const Json& object, const std::string& key) {
+  static const Json none;
+  return object.is_object() && object.contains(key) ? object[key] : none;
+}
+
+/// All columns but the first and those in `texts` are set as numbers.
+std::string table(const Row& head, const std::vector<Row>& rows, const std::set<std::size_t>& texts = {}) {
+  if (rows.empty()) return {};
+  const auto open = [&](const std::string& cell, std::size_t i) {
+    return '<' + cell + (i == 0 || texts.count(i) ? ">" : " class=\"number\">");
+  };
+  std::string html = "<table>\n<thead><tr>";
+  for (std::size_t i = 0; i < head.size(); ++i) html += open("th", i) + escaped(head[i]) + "</th>";
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr><th>" + escaped(row[0]) + "</th>";
+    for (std::size_t i = 1; i < row.size(); ++i) html += open("td", i) + escaped(row[i]) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+std::string section(const std::string& title, const std::string& body) {
+  return body.empty() ? "" : "<div><h2>" + escaped(title) + "</h2>\n" + body + "</div>\n";
+}
+
+struct Quantity {
+  std::string label, key, unit;
+  double factor = 1.0;  ///< from the unit of the key to that of the table
+};
+
+std::vector<Quantity> contact_quantities(const Suffixes& unit) {
+  const std::string per = unit.force == "N" ? "" : " per mm";
+  return {{"Peak pressure", "peak_pressure_MPa", "MPa"},
+          {"Contact half width", "contact_half_width_mm", "mm"},
+          {"Stick half width", "stick_half_width_mm", "mm"},
+          {"Normal force", "normal_force_" + unit.force, "N" + per},
+          {"Tangential force", "tangential_force_" + unit.force, "N" + per},
+          {"Dissipated energy", "dissipated_energy_" + unit.energy, "mJ" + per}};
+}
+
+std::vector<Quantity> side_quantities(const Suffixes& unit) {
+  const bool ring = unit.force == "N";
+  return {{"Largest depth", "max_depth_mm", "µm", 1e3},
+          {ring ? "Worn volume" : "Worn area", unit.worn, ring ? "mm³" : "mm²"},
+          {"Scar width", "scar_width_mm", "mm"}};
+}
+
+std::string contact_table(const RunData& run) {
+  const auto unit = suffixes(run.identity.analysis);
+  const Json& contacts = part(run.summary, "contacts");
+  Row head{"At the end of the run"};
+  for (const auto& item : contacts.items()) head.push_back(item.key());
+  head.push_back("unit");
+  std::vector<Row> rows;
+  const auto add = [&](const Quantity& q, const std::string& side) {
+    Row row{side.empty() ? q.label : q.label + ", " + side};
+    for (const auto& contact : contacts)
+      row.push_back(shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
+    row.push_back(q.unit);
+    rows.push_back(std::move(row));
+  };
+  if (contacts.empty()) return {};
+  for (const auto& q : contact_quantities(unit)) add(q, "");
+  for (const char* side : {"secondary", "primary"})
+    for (const auto& q : side_quantities(unit)) add(q, side);
+  return table(head, rows);
+}
+
+/// ", 1000 to 4000 under the scatter of wear"; empty where the limit has none or is not reached.
+std::string band_of(const RunData& run, const std::string& limit) {
+  const Json& band = part(part(run.summary, "life_band"), limit);
+  if (!part(band, "longest_cycles").is_number()) return {};
+  return ", " + shown(band, "shortest_cycles", 6) + " to " + shown(band, "longest_cycles", 6) +
+         " under the scatter of wear";
+}
+
+/// The largest tractions of the run, where and when; those at a free end of a bond depend on the mesh.
+std::string bond_table(const RunData& run) {
+  std::vector<Row> rows;
+  bool singular = false;
+  for (const auto& [name, bond] : part(run.summary, "bonds").items())
+    for (const auto& [key, label] : {std::pair("tension", "tension"), std::pair("shear", "shear")}) {
+      const Json& most = part(bond, "most");
+      const std::string peak = std::string("peak_") + key;
+      const bool at_end = part(most, peak + "_at_end") == true;
+      singular = singular || at_end;
+      const bool placed = part(most, peak + "_x_mm").is_number();
+      rows.push_back({name + ", " + label, shown(most, peak + "_MPa", 4), shown(part(bond, "end"), peak + "_MPa", 4),
+                      shown(part(bond, "end"), std::string("mean_") + key + "_MPa", 4),
+                      placed ? "(" + shown(most, peak + "_x_mm") + ", " + shown(most, peak + "_y_mm") + "), cycle " +
+                                   shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "")
+                             : "–"});
+    }
+  return table({"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
+                "where the largest, mm, and when"},
+               rows, {4}) +
+         (singular ? "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the "
+                     "largest value there "
+                     "grows as elements get shorter. Compare means, or one mesh with the same mesh.</p>\n"
+                   : "");
+}
+
+std::string life_table(const RunData& run) {
+  std::vector<Row> rows;
+  for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
+    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
+                              band_of(run, name)});
+  return table({"Limit", "life"}, rows);
+}
+
+std::string probe_table(const RunData& run) {
+  std::vector<Row> rows;
+  for (const auto& [name, u] : part(run.summary, "probes").items())
+    rows.push_back({name, shown(u, "u_x_mm"), shown(u, "u_y_mm")});
+  return table({"Probe", "u_x, mm", "u_y, mm"}, rows);
+}
+
+std::string error_table(const RunData& run) {
+  const Json& error = part(run.summary, "estimated_error");
+  std::vector<Row> rows;
+  for (const auto& [key, label] :
+       {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
+        std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
+        std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
+    if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
+  return table({"Estimated relative error", ""}, rows);
+}
+
+std::string list(const Json& sentences) {
+  if (!sentences.is_array() || sentences.empty()) return {};
+  std::string html = "<ul>\n";
+  for (const auto& sentence : sentences)
+    if (sentence.is_string()) html += "<li>" + escaped(sentence.get<std::string>()) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string time_bars(const RunData& run) {
+  const Json& rooms = part(run.summary, "room_seconds");
+  std::vector<Bar> bars;
+  double total = 0.0;
+  for (const auto& [room, seconds] : rooms.items())
+    if (seconds.is_number()) bars.push_back({room, seconds.get<double>(), ""});
+  for (const auto& bar : bars) total += bar.value;
+  if (total <= 0.0) return {};
+  std::stable_sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return a.value > b.value; });
+  for (auto& bar : bars)
+    bar.text = rounded(bar.value, 3) + " s (" + rounded(std::round(1000.0 * bar.value / total) / 10.0, 3) + " %)";
+  return "<figure>" + svg_bars(bars) + "</figure>\n";
+}
+
+std::string count_table(const RunData& run) {
+  std::vector<Row> rows{{"Cycles", shown(run.summary, "cycles", 8)}};
+  for (const auto& [key, label] :
+       {std::pair("blocks", "Blocks of cycles"), std::pair("increments", "Increments"),
+        std::pair("newton_iterations", "Newton iterations"), std::pair("factorisations", "Factorisations"),
+        std::pair("remeshes", "Remeshes"), std::pair("cutbacks", "Cut-backs")})
+    rows.push_back({label, shown(part(run.summary, "counts"), key, 12)});
+  rows.push_back({"Wall time, s", shown(run.summary, "wall_s", 4)});
+  rows.push_back({"Processor time, s", shown(run.summary, "cpu_s", 4)});
+  rows.push_back({"Largest memory, MB", shown(run.summary, "peak_rss_MB", 4)});
+  return table({"Counts", ""}, rows);
+}
+
+/// Cells of one row of remesh.csv; jumps in percent.
+Row remesh_cells(const Table& t, std::size_t i) {
+  const auto value = [&](const char* column) { return t.column(column).at(i); };
+  Row row{rounded(value("cycle"), 8), t.word(value("body")),
+          rounded(value("nodes_before"), 9) + " → " + rounded(value("nodes_after"), 9)};
+  for (const char* jump : {"pressure_jump", "force_jump", "energy_jump"})
+    row.push_back(rounded(100.0 * value(jump), 2));
+  row.push_back(rounded(1e3 * value("projection_mm"), 3));
+  row.push_back(t.word(value("reason")));
+  return row;
+}
+
+}  // namespace
+
+std::string result_tables(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  const std::string right = life_table(run) + probe_table(run) + error_table(run);
+  return "<h2>Results</h2>\n<div class=\"columns\">\n<div>" + contact_table(run) + "</div>\n<div>" + right +
+         "</div>\n</div>\n" + bond_table(run);
+}
+
+std::string ledger_table(const RunData& run) {
+  const auto unit = suffixes(run.identity.analysis);
+  const bool ring = unit.force == "N";
+  const std::string amount = ring ? " volume, mm³" : " area, mm²";
+  std::vector<Row> rows;
+  for (const auto& [name, contact] : part(run.summary, "contacts").items())
+    rows.push_back({name, shown(contact, "dissipated_energy_" + unit.energy, 6),
+                    shown(part(contact, "secondary"), unit.worn, 6), shown(part(contact, "primary"), unit.worn, 6),
+                    shown(contact, "ledger_relative_error", 2)});
+  const std::string body = table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
+                                  "secondary" + amount, "primary" + amount, "relative error"},
+                                 rows);
+  if (body.empty()) return {};
+  return section("Ledger", body +
+                               "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
+                               "sum, over both sides; a dash where nothing wears.</p>\n");
+}
+
+std::string remesh_table(const RunData& run) {
+  constexpr std::size_t shown_open = 20, shown_at_most = 200;
+  const std::size_t count = run.remeshes.rows();
+  std::vector<Row> rows;
+  for (std::size_t i = count - std::min(count, shown_at_most); i < count; ++i)
+    rows.push_back(remesh_cells(run.remeshes, i));
+  if (rows.empty()) return {};
+  const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
+  return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
+         "><summary>Remeshed bodies: " + std::to_string(count) +
+         (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
+         table(head, rows, {1, 7}) +
+         "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "
+         "difference in pressure over the pressure, both as root mean squares, difference of contact force and of "
+         "strain energy. Outside: "
+         "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";
+}
+
+std::string run_tables(const RunData& run) {
+  if (!run.summary.is_object()) return {};
+  return "<div class=\"columns\">\n" + section("The run", count_table(run)) +
+         section("Where the time went", time_bars(run)) +
+         section("Skipped, and why", list(part(run.summary, "skipped"))) +
+         section("Cut-backs, and why", list(part(run.summary, "cutback_reasons"))) + "</div>\n";
+}
+
+}  // namespace reye::output

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "output/report/run_data.hpp"
+
+/// The sections of the report that are tables; each returns HTML, or nothing when the run has no such data.
+namespace reye::output {
+
+/// Key results of every contact, lives, probes, estimated errors.
+std::string result_tables(const RunData& run);
+
+/// The removed volume beside coefficient x work.
+std::string ledger_table(const RunData& run);
+
+/// One row per body remeshed, with the jumps it cost; folded away when they are many.
+std::string remesh_table(const RunData& run);
+
+/// Counts, time and memory, what was skipped, why steps were cut.
+std::string run_tables(const RunData& run);
+
+}  // namespace reye::output

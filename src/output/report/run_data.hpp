@@ -1,0 +1,65 @@
+#pragma once
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/folder/folder.hpp"
+#include "output/folder/tables.hpp"
+
+/// Data of an output folder, as the report reads them.
+namespace reye::output {
+
+/// A CSV table by columns. The text columns (step, status, body, reason) hold indices into `words`.
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> values;  ///< one vector per column
+  std::vector<std::string> words;
+
+  std::size_t rows() const { return values.empty() ? 0 : values[0].size(); }
+  /// The column of this name; empty when the table has none.
+  const std::vector<double>& column(std::string_view name) const;
+  /// The text behind a cell of a text column.
+  const std::string& word(double cell) const { return words.at(static_cast<std::size_t>(cell)); }
+};
+
+/// Reads a table; a last line that a kill left half is dropped.
+/// Throws when a row has another width or a cell is not a number.
+Table parse_csv(const std::string& text);
+
+/// Rows [begin, end) of a surface table that belong to one frame.
+struct FrameRows {
+  double cycle = 0.0;
+  std::size_t begin = 0, end = 0;
+};
+
+struct SurfaceTable {
+  sim::Side side = sim::Side::secondary;
+  Table table;
+  std::vector<FrameRows> frames;
+};
+
+struct ContactData {
+  std::string name;
+  std::optional<double> friction;
+  std::vector<SurfaceTable> sides;  ///< secondary first; a side without table is missing
+};
+
+struct RunData {
+  Identity identity;
+  nlohmann::ordered_json summary;  ///< null when the run has not ended
+  Table history;
+  Table remeshes;  ///< empty when no body was remeshed
+  std::vector<ContactData> contacts;
+};
+
+/// The files of a run as far as they exist; all of them must if it has ended. Throws base::InputError with the file
+/// that is missing, cut or altered.
+RunData read_run(const std::string& dir);
+
+/// sum over nodes of depth times half the neighbouring lengths (times 2 pi x in axisymmetry).
+double worn_amount(const SurfaceTable& surface, const FrameRows& rows, base::Analysis analysis);
+
+}  // namespace reye::output

@@ -1,0 +1,231 @@
+#include "sim/march/block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <tuple>
+
+#include "sim/march/watch_contacts.hpp"
+#include "sim/measure/bond_traction.hpp"
+#include "sim/measure/figures.hpp"
+#include "sim/measure/frame.hpp"
+#include "sim/measure/nodal_depth.hpp"
+#include "sim/measure/shared_wear.hpp"
+#include "sim/measure/thickness.hpp"
+#include "sim/measure/why_failed.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/problem/rules.hpp"
+#include "sim/problem/scene_line.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/reshape/approach.hpp"
+#include "sim/reshape/depth.hpp"
+#include "sim/reshape/renew.hpp"
+#include "sim/reshape/shape.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+IncrementRecord record_of(const Problem& problem, const State& state, const solver::System& system,
+                          const solver::Controls& controls, const BlockSpan& span, double progress, int newton) {
+  IncrementRecord r = figures_of(problem, state, system, controls);
+  r.step = span.step->name;
+  r.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
+  r.progress = progress;
+  r.newton = newton;
+  return r;
+}
+
+/// True where a history that the step plays has a corner: the motion does not continue as before.
+bool corner_at(const scene::Scene& scene, const scene::Step& step, double progress) {
+  for (const auto& name : step.play)
+    for (const auto& corner : scene.histories.at(name))
+      if (std::abs(corner[0] - progress) < 1e-9) return true;
+  return false;
+}
+
+/// The block being played: its start, whether its increments are rows of the history, the length of its last increment
+/// (0: none to continue from) and its cost.
+struct Playing {
+  const BlockSpan& span;
+  const Observer& observer;
+  std::map<std::string, double> held;
+  bool in_history = true;
+  double last_length = 0.0;
+  int newton = 0;
+  std::vector<double> ends{};  ///< of the increments played so far
+};
+
+/// The addition to the message of an increment that fails while a drawn overlap is let in.
+std::string in_words_of_overlap(const std::map<std::string, double>& factors) {
+  const auto left = factors.find(overlap_left);
+  if (left == factors.end() || left->second == 1.0) return {};
+  char words[80];
+  std::snprintf(words, sizeof words, ", %.3g %% of the drawn overlap let in", 100.0 * (1.0 - left->second));
+  return words;
+}
+
+void note_cutback(State& state, const std::string& where, const Observer& observer) {
+  if (++state.counts.cutbacks <= told_cutbacks) state.cutback_reasons.push_back(where);
+  if (observer.log) observer.log("cut back: " + where);
+}
+
+/// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
+std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to,
+                 int depth) {
+  const auto& [span, observer, held, in_history, last_length, newton, played] = block;
+  const auto& system = timed_system(problem, state, cache);
+  const auto factors = factors_at(problem.scene, *span.step, to, held);
+  auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
+  set_friction(controls, problem, state.cycle);
+  auto left = left_by_others(problem, state);
+  for (std::size_t c = 0; c < left.size(); ++c) {
+    controls.contacts[c].waiting_secondary = std::move(left[c].waiting_secondary);
+    controls.contacts[c].waiting_primary = std::move(left[c].waiting_primary);
+    controls.contacts[c].energy_elsewhere = std::move(left[c].energy);
+  }
+  for (std::size_t c = 0; c < controls.contacts.size(); ++c)
+    if (controls.contacts[c].wear) {
+      auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
+      controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
+      controls.contacts[c].thickness_primary = std::move(thickness.primary);
+    }
+  count_from_renewal(controls, problem, system, state);
+  if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
+  if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to);
+  solver::SolveResult result;
+  {
+    Timer timer(cache, "solver");
+    result = cache.newton.solve(system, state.solution, controls);
+  }
+  state.counts.newton_iterations += result.report.solves;
+  if (!result.report.converged) {
+    char progress[120];
+    std::snprintf(progress, sizeof progress, "\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
+    const std::string where = "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
+    if (depth == 0) {
+      if (observer.log) observer.log("no state: " + where + result.report.reason);
+      const Attempt attempt{span.step, span.jump, result.report.failure, result.report.reason};
+      return scene_line(problem.scene, "step " + span.step->name) + where + why_failed(problem, state, attempt, system);
+    }
+    note_cutback(state, where + result.report.reason, observer);
+    const double middle = 0.5 * (from + to);
+    block.last_length = 0.0;
+    const std::string first = play(problem, state, cache, block, from, middle, depth - 1);
+    return first.empty() ? play(problem, state, cache, block, middle, to, depth - 1) : first;
+  }
+  {
+    Timer timer(cache, "sim");
+    if (span.cycles) note(state.recall, state.step, from, to, state.solution, result.state);
+    state.solution = std::move(result.state);
+    state.factors = factors;
+    block.last_length = to - from;
+    if (to > from) block.ends.push_back(to);
+    block.newton = result.report.solves;
+    watch_contacts(problem, state, system, span.step->wear);
+    watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
+    state.shown = false;
+    ++state.counts.increments;
+    if (observer.increment && in_history)
+      observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
+  }
+  if (span.remesh && renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
+  return {};
+}
+
+double deepest_of_all(const Problem& problem, const solver::System& system, const State& state) {
+  double depth = 0.0;
+  const auto shown = as_shown(problem, state);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& contact = shown[c];
+    depth = std::max({depth, deepest(system.contacts[c].secondary, contact.removed_secondary),
+                      deepest(system.contacts[c].primary, contact.removed_primary)});
+  }
+  return depth;
+}
+
+void tell_progress(const Playing& block, const Problem& problem, const State& state, const solver::System& system,
+                   int increment, int increments, double progress) {
+  if (!block.observer.progress) return;
+  const BlockSpan& span = block.span;
+  Progress p;
+  p.step = span.step->name;
+  p.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
+  p.cycles = span.step->cycles;
+  p.increment = increment;
+  p.increments = increments;
+  p.newton = block.newton;
+  p.depth_max_mm = deepest_of_all(problem, system, state);
+  p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
+  block.observer.progress(p);
+}
+
+}  // namespace
+
+void begin_state(const Problem& problem, State& state, Cache& cache) {
+  const auto& system = timed_system(problem, state, cache);
+  state.solution.q = state.solution.q_low = Vector::Zero(system.dofs);
+  state.solution.interiors.assign(system.bodies.size(), {});
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]))
+      state.solution.interiors[b] = body->start();
+  state.solution.contacts.clear();
+  for (const auto& setup : system.contacts) state.solution.contacts.push_back(contact::fresh_state(setup));
+  approach(problem, state, system);
+  state.approached = true;
+  for (char rigid : problem.rigid) state.counts.factorisations += rigid ? 0 : 1;
+}
+
+Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span,
+                        const Observer& observer) {
+  const auto& output = problem.scene.output;
+  Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
+  cache.newton.reset();
+  begin_watch(problem, state);
+  const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
+  double from = 0.0;
+  if (span.cycles && state.step_cycles == 0.0 && factors_at(problem.scene, *span.step, 0.0, block.held) != block.held)
+    if (const auto failure = play(problem, state, cache, block, 0.0, 0.0, 0); !failure.empty())
+      return {std::move(state), failure, false};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
+    if (!failure.empty()) return {std::move(state), failure, false};
+    from = ends[i];
+    tell_progress(block, problem, state, cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
+    const bool shown_here = output.frames.every_increment || (output.frames.last_block && span.last);
+    if (shown_here && i + 1 < ends.size()) {
+      const double start = state.cycle;
+      state.cycle += span.cycles ? span.jump * from : 0.0;
+      show_frame(problem, state, cache, observer, span.step->name);
+      state.cycle = start;
+    }
+    if (observer.interrupted && observer.interrupted()) {
+      if (span.cycles) state.cycle += span.jump * from;
+      return {std::move(state), {}, true};
+    }
+  }
+  if (span.cycles) {
+    state.cycle += span.jump;
+    ++state.counts.cycles_solved;
+  }
+  return {std::move(state), {}, false, {}, std::move(block.ends)};
+}
+
+Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  Outcome outcome{std::move(state), {}, false};
+  if (problem.scene.shape && (span.step->wear || problem.scene.remesh.every_blocks > 0))
+    outcome = evolve_shape(problem, std::move(outcome.state), cache, span, observer);
+  if (!outcome.failure.empty()) return outcome;
+  if (problem.scene.shape && span.step->wear) measure_depths(problem, outcome.state);
+  renew_references(problem, outcome.state, cache, span, observer);
+  return outcome;
+}
+
+Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+                   const Observer& observer) {
+  Outcome outcome = play_increments(problem, state, cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  return end_block(problem, std::move(outcome.state), cache, span, observer);
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,54 @@
+#include "sim/march/fixed_jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/march/block.hpp"
+#include "sim/march/recording.hpp"
+#include "sim/problem/warnings.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double shorter = 0.25;  ///< of the cycles of a block that failed, for the next try
+
+void tell(const BlockSpan& span, double wanted, const std::string& failure, State& state, const Observer& observer) {
+  if (observer.log) observer.log("shortened: " + failure);
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "A block of %g cycles failed at cycle %g; from there on blocks have %g (the log says why). Write jump = %g, or "
+      "jump = { tolerance = 0.01 }.",
+      wanted, state.cycle - span.jump, span.jump, span.jump);
+  warn(state, observer, {"jump", "step " + span.step->name, text, span.step->jump / span.jump});
+}
+
+}  // namespace
+
+Outcome play_fixed(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {
+  const double wanted = span.jump;
+  State start = state;
+  std::string first_failure;
+  while (true) {
+    Recording recording;
+    Outcome outcome = play_block(problem, start, cache, span, recording.observer(observer));
+    if (outcome.failure.empty() || !span.cycles || !span.step->wear || span.jump <= 1.0) {
+      recording.play_back(observer);
+      if (span.jump < wanted && outcome.failure.empty() && !outcome.interrupted) {
+        outcome.state.block_cycles = span.jump;
+        tell(span, wanted, first_failure, outcome.state, observer);
+      }
+      return outcome;
+    }
+    if (first_failure.empty()) first_failure = outcome.failure;
+    start.counts = outcome.state.counts;
+    start.counts.remeshes = state.counts.remeshes;
+    ++start.counts.refused_blocks;
+    span.jump = std::max(1.0, std::floor(shorter * span.jump));
+    span.last = false;
+  }
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,284 @@
+#include "sim/march/jump.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+
+#include "sim/march/block.hpp"
+#include "sim/march/recording.hpp"
+#include "sim/measure/correction.hpp"
+#include "sim/measure/figures.hpp"
+#include "sim/measure/limit_measure.hpp"
+#include "sim/measure/limits.hpp"
+#include "sim/reshape/balance.hpp"
+#include "sim/reshape/shape.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double fewest = 1.0;      ///< cycles of a block without a jump: it is played once and has no error
+constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
+constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
+constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
+constexpr double most_steeper =
+    1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
+constexpr double levelling =
+    0.2;  ///< share of a block's cycles that level it: more than its extrapolation leaves uneven
+
+double removed(const State& state) {
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  double volume = 0.0;
+  for (const auto& c : state.solution.contacts) volume += sum(c.removed_secondary) + sum(c.removed_primary);
+  return volume;
+}
+
+/// Both ends of a block, before its shape step.
+struct Attempt {
+  State once, halves;
+  std::vector<contact::ContactState> half_way;
+  std::map<std::string, double> middle;  ///< measures of the limits after the first half
+  std::string failure;
+  bool interrupted = false;
+  Counts counts;
+};
+
+Attempt try_block(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& coarse,
+                  const Observer& fine) {
+  Attempt attempt;
+  attempt.counts = state.counts;
+  span.remesh = false;  // nodes must be equal at both ends
+  const auto over = [&](const Outcome& outcome) {
+    attempt.counts = outcome.state.counts;
+    attempt.failure = outcome.failure;
+    attempt.interrupted = outcome.interrupted;
+    return !outcome.failure.empty() || outcome.interrupted;
+  };
+  Outcome outcome = play_increments(problem, state, cache, span, coarse);
+  if (over(outcome)) return attempt;
+  attempt.once = std::move(outcome.state);
+  span.ends = std::move(outcome.ends);  // both plays are then equally fine, even where one was cut back
+  span.jump *= 0.5;
+  State start = state;
+  start.counts = attempt.counts;
+  start.recall = attempt.once.recall;
+  BlockSpan first = span;
+  first.last = false;
+  outcome = play_increments(problem, std::move(start), cache, first, fine);
+  if (over(outcome)) return attempt;
+  span.ends = std::move(outcome.ends);
+  if (problem.scene.shape) {
+    outcome = evolve_shape(problem, std::move(outcome.state), cache, span, {});
+    if (over(outcome)) return attempt;
+  }
+  attempt.half_way = outcome.state.solution.contacts;
+  attempt.middle = limit_measures(problem, system_of(problem, outcome.state, cache), outcome.state);
+  outcome.state.step_cycles += span.jump;
+  outcome = play_increments(problem, std::move(outcome.state), cache, span, fine);
+  outcome.state.step_cycles -= span.jump;
+  if (over(outcome)) return attempt;
+  attempt.halves = std::move(outcome.state);
+  return attempt;
+}
+
+void tell(const Observer& observer, const BlockSpan& span, double cycle, const std::string& what) {
+  if (!observer.log) return;
+  char text[120];
+  std::snprintf(text, sizeof text, ", cycle %g, block of %g cycles: ", cycle, span.jump);
+  observer.log("step \"" + span.step->name + '"' + text + what);
+}
+
+std::string estimated(double error) {
+  char text[80];
+  std::snprintf(text, sizeof text, "estimated error %.3g %%", 100.0 * error);
+  return text;
+}
+
+/// How far the pressures of a state are from those that were held before it: the worst contact, in the mean
+/// (`pressure_jump`).
+double pressure_change(const Problem& problem, const State& state, Cache& cache,
+                       const std::vector<HeldTraction>& before) {
+  const auto& system = system_of(problem, state, cache);
+  double largest = 0.0;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    largest = std::max(largest, pressure_jump(system.contacts[c], state.solution.contacts[c], before[c]));
+  return largest;
+}
+
+/// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
+/// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
+/// first remove the unevenness, the last wear so little that pressures follow the stroke. At the end of a step, whose
+/// pressures remain to be seen, they halve until pressures repeat.
+Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
+  constexpr int fewest_cycles = 2, most_cycles = 8;
+  constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next
+  const bool last = span.last;
+  const auto play = [&](double jump, bool ends) {
+    span.jump = jump;
+    span.last = last && ends;
+    outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
+    return outcome.failure.empty() && !outcome.interrupted;
+  };
+  double left = span.jump;
+  bool level = !last;
+  for (int k = fewest_cycles; k <= most_cycles; ++k) {
+    const auto before = held_tractions(system_of(problem, outcome.state, cache), outcome.state);
+    left *= 0.5;
+    if (!play(left, false)) return outcome;
+    if (level) break;
+    level = k > fewest_cycles && pressure_change(problem, outcome.state, cache, before) < repeated;
+  }
+  play(left, true);
+  return outcome;
+}
+
+/// Adds to a row of the halves its share of the correction at the end of the block.
+void correct(IncrementRecord& row, double share, const IncrementRecord& before, const IncrementRecord& after) {
+  const auto add = [share](auto& to, const auto& from, const auto& end) {
+    to.depth_max_secondary_mm += share * (end.depth_max_secondary_mm - from.depth_max_secondary_mm);
+    to.depth_max_primary_mm += share * (end.depth_max_primary_mm - from.depth_max_primary_mm);
+    to.energy_mJ += share * (end.energy_mJ - from.energy_mJ);
+  };
+  add(row, before, after);
+  for (std::size_t c = 0; c < row.contacts.size(); ++c) add(row.contacts[c], before.contacts[c], after.contacts[c]);
+}
+
+/// The error that a block from `start` to `end` of its step may have: errors fade as more is worn, until the end of the
+/// step or the next limit, where the tolerance holds.
+double allowed(const Problem& problem, const scene::Step& step, const State& start, double end) {
+  double growth = step.cycles / end;
+  for (const auto& limit : problem.scene.limits) {
+    const auto measure = start.limit_measure.find(limit.name);
+    if (measure == start.limit_measure.end() || measure->second <= 0.0 || start.life_cycles.contains(limit.name))
+      continue;
+    growth = std::min(growth, bound_of(limit) / measure->second * start.step_cycles / end);
+  }
+  return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+}
+
+/// One try of a block.
+struct Trial {
+  Outcome outcome;
+  double error = 0.0;     ///< estimated; 0 where it was not played to its end
+  bool too_long = false;  ///< by its error
+  bool slips_throughout = false;
+  Recording rows, later;                   ///< rows of the halves, and of the cycles after them
+  IncrementRecord uncorrected, corrected;  ///< wear at the end of the halves
+};
+
+/// The cycles of a block without those that level it.
+double without_levelling(const BlockSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
+
+/// The extrapolated end of a block of `cycles` on its new shape: levelled where it is shown, and where a body is to be
+/// remeshed, for which pressures must be those of the shape. Levelling comes after the shape step, since no cycle has
+/// worn the corrected layer. The last block of a step leaves remeshing to the next step.
+Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
+               const Observer& observer) {
+  span.jump = levelling * cycles;
+  span.remesh = false;
+  span.extrapolated = true;
+  Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
+  const bool levels = span.level || (outcome.remesh_due && !span.last);
+  if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.level = span.extrapolated = false;
+  outcome = level(problem, std::move(outcome), cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.remesh = !span.last;
+  return end_block(problem, std::move(outcome.state), cache, span, observer);
+}
+
+void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span,
+                const Observer& observer, Trial& trial) {
+  BlockSpan block = span;
+  block.jump = without_levelling(span);
+  block.last = span.last && !span.level;
+  Attempt attempt = try_block(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
+  trial.outcome = {start, attempt.failure, attempt.interrupted};
+  trial.outcome.state.counts = attempt.counts;
+  if (!attempt.failure.empty() || attempt.interrupted) return;
+  const auto& system = system_of(problem, attempt.halves, cache);
+  trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
+  trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  if (trial.too_long) return;
+  trial.slips_throughout = slips_throughout(start, attempt.halves);
+  trial.uncorrected = wear_of(problem, system, attempt.halves);
+  const auto by_halves = limit_measures(problem, system, attempt.halves);
+  extrapolate(system, {start, attempt.once, attempt.half_way}, attempt.halves);
+  trial.corrected = wear_of(problem, system, attempt.halves);
+  // The first half has half of the error of both; half of the block with its levelling comes a little later.
+  const auto measures = limit_measures(problem, system, attempt.halves);
+  for (auto& [name, value] : attempt.middle) {
+    value += 0.5 * (measures.at(name) - by_halves.at(name));
+    if (span.level) value += levelling * (measures.at(name) - value);
+  }
+  trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
+  trial.outcome.middle = std::move(attempt.middle);
+}
+
+/// Plays a block of one cycle, without a jump.
+Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+                       const Observer& observer) {
+  Outcome outcome = play_block(problem, state, cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  outcome.state.jump = most_growth * span.jump;
+  outcome.state.jump_rate = 0.0;
+  const double after = removed(outcome.state);
+  if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
+  return outcome;
+}
+
+}  // namespace
+
+double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
+  const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
+  const double steeper =
+      rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
+  const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // factor of the share
+  const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
+  return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
+}
+
+Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span,
+                        const Observer& observer) {
+  State start = state;
+  while (span.jump > fewest) {
+    Trial trial;
+    play_trial(problem, start, cache, span, observer, trial);
+    Outcome& outcome = trial.outcome;
+    start.counts = outcome.state.counts;
+    start.counts.remeshes = state.counts.remeshes;
+    if (outcome.interrupted) return {std::move(start), {}, true};
+    if (outcome.failure.empty() && !trial.too_long) {
+      const double jump = without_levelling(span), before = removed(state), after = removed(outcome.state);
+      const double share = after > 0.0 ? 1.0 - before / after : 0.0;
+      trial.rows.play_back(observer, [&](IncrementRecord& row) {
+        correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
+      });
+      trial.later.play_back(observer);
+      const double end = state.step_cycles + span.jump;
+      const double next = allowed(problem, *span.step, state, end + span.jump);
+      outcome.state.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
+      outcome.state.jump_rate = share > 0.0 ? trial.error / share : 0.0;
+      const double kept = (1.0 - share) * (trial.slips_throughout ? 1.0 - share : 1.0);
+      outcome.state.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
+      tell(observer, span, state.cycle, estimated(trial.error));
+      return std::move(outcome);
+    }
+    tell(observer, span, start.cycle, "refused: " + (trial.too_long ? estimated(trial.error) : outcome.failure));
+    ++start.counts.refused_blocks;
+    const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
+    const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
+    span.jump = std::max(fewest, factor * span.jump);
+    span.last = span.level = false;
+    if (trial.too_long && start.step_cycles == 0.0) break;
+  }
+  const double tried = span.jump;
+  span.jump = std::min(fewest, span.jump);
+  Outcome outcome = play_one_cycle(problem, start, cache, span, observer);
+  outcome.state.jump = std::max(outcome.state.jump, tried);
+  return outcome;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,238 @@
+#include "sim/march/march.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/errors.hpp"
+#include "sim/march/block.hpp"
+#include "sim/march/fixed_jump.hpp"
+#include "sim/march/held_row.hpp"
+#include "sim/march/jump.hpp"
+#include "sim/march/recording.hpp"
+#include "sim/march/stick_edge.hpp"
+#include "sim/march/watch_block.hpp"
+#include "sim/measure/bond_traction.hpp"
+#include "sim/measure/corners.hpp"
+#include "sim/measure/frame.hpp"
+#include "sim/measure/limits.hpp"
+#include "sim/measure/measure.hpp"
+#include "sim/measure/probe.hpp"
+#include "sim/measure/shared_wear.hpp"
+#include "sim/measure/warn_contact.hpp"
+#include "sim/problem/ending.hpp"
+#include "sim/problem/rules.hpp"
+#include "sim/problem/span.hpp"
+#include "sim/problem/warnings.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
+
+/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share the rest
+/// of a step when one is not enough.
+double fitted(const scene::FrameRules& frames, double cycle, double jump, double left) {
+  if (jump >= left) return left;
+  if (left < 2.0 * jump) jump = 0.5 * left;
+  const auto at = last_frame_cycle(frames, cycle, cycle + 1.1 * jump);
+  return at && *at - cycle > 0.75 * jump ? *at - cycle : jump;
+}
+
+/// The span with which the next block is tried.
+BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const State& state) {
+  BlockSpan span;
+  span.step = &step;
+  span.cycles = step.cycles > 0.0;
+  span.last = true;
+  if (!span.cycles) return span;
+  const double left = remaining(step, state);
+  span.jump = std::min(state.block_cycles > 0.0 ? state.block_cycles : step.jump, left);
+  if (controlled(step))
+    span.jump = fitted(scene.output.frames, state.cycle,
+                       std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
+  span.last = left - span.jump <= 1e-9 * step.cycles;
+  span.level =
+      frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
+  return span;
+}
+
+constexpr int most_turns = 3;  ///< times that a block is repeated to end at a limit
+
+/// One run in progress: the loop over steps and blocks.
+class Runner {
+ public:
+  Runner(const Problem& problem, State& state, const Observer& observer, Cache& cache)
+      : p_(problem), state_(state), row_(observer), observer_(row_.observer()), cache_(cache) {
+    solver::NewtonOptions options;
+    options.max_iterations = problem.scene.max_newton;
+    cache_.newton = solver::Newton(options);
+  }
+
+  Summary go() {
+    play();
+    row_.release();
+    return summarise_run();
+  }
+
+ private:
+  void play() {
+    try {
+      if (!state_.approached) {
+        begin_state(p_, state_, cache_);
+        show("start");
+      }
+      while (state_.step < static_cast<int>(p_.scene.steps.size())) {
+        const auto& step = p_.scene.steps[state_.step];
+        if (step_over(step, state_)) {
+          ++state_.step;
+          state_.step_cycles = 0.0;
+          state_.step_blocks = 0;
+          state_.block_cycles = 0.0;
+          continue;
+        }
+        if (at_end(p_, state_) || !next_block(step)) return;
+      }
+    } catch (const base::SolveError& error) {
+      fail(error.what());
+    } catch (const base::MeshError& error) {
+      fail(error.what());
+    }
+  }
+
+  Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {
+    return controlled(*span.step) ? play_controlled(p_, from, cache_, span, observer)
+                                  : play_fixed(p_, from, cache_, span, observer);
+  }
+
+  /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
+  Outcome play_to_limit(BlockSpan span) {
+    if (!span.cycles || !any_stop_ahead(p_, state_)) return play(span, state_, observer_);
+    Recording recording;
+    Outcome outcome = play(span, state_, recording.observer(observer_));
+    for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
+      const auto share = share_to_stop(p_, state_, outcome.state, system_of(p_, outcome.state, cache_), outcome.middle);
+      const double played = outcome.state.cycle - state_.cycle;
+      if (!share || played <= 1.0) break;
+      State start = state_;
+      start.counts = outcome.state.counts;
+      start.counts.remeshes = state_.counts.remeshes;
+      span.jump = std::max(1.0, *share * played);
+      span.last = span.level = true;
+      recording = {};
+      outcome = play(span, start, recording.observer(observer_));
+    }
+    recording.play_back(observer_);
+    return outcome;
+  }
+
+  /// Sets the end of a step to exactly its last cycle, without the rounding of the sum of its blocks.
+  void end_on_the_cycle(const scene::Step& step) {
+    state_.cycle += remaining(step, state_);
+    state_.step_cycles = step.cycles;
+  }
+
+  /// False when the run ends here.
+  bool next_block(const scene::Step& step) {
+    const double cycle_before = state_.cycle, plastic_before = largest_plastic_strain(state_);
+    const long remeshes_before = state_.counts.remeshes, solved_before = state_.counts.cycles_solved;
+    const auto slip_before = slip_paths(state_);
+    Outcome outcome = play_to_limit(next_span(p_.scene, step, state_));
+    state_ = std::move(outcome.state);
+    if (!outcome.failure.empty()) return fail(outcome.failure);
+    if (outcome.interrupted) {
+      summary_.status = RunStatus::interrupted;
+      summary_.reason = "interrupted in step \"" + step.name + "\" at cycle " + std::to_string(state_.cycle);
+      show(step.name);
+      return false;
+    }
+    state_.step_cycles += state_.cycle - cycle_before;
+    if (step.cycles > 0.0 && step_over(step, state_)) end_on_the_cycle(step);
+    row_.settle(p_, state_, system_of(p_, state_, cache_), step);
+    ++state_.step_blocks;
+    ++state_.counts.blocks;
+    if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_);
+        !reason.empty())
+      return fail(reason);
+    const bool remeshed = state_.counts.remeshes > remeshes_before;
+    const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
+    if (step.cycles > 0.0 && !remeshed)
+      watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved, state_, observer_);
+    if (step.wear && step.cycles > 0.0 && !remeshed)
+      warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
+    warn_of_block(p_, state_, observer_);
+    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_))
+      warn(state_, observer_, std::move(warning));
+    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
+    const bool last = stop || step_over(step, state_);
+    if (last && controlled(step)) watch_tolerance(step, state_, observer_);
+    if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed}))
+      show(step.name);
+    if (observer_.block) observer_.block(state_);
+    return !stop;
+  }
+
+  bool fail(const std::string& reason) {
+    summary_.status = RunStatus::failed;
+    summary_.reason = reason;
+    if (observer_.log) observer_.log("failed: " + reason);
+    show("last good state");
+    return false;
+  }
+
+  void show(const std::string& step) {
+    if (state_.approached) show_frame(p_, state_, cache_, observer_, step);
+  }
+
+  Summary summarise_run() {
+    Summary& s = summary_;
+    s.title = p_.scene.title;
+    s.cycles = state_.cycle;
+    s.analysis = p_.scene.analysis;
+    s.scene_sha256 = p_.scene.sha256;
+    s.skipped = p_.plan.skipped;
+    s.cutback_reasons = state_.cutback_reasons;
+    for (const auto& limit : p_.scene.limits) {
+      const auto found = state_.life_cycles.find(limit.name);
+      const bool reached = found != state_.life_cycles.end();
+      s.life_cycles[limit.name] = reached ? std::optional(found->second) : std::nullopt;
+      s.limit_share[limit.name] = state_.limit_measure[limit.name] / bound_of(limit);
+      if (!limit.wear_factor) continue;
+      s.life_band[limit.name] = {};
+      const auto& [lowest, highest] = *limit.wear_factor;
+      if (reached) s.life_band[limit.name] = {found->second / highest, found->second / lowest};
+    }
+    if (state_.approached) {
+      const auto& system = system_of(p_, state_, cache_);
+      const auto shown = as_shown(p_, state_);
+      for (std::size_t c = 0; c < p_.contacts.size(); ++c)
+        s.contacts.push_back(summarise(system.contacts[c], shown[c], state_.shapes, p_.contacts[c]));
+      s.bonds = bond_summaries(p_, state_, system);
+      warn_of_run(p_, state_, s, observer_);
+      if (!p_.scene.output.probes.empty()) s.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));
+    }
+    s.warnings = p_.warnings;
+    for (const auto& warning : state_.warnings) warn(s.warnings, warning);
+    s.life_error = state_.life_error;
+    s.error_cycle_jump = state_.jump_error;
+    s.error_small_strain = state_.small_strain_error;
+    s.counts = state_.counts;
+    s.room_seconds = cache_.seconds;
+    return s;
+  }
+
+  const Problem& p_;
+  State& state_;
+  HeldRow row_;
+  const Observer& observer_;
+  Cache& cache_;
+  Summary summary_;
+};
+
+}  // namespace
+
+Summary march(const Problem& problem, State& state, const Observer& observer, Cache& cache) {
+  return Runner(problem, state, observer, cache).go();
+}
+
+}  // namespace reye::sim

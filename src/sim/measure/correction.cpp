@@ -1,0 +1,223 @@
+#include "sim/measure/correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <numeric>
+
+#include "contact/fields.hpp"
+#include "sim/measure/nodal_depth.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using contact::ContactState;
+using contact::ContactStatus;
+
+constexpr int reach = 3;  ///< elements between an edge that moved and the place where the correction is full
+
+double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+/// Secondary nodes that slipped in the cycle played last; where none is known, those that touch.
+std::vector<char> slipped(const State& state, std::size_t contact) {
+  const auto& now = state.solution.contacts[contact].status;
+  std::vector<char> flags(now.size(), 0);
+  bool known = false;
+  if (state.recall.step == state.step)
+    for (const auto& [span, guess] : state.recall.played) {
+      known = true;
+      for (std::size_t j = 0; j < flags.size(); ++j) flags[j] |= guess.status[contact][j] == ContactStatus::slip;
+    }
+  if (!known)
+    for (std::size_t j = 0; j < flags.size(); ++j) flags[j] = now[j] != ContactStatus::inactive;
+  return flags;
+}
+
+/// One side's removed volumes: before the block, after it as a whole, after its first half, after both.
+struct SidePlays {
+  const std::vector<double>&before, &once, &middle, &halves;
+
+  /// Whether a node wore in one play and not in another.
+  std::vector<char> passed() const {
+    std::vector<char> flags(halves.size(), 0);
+    for (std::size_t j = 0; j < flags.size(); ++j) {
+      const bool first = middle[j] > before[j], second = halves[j] > middle[j], whole = once[j] > before[j];
+      flags[j] = first != second || first != whole;
+    }
+    return flags;
+  }
+
+  std::vector<double> worn() const {
+    std::vector<double> w(halves.size());
+    for (std::size_t j = 0; j < w.size(); ++j) w[j] = halves[j] - before[j];
+    return w;
+  }
+};
+
+SidePlays secondary_plays(const Twice& t, const State& halves, std::size_t c) {
+  return {t.start.solution.contacts[c].removed_secondary, t.once.solution.contacts[c].removed_secondary,
+          t.middle[c].removed_secondary, halves.solution.contacts[c].removed_secondary};
+}
+
+SidePlays primary_plays(const Twice& t, const State& halves, std::size_t c) {
+  return {t.start.solution.contacts[c].removed_primary, t.once.solution.contacts[c].removed_primary,
+          t.middle[c].removed_primary, halves.solution.contacts[c].removed_primary};
+}
+
+/// The nodes of both sides of a contact that wore in one play only.
+std::array<std::vector<char>, 2> passed_nodes(const Twice& t, const State& end, std::size_t c) {
+  const auto secondary = secondary_plays(t, end, c), primary = primary_plays(t, end, c);
+  std::array<std::vector<char>, 2> passed{secondary.passed(), primary.passed()};
+  const auto before = slipped(t.start, c);
+  const auto& halves = end.solution.contacts[c];
+  for (std::size_t j = 0; j < before.size(); ++j) {
+    const bool slips = halves.slip[j] > t.middle[c].slip[j];
+    passed[0][j] |= static_cast<bool>(before[j]) != slips;
+    if (!passed[0][j]) continue;
+    for (const auto& [l, M] : halves.reference[j].M) passed[1][l] = 1;
+  }
+  return passed;
+}
+
+/// The correction to the halves' values of one side; empty where none is possible.
+std::vector<double> correction(const std::vector<double>& trusted, const std::vector<double>& once,
+                               const std::vector<double>& halves, const std::vector<double>& worn,
+                               const std::vector<double>& available) {
+  std::vector<double> d(halves.size());
+  double share = 0.0, left = 0.0;
+  for (std::size_t j = 0; j < d.size(); ++j) {
+    d[j] = trusted[j] * (halves[j] - once[j]);
+    left += halves[j] - once[j] - d[j];
+    share += (1.0 - trusted[j]) * worn[j];
+  }
+  if (left != 0.0 && share <= 0.0) return {};
+  double cut = 0.0, gained = 0.0;
+  for (std::size_t j = 0; j < d.size(); ++j) {
+    const double wanted = d[j] + (share > 0.0 ? left * (1.0 - trusted[j]) * worn[j] / share : 0.0);
+    d[j] = std::max(wanted, -available[j]);
+    cut += d[j] - wanted;
+    gained += std::max(d[j], 0.0);
+  }
+  if (cut > gained) return {};
+  if (cut > 0.0)
+    for (double& v : d)
+      if (v > 0.0) v *= 1.0 - cut / gained;
+  return d;
+}
+
+void add(std::vector<double>& to, const std::vector<double>& d) {
+  for (std::size_t j = 0; j < d.size(); ++j) to[j] += d[j];
+}
+
+struct Corrections {
+  std::vector<double> secondary, primary, energy;
+};
+
+/// One quantity of the halves, as its field says.
+template <class Member>
+void correct(const contact::Field& field, const Corrections& by, const Member& once, Member& end) {
+  const auto twice = [](double whole, double& x) { x = std::max(0.0, 2.0 * x - whole); };
+  if constexpr (std::same_as<Member, double>) {
+    if (field.corrected == contact::Corrected::doubled) twice(once, end);
+  } else if constexpr (std::same_as<Member, std::vector<double>>) {
+    const bool secondary = field.site == contact::Site::secondary;
+    if (field.corrected == contact::Corrected::wear) add(end, secondary ? by.secondary : by.primary);
+    if (field.corrected == contact::Corrected::work) add(end, by.energy);
+    if (field.corrected == contact::Corrected::doubled)
+      for (std::size_t j = 0; j < end.size(); ++j) twice(once[j], end[j]);
+  }
+}
+
+std::optional<Corrections> corrections(const solver::System& system, const Twice& t, const State& halves,
+                                       std::size_t c) {
+  const auto passed = passed_nodes(t, halves, c);
+  const auto& setup = system.contacts[c];
+  const auto secondary = secondary_plays(t, halves, c), primary = primary_plays(t, halves, c);
+  const auto &a = t.once.solution.contacts[c], &b = halves.solution.contacts[c];
+  const auto here = trust(setup.secondary, passed[0]), there = trust(setup.primary, passed[1]);
+  std::vector<double> spent(b.energy_secondary);
+  for (std::size_t j = 0; j < spent.size(); ++j) spent[j] -= t.start.solution.contacts[c].energy_secondary[j];
+  Corrections result{correction(here, secondary.once, secondary.halves, secondary.worn(), b.pending_secondary),
+                     correction(there, primary.once, primary.halves, primary.worn(), b.pending_primary),
+                     correction(here, a.energy_secondary, b.energy_secondary, spent, spent)};
+  const bool possible = result.secondary.size() == b.removed_secondary.size() &&
+                        result.primary.size() == b.removed_primary.size() && result.energy.size() == spent.size();
+  return possible ? std::optional(std::move(result)) : std::nullopt;
+}
+
+double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted,
+                       const std::vector<double>& once, const std::vector<double>& halves) {
+  const double volume = sum(halves), depth = deepest(surface, halves);
+  if (volume <= 0.0) return 0.0;
+  double apart = 0.0;
+  std::size_t lowest = 0;
+  for (std::size_t j = 0; j < halves.size(); ++j) {
+    apart += (1.0 - settled * trusted[j]) * std::abs(halves[j] - once[j]);
+    if (halves[j] * surface.area[lowest] > halves[lowest] * surface.area[j]) lowest = j;
+  }
+  const double deeper = std::abs(depth - deepest(surface, once)) / depth;
+  return std::max(apart / volume, (1.0 - settled * trusted[lowest]) * deeper);
+}
+
+}  // namespace
+
+std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed) {
+  std::vector<int> distance(passed.size(), reach);
+  for (std::size_t j = 0; j < passed.size(); ++j)
+    if (passed[j]) distance[j] = 0;
+  for (int turn = 1; turn < reach; ++turn)
+    for (const auto& [a, b, mid] : surface.facets) {
+      int nearest = std::min(distance[a], distance[b]);
+      if (mid >= 0) nearest = std::min(nearest, distance[mid]);
+      if (nearest != turn - 1) continue;
+      for (int node : {a, b, mid})
+        if (node >= 0) distance[node] = std::min(distance[node], turn);
+    }
+  std::vector<double> share;
+  for (int d : distance) share.push_back(static_cast<double>(d) / reach);
+  return share;
+}
+
+double wear_difference(const solver::System& system, const Twice& twice, const State& halves) {
+  double difference = 0.0;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto &a = twice.once.solution.contacts[c], &b = halves.solution.contacts[c];
+    const bool corrected = corrections(system, twice, halves, c).has_value();
+    const auto passed = passed_nodes(twice, halves, c);
+    const auto trusted = [&](const mortar::Surface& surface, const std::vector<char>& flags) {
+      return corrected ? trust(surface, flags) : std::vector<double>(flags.size(), 0.0);
+    };
+    difference = std::max(
+        {difference,
+         side_difference(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary,
+                         b.removed_secondary),
+         side_difference(setup.primary, trusted(setup.primary, passed[1]), a.removed_primary, b.removed_primary)});
+  }
+  return difference;
+}
+
+bool slips_throughout(const State& start, const State& end) {
+  for (std::size_t c = 0; c < end.solution.contacts.size(); ++c) {
+    const auto &before = start.solution.contacts[c], &after = end.solution.contacts[c];
+    bool slips = false, sticks = false;
+    for (std::size_t j = 0; j < after.slip.size(); ++j)
+      if (after.lambda[j].dot(after.normal[j]) > 0.0) (after.slip[j] > before.slip[j] ? slips : sticks) = true;
+    if (slips && sticks) return false;
+  }
+  return true;
+}
+
+void extrapolate(const solver::System& system, const Twice& twice, State& halves) {
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto found = corrections(system, twice, halves, c);
+    if (!found) continue;
+    const auto& a = twice.once.solution.contacts[c];
+    auto& b = halves.solution.contacts[c];
+    contact::for_each_field(
+        a, b, [&](const contact::Field& field, const auto& once, auto& end) { correct(field, *found, once, end); });
+  }
+}
+
+}  // namespace reye::sim

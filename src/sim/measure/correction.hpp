@@ -1,0 +1,37 @@
+#pragma once
+#include "sim/problem/state.hpp"
+
+/// The correction of a block's wear, from playing it once as a whole and once in two halves.
+namespace reye::sim {
+
+/// A block that was played twice: its start, its end as a whole, and its contacts after the first of two halves.
+struct Twice {
+  const State& start;
+  const State& once;
+  const std::vector<contact::ContactState>& middle;
+};
+
+/// Per node of a side, from 0 to 1, how far the error of its wear is linear in the cycles of the block: 0 where an edge
+/// of contact or of slip passed in the block or lies elsewhere in the two plays, then rising over three elements.
+std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed);
+
+/// Share of an error within the correction that is not counted, since the second-order rest is smaller than the
+/// correction.
+inline constexpr double settled = 0.5;
+
+/// Error of the end of a block that was played twice: per contact and side that wears, sum_j |V_j - V'_j| over sum_j
+/// V_j, V the volumes removed since the start, and the difference of the largest depths over the largest depth; the
+/// largest of all. The share `settled` of the correction by `extrapolate` is not counted.
+double wear_difference(const solver::System& system, const Twice& twice, const State& halves);
+
+/// Whether no contact that slipped in a block has a node under pressure that did not.
+bool slips_throughout(const State& start, const State& end);
+
+/// Adds the difference between the two halves and the whole once more: with an error linear in the cycles, V + (V -
+/// V_once) is of second order. Each node takes its share by `trust`; what remains of the sum goes to the nodes that are
+/// not trusted, in proportion to their wear, so that volumes, work and energy are extrapolated alike and the ledger
+/// stays exact: where load and path determine the sum, the middle gains what the edges lose. A contact where a node
+/// would get material back that waits in no gap, stays as the halves left it.
+void extrapolate(const solver::System& system, const Twice& twice, State& halves);
+
+}  // namespace reye::sim

@@ -1,0 +1,183 @@
+#include "sim/measure/why_failed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "body/operator.hpp"
+#include "mesh/measure.hpp"
+#include "scene/histories.hpp"
+#include "sim/measure/nodal_depth.hpp"
+#include "sim/measure/roundness.hpp"
+#include "sim/measure/sizes.hpp"
+#include "sim/measure/small_strain.hpp"
+#include "sim/measure/worn_through.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double crushed = 0.3;  ///< mean strain
+constexpr int too_few = 2;       ///< nodes in contact
+
+template <class... Args>
+std::string text(const char* format, Args... args) {
+  char line[480];
+  std::snprintf(line, sizeof line, format, args...);
+  return line;
+}
+
+/// One contact in the last good state.
+struct Seen {
+  const Problem& problem;
+  const PlacedContact& placed;
+  const contact::Setup& setup;
+  const contact::ContactState& state;
+  const char* name() const { return placed.options.name.c_str(); }
+  double pressure() const {
+    double most = 0.0;
+    for (std::size_t j = 0; j < state.lambda.size(); ++j) most = std::max(most, state.lambda[j].dot(state.normal[j]));
+    return most;
+  }
+  /// Length of the elements where the pressure is largest [mm].
+  double facet() const {
+    int peak = 0;
+    const auto at = [&](int j) { return state.lambda[j].dot(state.normal[j]); };
+    for (int j = 1; j < setup.secondary_count(); ++j)
+      if (at(j) > at(peak)) peak = j;
+    return spacing(setup.secondary, peak);
+  }
+};
+
+/// The sliding distance of the sides in one play of the step: as supports move them, or as imposed.
+double way_of_play(const Seen& c, const scene::Step& step) {
+  double way = 0.0;
+  if (c.placed.options.imposed) {
+    const auto& parts = c.placed.options.imposed_sliding;
+    for (const auto& part : parts)
+      if (part.history.empty()) way += std::abs(part.value);
+    return way + scene::path_of(c.problem.scene, step, parts);
+  }
+  const auto look = [&](int body) {
+    for (const auto& support : c.problem.inputs[body].supports)
+      for (const auto* motion : {&support.x, &support.y}) {
+        if (motion->drive == body::Drive::moved)
+          way = std::max(way, scene::path_of(c.problem.scene, step, motion->parts));
+      }
+  };
+  look(c.placed.secondary.body);
+  for (const auto& ref : c.placed.primary) look(ref.body);
+  return way;
+}
+
+std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
+  const auto& law = c.placed.options.wear;
+  if (!law.wears() || !attempt.step->wear) return {};
+  const double traction = c.pressure() * (law.kind == wear::LawKind::energy ? c.state.friction : 1.0);
+  const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_of_play(c, *attempt.step);
+  if (depth <= c.facet()) return {};
+  return text(
+      "contact %s would wear by some %.2g mm in a block of %g cycle%s, more than its elements of %.3g mm are long; "
+      "check its wear "
+      "coefficients, or write a smaller jump",
+      c.name(), depth, attempt.jump, attempt.jump == 1.0 ? "" : "s", c.facet());
+}
+
+std::string waits_in_the_gap(const Seen& c) {
+  const double own = deepest(c.setup.secondary, c.state.removed_secondary),
+               other = deepest(c.setup.primary, c.state.removed_primary);
+  if (c.problem.scene.shape || own + other <= 0.5 * c.setup.search) return {};
+  return text(
+      "wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than "
+      "search_mm = %.3g; "
+      "write shape = \"on\", or a longer search_mm",
+      own + other, c.name(), c.setup.search);
+}
+
+/// The shortest way between the sides, from nodes of the secondary to nodes of the primary side.
+std::string out_of_reach(const Seen& c, const solver::System& system, const State& last) {
+  const auto x = solver::positions(system, c.setup, last.solution.q);
+  double gap = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, mid] : c.setup.primary.facets)
+    for (const Vec2& s : x.secondary) {
+      const Vec2 e = x.primary[b] - x.primary[a], r = s - x.primary[a];
+      gap = std::min(gap, (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm());
+    }
+  if (gap <= c.setup.search) return {};
+  return text(
+      "the sides of contact %s are %.4g mm apart, and facets are paired no farther than search_mm = %.4g; write "
+      "search_mm = %.2g",
+      c.name(), gap, c.setup.search, 1.5 * gap);
+}
+
+std::string few_nodes(const Seen& c) {
+  const auto touching = std::count_if(c.state.status.begin(), c.state.status.end(),
+                                      [](auto s) { return s != contact::ContactStatus::inactive; });
+  if (touching == 0 || touching > too_few) return {};
+  return text(
+      "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry its load; make them shorter "
+      "there, "
+      "with a fine_zone",
+      static_cast<int>(touching), touching == 1 ? "" : "s", c.name(), touching == 1 ? "es" : "", c.facet());
+}
+
+std::string strained(const Problem& problem, const State& last, const solver::System& system) {
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (problem.rigid[b]) continue;
+    if (auto why = why_crushed(problem, b); !why.empty()) return why;
+    const double strain = distortion_of(problem, last, system, b).strain;
+    if (strain > crushed)
+      return text(
+          "body %s is strained by %.2g %% on average already: more than it can bear; check loads, motions and E_MPa",
+          problem.inputs[b].name.c_str(), 100.0 * strain);
+  }
+  return {};
+}
+
+/// Bodies that supports leave free, and the contacts that no longer hold them.
+std::string came_away(const Problem& problem) {
+  for (int b = 0; b < problem.body_count(); ++b) {
+    const auto joins = [b](const auto& joint) {
+      return joint.secondary.body == b ||
+             std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
+    };
+    if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins))
+      continue;  // it moves with the body to which it is bonded
+    const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}},
+                                            problem.scene.analysis == base::Analysis::axisymmetric);
+    if (free.empty()) continue;
+    std::string contacts;
+    for (const auto& contact : problem.contacts)
+      if (joins(contact)) contacts += (contacts.empty() ? "" : " or ") + contact.options.name;
+    if (contacts.empty()) continue;
+    return "body " + problem.inputs[b].name + " has come away from contact " + contacts +
+           ", and no support holds its " + free.front() +
+           "; check the direction of its loads, and that they press it on throughout the step";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt,
+                       const solver::System& system) {
+  const bool lost = attempt.failure == solver::Failure::contact_lost;
+  std::string why;
+  const auto ask = [&why](std::string words) {
+    if (why.empty()) why = std::move(words);
+  };
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const Seen seen{problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]};
+    ask(wears_too_fast(seen, attempt));
+    ask(waits_in_the_gap(seen));
+    if (c + 1 == problem.contacts.size()) ask(worn_through(problem, last));
+    if (lost) ask(out_of_reach(seen, system, last));
+  }
+  ask(strained(problem, last, system));
+  if (lost) ask(came_away(problem));
+  for (std::size_t c = 0; c < problem.contacts.size() && !lost; ++c)
+    ask(few_nodes({problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]}));
+  return why.empty() ? attempt.reason : why;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,65 @@
+#include "sim/place/held_by_contact.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "mesh/measure.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double touching = 0.05;  ///< of a facet
+constexpr double pressing = 0.05;  ///< of the motion of a node, along its normal
+
+/// The facets of one side on one body.
+std::vector<std::array<Vec2, 2>> facets_of(const Problem& problem, const contact::BoundaryRef& ref) {
+  std::vector<std::array<Vec2, 2>> facets;
+  const auto& mesh = problem.shapes[ref.body]->mesh;
+  for (const auto& chain : mesh.boundaries.at(ref.boundary))
+    for (std::size_t i = 1; i < chain.size(); ++i) facets.push_back({mesh.X[chain[i - 1]], mesh.X[chain[i]]});
+  return facets;
+}
+
+double distance(const Vec2& x, const std::array<Vec2, 2>& facet) {
+  const Vec2 e = facet[1] - facet[0], r = x - facet[0];
+  return (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
+}
+
+/// The largest closing (> 0) and opening (< 0) of a touching contact by the motion.
+void look(const Problem& problem, const contact::BoundaryRef& own, const contact::BoundaryRef& other,
+          const std::string& motion, double& most, double& least) {
+  const Vec2 centre = problem.inputs[own.body].centre;
+  const auto opposite = facets_of(problem, other);
+  for (const auto& facet : facets_of(problem, own)) {
+    const double length = (facet[1] - facet[0]).norm();
+    const Vec2 normal = mesh::outward_normal(facet[0], facet[1]);
+    for (const Vec2& x : facet) {
+      const bool touches = std::any_of(opposite.begin(), opposite.end(), [&](const auto& f) {
+        return (f[1] - f[0]).dot(facet[1] - facet[0]) < 0.0 && distance(x, f) <= touching * length;
+      });
+      if (!touches) continue;
+      const Vec2 arm = x - centre;
+      Vec2 way = motion == "translation along x"   ? Vec2(1.0, 0.0)
+                 : motion == "translation along y" ? Vec2(0.0, 1.0)
+                                                   : Vec2(-arm.y(), arm.x());
+      if (way.norm() > 0.0) way.normalize();
+      most = std::max(most, normal.dot(way));
+      least = std::min(least, normal.dot(way));
+    }
+  }
+}
+
+}  // namespace
+
+bool held_by_contact(const Problem& problem, int body, const std::string& motion) {
+  double most = 0.0, least = 0.0;
+  for (const auto& contact : problem.contacts)
+    for (const auto& ref : contact.primary) {
+      if (contact.secondary.body == body) look(problem, contact.secondary, ref, motion, most, least);
+      if (ref.body == body) look(problem, ref, contact.secondary, motion, most, least);
+    }
+  return most > pressing && least < -pressing;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,248 @@
+#include "sim/place/place.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "base/errors.hpp"
+#include "body/resultant.hpp"
+#include "cad/build/geometry.hpp"
+#include "mortar/inset.hpp"
+#include "scene/read.hpp"
+#include "sim/measure/corners.hpp"
+#include "sim/measure/drawn_gap.hpp"
+#include "sim/measure/overlap.hpp"
+#include "sim/measure/shared_wear.hpp"
+#include "sim/measure/sizes.hpp"
+#include "sim/place/bonds.hpp"
+#include "sim/place/held.hpp"
+#include "sim/place/points.hpp"
+#include "sim/place/profiles.hpp"
+#include "sim/place/resolver.hpp"
+#include "sim/place/warn_setup.hpp"
+#include "sim/place/widen_zones.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/problem/warnings.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using base::Issue;
+
+std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+void place_supports(Problem& p, Resolver& resolve) {
+  for (const auto& support : p.scene.supports) {
+    PlacedSupport placed{support, -1};
+    if (support.point_mm) {
+      placed.body = resolve.body_at(support.body, *support.point_mm);
+    } else {
+      const auto ref = resolve.boundary(support.edge, "support." + support.name + ".edge");
+      placed.body = ref.body;
+      placed.support.edge = ref.boundary;
+    }
+    if (placed.body >= 0) {
+      p.inputs[placed.body].supports.push_back(placed.support);
+      p.support_of[placed.body].push_back(static_cast<int>(p.supports.size()));
+    }
+    p.supports.push_back(placed);
+  }
+}
+
+void place_loads(Problem& p, Resolver& resolve) {
+  for (auto load : p.scene.boundary_loads) {
+    const auto ref = resolve.boundary(load.edge, "load." + load.name + ".edge");
+    load.edge = ref.boundary;
+    if (ref.body >= 0) p.inputs[ref.body].boundary_loads.push_back(load);
+  }
+  for (const auto& load : p.scene.point_loads)
+    if (const int b = resolve.body_at(load.body, load.point_mm); b >= 0) p.inputs[b].point_loads.push_back(load);
+  for (const auto& load : p.scene.body_forces)
+    if (const int b = resolve.body_at(load.body, Vec2::Zero()); b >= 0) p.inputs[b].body_forces.push_back(load);
+}
+
+double modulus(const Problem& p, int body) {
+  if (p.rigid[body]) return 0.0;
+  return std::visit([](const auto& m) { return m.E_MPa; }, p.inputs[body].material);
+}
+
+/// Stiffness scale of a pair: the smallest modulus of its deformable sides.
+double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary,
+                    const std::vector<contact::BoundaryRef>& primary) {
+  double softest = modulus(p, secondary.body);
+  for (const auto& ref : primary)
+    if (!p.rigid[ref.body]) softest = std::min(softest, modulus(p, ref.body));
+  return softest;
+}
+
+/// The sides of a contact or a bond, whose key in the scene is given.
+void check_sides(const Problem& p, const PlacedContact& contact, const std::string& key, std::vector<Issue>& issues) {
+  const auto name = [&](int b) { return quoted(p.scene.geometry.bodies[b].name); };
+  if (p.rigid[contact.secondary.body])
+    issues.push_back({key + ".secondary", quoted(contact.options.secondary),
+                      "lies on the rigid body " + name(contact.secondary.body) +
+                          "; the secondary side must belong to a deformable body"});
+  for (const auto& ref : contact.primary) {
+    if (ref.body == contact.secondary.body)
+      issues.push_back({key + ".primary", quoted(ref.boundary),
+                        "lies on the same body as the secondary side (" + name(ref.body) + ")"});
+    if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
+      issues.push_back(
+          {key + ".wear", "", "the primary side lies on the rigid body " + name(ref.body) + ", which cannot wear"});
+  }
+}
+
+/// Retains the nodes of both sides when bodies are condensed.
+void retain_sides(Problem& p, const PlacedContact& joint) {
+  const auto retain = [&](const contact::BoundaryRef& ref) {
+    auto& list = p.inputs[ref.body].contact_boundaries;
+    if (std::find(list.begin(), list.end(), ref.boundary) == list.end()) list.push_back(ref.boundary);
+  };
+  retain(joint.secondary);
+  for (const auto& ref : joint.primary) retain(ref);
+}
+
+/// The contacts or the bonds of a scene, `kind` being their table: `joints` takes those whose sides are found.
+void place_joints(Problem& p, const std::string& kind, const std::vector<contact::ContactOptions>& named,
+                  Resolver& resolve, std::vector<PlacedContact>& joints) {
+  for (const auto& options : named) {
+    const std::string key = kind + "." + options.name;
+    PlacedContact placed;
+    placed.options = options;
+    placed.secondary = resolve.boundary(options.secondary, key + ".secondary");
+    for (const auto& name : options.primary) placed.primary.push_back(resolve.boundary(name, key + ".primary"));
+    const bool found = placed.secondary.body >= 0 && std::all_of(placed.primary.begin(), placed.primary.end(),
+                                                                 [](const auto& r) { return r.body >= 0; });
+    if (!found) continue;
+    check_sides(p, placed, key, resolve.issues);
+    placed.modulus_MPa = pair_modulus(p, placed.secondary, placed.primary);
+    retain_sides(p, placed);
+    joints.push_back(std::move(placed));
+  }
+}
+
+void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
+  for (const auto& contact : p.contacts) {
+    const auto& mesh = p.shapes[contact.secondary.body]->mesh;
+    for (const auto& support : p.inputs[contact.secondary.body].supports) {
+      if (!support.rigid || support.edge.empty()) continue;
+      const auto list = mesh::nodes_of(mesh.boundaries.at(support.edge));
+      const std::set<int> held(list.begin(), list.end());
+      // A shared end node carries no multiplier; a whole facet on the rigid edge could not take part.
+      bool facet = false;
+      for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
+        for (std::size_t i = 1; i < chain.size(); ++i)
+          facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
+      if (facet)
+        issues.push_back(
+            {"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
+             "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
+    }
+  }
+}
+
+std::string shown(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4g", x);
+  return digits;
+}
+
+void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
+  mortar::Integrator integrator;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    mortar::Placement place;
+    place.secondary = &setup.secondary;
+    place.primary = &setup.primary;
+    place.xs = place.xs_before = setup.secondary.X;
+    place.xm = setup.primary.X;
+    if (const auto& drawn = p.contacts[c].drawn; drawn.let_in)
+      place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
+    place.xm_before = place.xm;
+    place.cut = setup.cut;
+    place.analysis = setup.analysis;
+    place.search = setup.search;
+    if (integrator.values(place).empty())
+      issues.push_back({"contact." + setup.options.name, "",
+                        "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search) +
+                            why_out_of_reach(p, p.contacts[c], setup.search)});
+  }
+}
+
+body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& body) {
+  body::BodyInput input;
+  input.name = body.name;
+  input.analysis = scene.analysis;
+  if (body.rigid) return input;
+  const auto& choice = scene.body_material.at(body.name);
+  input.material = scene.materials.at(choice.material);
+  input.kinematics = choice.kinematics.value_or(base::Kinematics::small);
+  input.b_bar = choice.b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
+                                      scene.analysis != base::Analysis::plane_stress);
+  return input;
+}
+
+void refuse(const std::vector<Issue>& issues) {
+  if (!issues.empty()) throw base::InputError(issues);
+}
+
+}  // namespace
+
+Problem place(const scene::Scene& scene, Cache& cache) {
+  Problem p;
+  p.scene = scene;
+  for (const auto& text : scene.warnings) p.warnings.push_back({"scene", "", text});
+  warn_of_steps(scene, p.warnings);
+  cad::Geometry geometry = cad::build(scene.geometry);
+  if (!geometry.guarded)
+    warn(p.warnings, {"geometry", "",
+                      "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
+                      "it is limited only by the commands that scripts may use, and in time and memory"});
+  for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
+    const auto& options = scene.geometry.bodies[b];
+    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
+                                        std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
+    p.rigid.push_back(options.rigid);
+    p.inputs.push_back(body_input(scene, options));
+    p.inputs.back().centre = body::box_centre(p.shapes.back()->mesh);
+    const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
+    p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
+  }
+  p.support_of.resize(p.inputs.size());
+  Resolver resolve(scene, p.shapes, geometry.facts);
+  place_supports(p, resolve);
+  place_loads(p, resolve);
+  place_joints(p, "contact", scene.contacts, resolve, p.contacts);
+  place_joints(p, "bond", scene.bonds, resolve, p.bonds);
+  for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
+  refuse(resolve.issues);
+  keep_directions(p);
+  warn_of_sizes(p);
+  warn_of_profiles(p);
+  widen_zones(p);
+  warn_of_points(p);
+  std::vector<Issue> issues;
+  check_secondary_edges(p, issues);
+  for (auto& issue : shared_wear_issues(p)) issues.push_back(std::move(issue));
+  for (auto& issue : unheld_issues(p)) issues.push_back(std::move(issue));
+  for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
+  for (auto& issue : place_drawn_gaps(p)) issues.push_back(std::move(issue));
+  refuse(issues);
+  const double before = cpu_seconds();
+  const auto& system = timed_system(p, initial_state(p), cache);
+  check_facing(p, system, issues);
+  for (auto& issue : bond_issues(p, system)) issues.push_back(std::move(issue));
+  for (auto& issue : corner_issues(p, system)) issues.push_back(std::move(issue));
+  refuse(issues);
+  for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));
+  for (const auto& facts : geometry.facts)
+    if (facts.halved)
+      p.plan.lines.push_back("body " + facts.name +
+                             ": its file has the whole section through the axis; the half x >= 0 is taken");
+  cache.cpu_s += cpu_seconds() - before;
+  return p;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,47 @@
+#pragma once
+#include "sim/problem/problem.hpp"
+#include "sim/problem/state.hpp"
+
+/// Histories, and the values they impose at a moment of a step.
+namespace reye::sim {
+
+/// The remaining share of drawn overlaps, as a history from 1 to 0 over the step that lets them in. No scene can name
+/// it.
+inline const std::string overlap_left = "drawn overlap";
+
+/// Factor of a history at a progress in [0, 1], linear between its corners.
+double factor_at(const scene::History& history, double progress);
+
+/// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
+/// support would turn its body by more than 0.3 rad.
+std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
+
+/// Factors of all histories while a step plays.
+std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
+                                         const std::map<std::string, double>& held);
+
+/// The controls at the given factors; `from`, `to`: the part of the step's play in this increment.
+solver::Controls controls_at(const Problem& problem, const solver::System& system,
+                             const std::map<std::string, double>& factors, const scene::Step& step, double from,
+                             double to, double jump);
+
+/// Distance of the primary side of a contact inside its body while its drawn overlap is let in: overlap x remaining
+/// share [mm].
+double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors);
+
+/// Sets the coefficients of friction at a cycle for contacts that have a table of them: constant before and after it.
+void set_friction(solver::Controls& controls, const Problem& problem, double cycle);
+
+/// Counts prescribed motions from the positions at which the references of their bodies were renewed.
+void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
+                        const State& state);
+
+/// Moment on the body of each support of the scene that is a rigid edge, about the middle of the edge; none in
+/// axisymmetry, where no edge turns.
+std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system,
+                                                   const Vector& reactions);
+
+/// Force on the body of each support of the scene, in x and y.
+std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions);
+
+}  // namespace reye::sim

@@ -1,0 +1,21 @@
+#include "sim/problem/problem.hpp"
+
+#include <algorithm>
+
+#include "material/parameters.hpp"
+
+namespace reye::sim {
+
+bool is_nonlinear(const body::BodyInput& input) {
+  return input.kinematics == base::Kinematics::finite || material::has_history(input.material);
+}
+
+std::optional<double> chosen_small_error(const Problem& problem) {
+  std::optional<double> largest;
+  for (std::size_t b = 0; b < problem.kinematics.size(); ++b)
+    if (const auto& choice = problem.kinematics[b]; choice && problem.inputs[b].kinematics == base::Kinematics::small)
+      largest = std::max(largest.value_or(0.0), choice->largest.error());
+  return largest;
+}
+
+}  // namespace reye::sim

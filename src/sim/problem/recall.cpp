@@ -1,0 +1,24 @@
+#include "sim/problem/recall.hpp"
+
+namespace reye::sim {
+
+const solver::Guess* recalled(const Recall& recall, int step, double from, double to) {
+  const auto found = recall.played.find({from, to});
+  if (step != recall.step || found == recall.played.end()) return nullptr;
+  return &found->second;
+}
+
+void note(Recall& recall, int step, double from, double to, const solver::SolverState& before,
+          const solver::SolverState& after) {
+  if (step != recall.step) recall = {step, {}};
+  solver::Guess& guess = recall.played[{from, to}];
+  guess = {after.q - before.q, {}, {}, {}};
+  for (std::size_t b = 0; b < after.interiors.size(); ++b)
+    guess.inside.push_back((after.interiors[b].y - before.interiors[b].y).high);
+  for (const auto& contact : after.contacts) {
+    guess.lambda.push_back(contact.lambda);
+    guess.status.push_back(contact.status);
+  }
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,33 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/problem/state.hpp"
+
+namespace reye::sim {
+
+/// The part of a step that one block plays.
+struct BlockSpan {
+  const scene::Step* step = nullptr;
+  double jump = 1.0;  ///< cycles of this block; 1 for a load step
+  bool cycles = false;
+  bool last = false;   ///< no block of the step comes after it
+  bool level = false;  ///< its end is shown: under a tolerance levelling cycles are its last part
+  bool remesh = true;  ///< false: poor elements wait for the end of the block
+  bool extrapolated =
+      false;  ///< its wear was corrected, but not the pressures, which therefore do not fit the new shape
+  std::vector<double> ends{};  ///< of its increments, by progress; empty: as the step has them
+};
+
+/// A state, or the reason of a failure.
+struct Outcome {
+  State state;
+  std::string failure;  ///< empty when the state is accepted
+  bool interrupted = false;
+  std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
+  std::vector<double> ends{};              ///< of the increments that were played, by progress
+  bool remesh_due = false;                 ///< a trigger fired, and the span has put it off
+};
+
+}  // namespace reye::sim

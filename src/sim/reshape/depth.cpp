@@ -1,0 +1,67 @@
+#include "sim/reshape/depth.hpp"
+
+#include <algorithm>
+
+#include "adapt/shape/unworn.hpp"
+#include "sim/measure/roundness.hpp"
+#include "sim/reshape/carry.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// Depths at the nodes of a boundary; of middle nodes the coefficients of their Bernstein functions.
+std::vector<double> depths_on(const body::Shape& now, const body::Shape& first, const std::string& boundary,
+                              const mortar::Surface& surface) {
+  const adapt::UnwornLine unworn(first.mesh, first.mesh.boundaries.at(boundary));
+  std::vector<double> depth;
+  for (int node : mesh::nodes_of(now.mesh.boundaries.at(boundary))) depth.push_back(unworn.depth(now.mesh.X[node]));
+  for (const auto& [a, b, c] : surface.facets)
+    if (c >= 0) depth[c] = 2.0 * depth[c] - 0.5 * (depth[a] + depth[b]);
+  return depth;
+}
+
+/// `others`: volume that other contacts have taken off; null: none.
+void measure(const Problem& problem, const State& state, const contact::BoundaryRef& ref, const double* pending,
+             const double* others, double* removed) {
+  const auto surface = surface_of(ref, problem.scene.analysis, state.shapes);
+  const auto depth = depths_on(*state.shapes[ref.body], *problem.shapes[ref.body], ref.boundary, surface);
+  // A remesh divides an arc into other chords and keeps the content under them: nodes lie off the worn curve by about a
+  // sagitta. The depth of wear that is not much deeper follows from the volume removed at each node.
+  constexpr double sagittas = 20.0;
+  double facets = 0.0, deepest = 0.0;
+  for (std::size_t k = 0; k < depth.size(); ++k) {
+    if (removed[k] <= 0.0) continue;
+    facets = std::max(facets, sagitta(surface, static_cast<int>(k)));
+    deepest = std::max(deepest, depth[k]);
+  }
+  if (deepest < sagittas * facets) return;
+  for (std::size_t k = 0; k < depth.size(); ++k)
+    if (removed[k] > 0.0)
+      removed[k] = std::max(depth[k] * surface.area[k] - (others ? others[k] : 0.0), 0.0) + pending[k];
+}
+
+}  // namespace
+
+void measure_depths(const Problem& problem, State& state) {
+  const auto of_others = [](const std::vector<double>& volume, std::size_t first) {
+    return volume.empty() ? nullptr : volume.data() + first;
+  };
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& placed = problem.contacts[c];
+    auto& contact = state.solution.contacts[c];
+    const auto& law = placed.options.wear;
+    if (law.wears() && law.secondary > 0.0)
+      measure(problem, state, placed.secondary, contact.pending_secondary.data(),
+              of_others(contact.others_secondary, 0), contact.removed_secondary.data());
+    std::size_t first = 0;
+    for (const auto& ref : placed.primary) {
+      if (law.wears() && law.primary > 0.0)
+        measure(problem, state, ref, contact.pending_primary.data() + first, of_others(contact.others_primary, first),
+                contact.removed_primary.data() + first);
+      first += mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
+    }
+  }
+}
+
+}  // namespace reye::sim

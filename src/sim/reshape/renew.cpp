@@ -1,0 +1,103 @@
+#include "sim/reshape/renew.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "adapt/shape/triggers.hpp"
+#include "sim/measure/displacements.hpp"
+#include "sim/measure/renewable.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/reshape/carry.hpp"
+#include "sim/reshape/equilibrate.hpp"
+#include "sim/reshape/remesh.hpp"
+#include "sim/reshape/shape.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+bool wear_waits(const State& state) {
+  const auto any = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) > 0.0; };
+  return std::any_of(state.solution.contacts.begin(), state.solution.contacts.end(),
+                     [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
+}
+
+/// The present positions of the nodes of a body.
+base::Points current_nodes(const Problem& problem, const State& state, const solver::System& system, int b) {
+  base::Points x = state.shapes[b]->mesh.X;
+  const auto u = recovered(problem, state, system, b);
+  for (std::size_t i = 0; i < u.size(); ++i) x[i] += u[i];
+  return x;
+}
+
+/// The shape with its nodes at x. It keeps its mesh of birth, so that its outline is drawn through the nodes.
+body::ShapePtr moved_to(const body::Shape& before, base::Points x) {
+  auto shape = std::make_shared<body::Shape>(before);
+  shape->mesh.X = std::move(x);
+  return shape;
+}
+
+/// Why the current shape is to become X.
+RemeshReason reason_of(const Problem& problem, const body::Shape& before, const base::Points& x) {
+  const auto& triggers = problem.scene.remesh.triggers;
+  const std::string why = adapt::why_renew(before, x, triggers);
+  if (why.empty()) return {};
+  return {"deformation: " + why, adapt::measure(before, x).size_ratio.value > triggers.size_ratio, true};
+}
+
+/// Stores the positions of the supports of a body when its reference is renewed.
+void note_supports(const Problem& problem, const State& state, const solver::System& system, int b, State& next) {
+  next.renewed_at.resize(problem.supports.size());
+  const Vector q = system.part(state.solution.q, b);
+  for (const auto& column : std::get<body::NonlinearBody>(system.bodies[b]).support_columns())
+    next.renewed_at[problem.support_of[b][column.support]][column.motion] += q[column.column];
+}
+
+/// Tractions that are counted on x stay what they are when x becomes X: their forces are those of the areas on x.
+void count_on_current(const Problem& problem, const solver::System& system, Change& change) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& ref = problem.contacts[c].secondary;
+    if (setup.measure == base::Kinematics::small || !change.reasons[ref.body].renew) continue;
+    const auto now = surface_of(ref, problem.scene.analysis, change.next.shapes).area;
+    for (std::size_t j = 0; j < now.size(); ++j) {
+      const double ratio = now[j] / setup.secondary.area[j];
+      change.held[c].normal[j] *= ratio;
+      change.held[c].tangential[j] *= ratio;
+    }
+  }
+}
+
+}  // namespace
+
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                      const Observer& observer) {
+  if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
+  const auto& system = timed_system(problem, state, cache);
+  std::vector<RemeshReason> reasons(state.shapes.size());
+  std::map<int, base::Points> renewed;
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (!can_renew(problem, b)) continue;
+    auto x = current_nodes(problem, state, system, b);
+    reasons[b] = reason_of(problem, *state.shapes[b], x);
+    if (reasons[b].renew) renewed.emplace(b, std::move(x));
+  }
+  if (renewed.empty()) return false;
+  Change change{state, std::move(reasons), {}};
+  for (auto& [b, x] : renewed) {
+    change.next.shapes[b] = moved_to(*state.shapes[b], std::move(x));
+    note_supports(problem, state, system, b, change.next);
+  }
+  change.held = held_tractions(system, state);
+  count_on_current(problem, system, change);
+  Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+  if (!outcome.failure.empty()) {
+    if (observer.log) observer.log("the reference is kept: " + outcome.failure);
+    return false;
+  }
+  state = std::move(outcome.state);
+  return true;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,222 @@
+#include "sim/reshape/shape.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "adapt/shape/shape_step.hpp"
+#include "base/errors.hpp"
+#include "sim/measure/drawn_gap.hpp"
+#include "sim/measure/shared_wear.hpp"
+#include "sim/measure/warn_contact.hpp"
+#include "sim/measure/why_failed.hpp"
+#include "sim/measure/worn_through.hpp"
+#include "sim/problem/scene_line.hpp"
+#include "sim/problem/timer.hpp"
+#include "sim/reshape/balance.hpp"
+#include "sim/reshape/gap.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// Removed volumes per boundary of one body; several contacts may wear the same boundary.
+std::vector<adapt::WornBoundary> worn_boundaries(const Problem& problem, const State& state, int body, double& total) {
+  std::map<std::string, std::vector<double>> sums;
+  const auto add = [&](const contact::BoundaryRef& ref, auto first, std::size_t count) {
+    auto& sum = sums[ref.boundary];
+    sum.resize(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      sum[i] += *(first + static_cast<std::ptrdiff_t>(i));
+      total += *(first + static_cast<std::ptrdiff_t>(i));
+    }
+  };
+  const auto size = [&](const contact::BoundaryRef& ref) {
+    return mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
+  };
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& placed = problem.contacts[c];
+    const auto& contact = state.solution.contacts[c];
+    if (placed.secondary.body == body) add(placed.secondary, contact.pending_secondary.begin(), size(placed.secondary));
+    auto first = contact.pending_primary.begin();
+    for (const auto& ref : placed.primary) {
+      const auto count = size(ref);
+      if (ref.body == body) add(ref, first, count);
+      first += static_cast<std::ptrdiff_t>(count);
+    }
+  }
+  std::vector<adapt::WornBoundary> worn;
+  for (auto& [name, removed] : sums) worn.push_back({name, std::move(removed)});
+  return worn;
+}
+
+/// Enters the strip in the ledger, share by share, once the body has lost the volume that waited in the gap.
+void book_strips(const Problem& problem, State& state, const std::vector<double>& ratio) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& placed = problem.contacts[c];
+    auto& contact = state.solution.contacts[c];
+    for (double& v : contact.pending_secondary) {
+      contact.strip_secondary += v * ratio[placed.secondary.body];
+      v = 0.0;
+    }
+    std::size_t l = 0;
+    for (const auto& ref : placed.primary)
+      for (std::size_t k = mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size(); k > 0;
+           --k, ++l) {
+        contact.strip_primary += contact.pending_primary[l] * ratio[ref.body];
+        contact.pending_primary[l] = 0.0;
+      }
+  }
+}
+
+double relative(double now, double before) { return before != 0.0 ? std::abs(now - before) / std::abs(before) : 0.0; }
+
+/// Moves the outlines of all worn bodies by the volume that waited in the gap; `ratio`: strip over waiting volume.
+std::string move_outlines(const Problem& problem, const State& state, Cache& cache, std::vector<Moved>& moved,
+                          std::vector<double>& ratio) {
+  Timer timer(cache, "adapt");
+  for (int b = 0; b < problem.body_count(); ++b) {
+    moved.push_back({state.shapes[b], {}});
+    double total = 0.0;
+    const auto worn = worn_boundaries(problem, state, b, total);
+    if (total <= 0.0) continue;
+    auto step = adapt::evolve(state.shapes[b], problem.scene.analysis, worn, {}, &cache.relocation);
+    if (!step.failure.empty()) return "body " + problem.inputs[b].name + ": " + step.failure;
+    ratio[b] = step.removed / total;
+    moved[b] = {std::move(step.shape), std::move(step.poor)};
+    if (!moved[b].poor.empty() && !problem.scene.remesh.automatic)
+      return "body " + problem.inputs[b].name + ": " + moved[b].poor;
+  }
+  return {};
+}
+
+/// Bodies that would be too thin to be meshed.
+std::string too_thin(const Problem& problem, const State& state, const std::vector<Moved>& moved) {
+  std::vector<body::ShapePtr> shapes;
+  for (const auto& body : moved) shapes.push_back(body.shape);
+  const auto place = shapes == state.shapes ? std::nullopt : thinnest(problem, shapes);
+  return place && place->share_left() < thinnest_share ? in_words(problem, *place, state.cycle) : std::string();
+}
+
+/// The state before the block, in the parts that the search for a cause reads.
+State without_block(State state, const BlockSpan& span) {
+  if (span.cycles) state.cycle -= span.jump;
+  return state;
+}
+
+void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
+  for (const auto& r : records) {
+    if (observer.remesh) observer.remesh(r);
+    if (!observer.log) continue;
+    char text[400];
+    std::snprintf(
+        text, sizeof text,
+        "body %s remeshed at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
+        "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
+        r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,
+        r.pressure_jump, r.force_jump, r.energy_jump, r.projection_mm, r.seconds, r.mesh_seconds);
+    observer.log(text + r.reason);
+  }
+}
+
+/// Fills in the jumps from the equilibrium before to the new one.
+void fill_jumps(const Problem& problem, const State& next, const solver::System& system, const Balance& before,
+                const std::vector<HeldTraction>& held, std::vector<RemeshRecord>& records) {
+  const Balance now = balance_of(problem, next, system);
+  for (auto& r : records) {
+    int body = 0;
+    while (problem.inputs[body].name != r.body) ++body;
+    r.energy_jump = relative(now.energy[body], before.energy[body]);
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      const auto& placed = problem.contacts[c];
+      bool here = placed.secondary.body == body;
+      for (const auto& ref : placed.primary) here = here || ref.body == body;
+      if (!here) continue;
+      r.pressure_jump =
+          std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
+      r.peak_jump = std::max(r.peak_jump, peak_jump(system.contacts[c], next.solution.contacts[c], held[c]));
+      if (before.force[c].norm() > 0.0)
+        r.force_jump = std::max(r.force_jump, (now.force[c] - before.force[c]).norm() / before.force[c].norm());
+    }
+  }
+}
+
+}  // namespace
+
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
+                     const std::vector<RemeshReason>& asked) {
+  const auto& system = timed_system(problem, state, cache);
+  std::vector<double> ratio(state.shapes.size(), 1.0);
+  std::vector<Moved> moved;
+  const auto refused = [&](const std::string& failure) -> Outcome {
+    if (observer.log) observer.log("no shape: " + failure);
+    const auto& present = timed_system(problem, state, cache);
+    const auto last = without_block(state, span);
+    return {state,
+            scene_line(problem.scene, "step " + span.step->name) +
+                why_failed(problem, last, {span.step, span.jump, solver::Failure::none, failure}, present),
+            false};
+  };
+  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
+    return refused(failure);
+  if (const std::string failure = too_thin(problem, state, moved); !failure.empty()) return refused(failure);
+  std::vector<RemeshReason> reasons(moved.size());
+  if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
+  const bool due =
+      !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
+  if (!span.remesh) reasons.assign(moved.size(), {});
+  Change change{state, std::move(reasons), held_tractions(system, state)};
+  for (std::size_t b = 0; b < moved.size(); ++b) change.next.shapes[b] = moved[b].shape;
+  note_others(problem, change.next);
+  book_strips(problem, change.next, ratio);
+  for (std::size_t b = 0; b < asked.size(); ++b)
+    if (!asked[b].text.empty()) change.reasons[b] = asked[b];
+  try {
+    Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+    outcome.remesh_due = due;
+    if (!outcome.failure.empty())
+      if (const auto words = worn_through(problem, without_block(state, span)); !words.empty())
+        return refused(outcome.failure);
+    return outcome;
+  } catch (const base::MeshError& error) {
+    return refused(error.what());
+  }
+}
+
+Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
+               const Observer& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  auto& next = change.next;
+  std::vector<RemeshRecord> records;
+  Balance before;
+  const auto asks = [](const RemeshReason& reason) { return !reason.text.empty(); };
+  if (std::any_of(change.reasons.begin(), change.reasons.end(), asks)) {
+    before = balance_of(problem, state, timed_system(problem, state, cache));
+    const std::string failure = remesh_bodies(problem, state, change, cache, records);
+    if (!failure.empty()) return {std::move(state), failure, false};
+    next.recall = {};
+  }
+  if (next.shapes == state.shapes) return {std::move(state), {}, false};
+  next.shown = false;
+  for (std::size_t b = 0; b < next.shapes.size(); ++b) next.counts.factorisations += next.shapes[b] != state.shapes[b];
+  CarriedGap gap;
+  const std::string failure = span.extrapolated ? re_equilibrate(problem, next, cache, span, change.held)
+                                                : equilibrate_with_gap(problem, next, cache, span, change.held, gap);
+  if (!failure.empty()) return {std::move(state), failure, false};
+  if (!gap.failure.empty() && observer.log) observer.log("the gap is not carried over the remesh: " + gap.failure);
+  if (!records.empty()) {
+    fill_jumps(problem, next, system_of(problem, next, cache), before, change.held, records);
+    for (auto& r : records) {
+      r.step = span.step->name;
+      r.gap_moved_mm = gap.moved_mm;
+      r.gap_left_mm = gap.left_mm;
+      r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    tell(observer, records);
+    for (const auto& r : records) warn_of_remesh(next, observer, r);
+  }
+  return {std::move(next), {}, false};
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "sim/problem/observer.hpp"
+#include "sim/problem/problem.hpp"
+#include "sim/problem/span.hpp"
+#include "sim/problem/state.hpp"
+#include "sim/problem/system.hpp"
+#include "sim/reshape/remesh.hpp"
+
+namespace reye::sim {
+
+/// Moves the shapes of all worn bodies, remeshes where a trigger or `asked` (per body, or none) requires it, then finds
+/// equilibrium with the shear as history.
+Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
+                     const std::vector<RemeshReason>& asked = {});
+
+/// Remeshes where asked for and finds equilibrium; the state is unchanged where that fails.
+Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
+               const Observer& observer);
+
+}  // namespace reye::sim

@@ -1,0 +1,13 @@
+#pragma once
+#include "sim/problem/problem.hpp"
+#include "sim/problem/system.hpp"
+
+namespace reye::sim {
+
+/// Decides between small and finite strain for the bodies that leave it to the run. A trial, with these bodies at small
+/// strain and without wear, plays every step once: a body whose error passes the bound at the end of an increment is
+/// finitely strained, and all are where the trial fails. LinearElastic, which is not a law of finite strain, becomes
+/// Hencky's law with its constants there. `cache`: that of the problem; its equations are cleared where a body changed.
+void choose_kinematics(Problem& problem, Cache& cache);
+
+}  // namespace reye::sim

@@ -1,0 +1,231 @@
+#include "solver/newton_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+
+namespace reye::solver {
+
+using body::Tangent;
+using contact::Start;
+
+namespace {
+
+constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
+constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
+constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
+constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit,
+constexpr double far_out = 0.01;         ///< where that is more of the forces than this
+constexpr int settling = 5;              ///< iterations that follow the last change
+constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
+constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
+constexpr double same = 0.1;             ///< of the force out of balance: a renewal has not changed it
+constexpr int standing = 3;              ///< such renewals in a row, of contact that has not settled: it never will
+constexpr double on_kept =
+    0.01;  ///< of the tolerances, for a step that kept a matrix: Newton's own falls far below them
+
+}  // namespace
+
+NewtonPath::NewtonPath(Increment& increment, const NewtonOptions& options, const System& system,
+                       const SolverState& before, const Controls& controls, const Attempt& attempt)
+    : increment_(increment),
+      options_(options),
+      system_(system),
+      before_(before),
+      controls_(controls),
+      attempt_(attempt) {}
+
+SolveResult NewtonPath::follow(bool narrowing) {
+  narrowing_ = narrowing;
+  for (ended_ = !begin(); !ended_; ++iteration_, ++since_) iterate();
+  return std::move(result_);
+}
+
+void NewtonPath::end(Failure failure, std::string reason) {
+  result_.report.failure = failure;
+  result_.report.converged = failure == Failure::none;
+  result_.report.reason = std::move(reason);
+  ended_ = true;
+}
+
+double NewtonPath::error() const {
+  return std::max(row_.force / options_.force_tolerance, row_.condition / options_.condition_tolerance);
+}
+
+bool NewtonPath::begin() {
+  last_ = options_.max_iterations;
+  limit_ = most_on_one_tangent;
+  try {
+    q_ = increment_.begin(system_, before_, controls_, attempt_.from,
+                          attempt_.chords ? Tangent::symmetric_part : Tangent::exact);
+  } catch (const base::SolveError& error) {
+    end(Failure::torn, error.what());
+    return false;
+  }
+  result_.report.tangents = increment_.nonlinear() ? 1 : 0;
+  return true;
+}
+
+/// Each phase that ends the path says why; each that changes what the next ones stand on begins another iteration.
+void NewtonPath::iterate() {
+  increment_.place(system_, q_);
+  decide();
+  extend();
+  if (!finite() || astray() || stands_still()) return;
+  chord_ = may_keep_matrix();
+  const bool is_met = met();
+  if (is_met && fresh()) return accept();
+  if (increment_.nonlinear() && (is_met || since_ == limit_ || watch_.stuck())) return renew(is_met);
+  if (iteration_ == last_ || watch_.stuck())
+    return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
+  if (renewed() && !linearise()) return;
+  step();
+}
+
+/// The active set, and the residual on it.
+void NewtonPath::decide() {
+  cycling_ = watch_.cycling();
+  const Allowed together = stage() < all_at_once ? Allowed::all : Allowed::opening_first;
+  const int changes = increment_.decide(stage(), attempt_.from, cycling_ ? Allowed::none : together);
+  row_ = increment_.measure(system_, controls_, q_, fresh());
+  if (cycling_ && changes > 0 && error() < 1.0) {
+    increment_.decide(stage(), attempt_.from, Allowed::one);
+    row_ = increment_.measure(system_, controls_, q_, fresh());
+  }
+  row_.changes = changes;
+  if (fresh()) result_.report.table.push_back(row_);
+}
+
+/// An edge of contact that moves by a node in each iteration is on its way: it may pass all nodes.
+void NewtonPath::extend() {
+  const auto set = increment_.active_set();
+  watch_.add(set);
+  few_ = row_.changes > 0 && row_.changes <= few_changes ? few_ + 1 : 0;
+  if (!increment_.nonlinear() && few_ >= marching)
+    last_ = std::max(last_, std::min(iteration_ + settling, options_.max_iterations + static_cast<int>(set.size())));
+  if (watch_.cycling() && !cycling_) limit_ = since_ + most_on_one_tangent;
+}
+
+bool NewtonPath::finite() {
+  if (std::isfinite(row_.force) && std::isfinite(row_.condition)) return true;
+  end(Failure::contact_lost,
+      "the residual is not finite after " + std::to_string(iteration_) +
+          " iterations: displacements grow without bound, as where a body that contact holds is unsupported");
+  return false;
+}
+
+/// Whether a predicted start leads nonlinear bodies away from balance.
+bool NewtonPath::astray() {
+  if (!fresh() || !increment_.nonlinear()) return false;
+  if (attempt_.from == Start::predicted && row_.force > std::max(worse * least_, far_out)) {
+    end(Failure::astray, "the start that was predicted leads away from balance");
+    return true;
+  }
+  least_ = std::min(least_, row_.force);
+  keeps_tangent_ = tangents_.allows(row_.force, 0) && attempt_.chords;
+  return false;
+}
+
+/// Whether contact finds no status on nonlinear bodies, and renewing them leads back to where they were.
+bool NewtonPath::stands_still() {
+  if (!renewed()) return false;
+  const bool back = !settled_ && std::abs(row_.force - renewed_force_) <= same * renewed_force_;
+  still_ = back ? still_ + 1 : 0;
+  renewed_force_ = row_.force;
+  if (still_ < standing) return false;
+  end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, true));
+  return true;
+}
+
+bool NewtonPath::may_keep_matrix() {
+  const bool allowed = attempt_.chords && matrices_.allows(error(), row_.changes);
+  const bool with_tangent = renewed() && keeps_tangent_ && row_.changes == 0;  // contact's matrix goes with the tangent
+  return allowed || with_tangent;
+}
+
+/// Whether the equations hold, on an active set that is asked once more: early decisions leave the wear by neighbours
+/// out, and a node that it opens would be left pulling.
+bool NewtonPath::met() {
+  const double bound = (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
+  if (iteration_ == 0 || row_.changes > 0 || !(error() < bound)) return false;
+  if (late_) return true;
+  if (increment_.decide(options_.max_iterations, attempt_.from, cycling_ ? Allowed::one : Allowed::all) == 0)
+    return true;
+  late_ = true;
+  chord_ = false;
+  increment_.measure(system_, controls_, q_, fresh());
+  return false;
+}
+
+/// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has
+/// found.
+void NewtonPath::accept() {
+  if (increment_.accept(system_, q_, result_.state)) {
+    std::string passed = increment_.passed_through();
+    return end(passed.empty() ? Failure::none : Failure::passed_through, std::move(passed));
+  }
+  narrowing_ = false;
+  matrices_ = {};
+  on_chord_ = false;
+  if (increment_.follow(system_, controls_, q_)) return;
+  increment_.choose_reach(system_, before_, true, options_.limit_reach);
+  result_ = NewtonPath(increment_, options_, system_, before_, controls_, attempt_).follow(false);
+  ended_ = true;
+}
+
+/// Contact has settled on the bodies as they were linearised, or cannot: they go to where it left them.
+void NewtonPath::renew(bool settled) {
+  settled_ = settled;
+  if (renewals_++ == options_.max_iterations)
+    return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
+  if (auto reason = increment_.renew(q_); !reason.empty()) return end(Failure::torn, std::move(reason));
+  watch_ = {};
+  matrices_ = {};
+  limit_ = most_on_one_tangent;
+  iteration_ = 0;
+  since_ = -1;
+}
+
+/// Renewed bodies get a tangent there, unless the one that they have still leads fast.
+bool NewtonPath::linearise() {
+  on_kept_tangent_ = keeps_tangent_;
+  if (keeps_tangent_) return true;
+  ++result_.report.tangents;
+  const bool exact = !attempt_.chords || result_.report.tangents > symmetric_ones;
+  if (auto reason = increment_.linearise(q_, exact ? Tangent::exact : Tangent::symmetric_part); !reason.empty()) {
+    end(Failure::torn, std::move(reason));
+    return false;
+  }
+  increment_.measure(system_, controls_, q_, fresh());
+  return true;
+}
+
+void NewtonPath::step() {
+  const bool narrowed = narrowing_ && !chord_ && increment_.narrow(system_, controls_, q_);
+  if (narrowed) {
+    increment_.place(system_, q_);
+    increment_.measure(system_, controls_, q_, fresh());
+  }
+  try {
+    const Vector dq = increment_.step(system_, controls_, q_, chord_);
+    on_chord_ = chord_;
+    ++result_.report.solves;
+    result_.report.matrices += chord_ ? 0 : 1;
+    q_ += dq;
+    // Far out the rounding of S q hides that nothing is in balance any more.
+    const double way = increment_.way(dq), bound = 1e3 * system_.extent;
+    if (!system_.contacts.empty() && !(way < bound))
+      return end(Failure::contact_lost,
+                 "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported");
+    if (narrowed && iteration_ == 0) {  // what the first step closes is judged among all nodes
+      increment_.widen(system_, controls_, q_);
+      matrices_ = {};
+    }
+  } catch (const base::SolveError& error) {
+    if (increment_.touching()) return end(Failure::singular, error.what());
+    end(Failure::contact_lost, "no node is in contact, and a body that only contact holds is unsupported");
+  }
+}
+
+}  // namespace reye::solver

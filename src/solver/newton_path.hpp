@@ -1,0 +1,78 @@
+#pragma once
+#include <limits>
+
+#include "solver/chord_rule.hpp"
+#include "solver/increment.hpp"
+
+namespace reye::solver {
+
+/// How an increment is tried: from where, and whether factorised matrices and tangents are kept while that pays.
+struct Attempt {
+  contact::Start from;
+  bool chords;
+};
+
+/// One try at an increment: the iterations from one start to a state, or to the reason why there is none. A path is
+/// followed once.
+class NewtonPath {
+ public:
+  NewtonPath(Increment& increment, const NewtonOptions& options, const System& system, const SolverState& before,
+             const Controls& controls, const Attempt& attempt);
+
+  /// `narrowing`: the reach may be drawn closer round what is active.
+  SolveResult follow(bool narrowing);
+
+ private:
+  bool begin();
+  void iterate();
+  void decide();
+  void decide_one();
+  void extend();
+  bool finite();
+  bool astray();
+  bool stands_still();
+  bool may_keep_matrix();
+  bool met();
+  void accept();
+  void renew(bool settled);
+  bool linearise();
+  void step();
+  void end(Failure failure, std::string reason);
+
+  bool fresh() const {
+    return !increment_.nonlinear() || since_ == 0;
+  }  ///< the residual is the truth, not a linearised body's
+  bool renewed() const { return since_ == 0 && renewals_ > 0; }
+  bool one_by_one() const { return cycling_; }
+  int stage() const { return late_ ? options_.max_iterations : iteration_; }
+  double error() const;  ///< of the tolerances
+
+  Increment& increment_;
+  const NewtonOptions& options_;
+  const System& system_;
+  const SolverState& before_;
+  const Controls& controls_;
+  const Attempt attempt_;
+
+  SolveResult result_;
+  bool ended_ = false, narrowing_ = false;
+  base::TwoPart q_;
+  Iteration row_;  ///< of this iteration
+  ActiveSetWatch watch_;
+  bool cycling_ = false;      ///< the active set goes round in circles: it changes in one node alone
+  bool late_ = false;         ///< decisions are those of the end of an increment
+  int iteration_ = 0;         ///< since the bodies were renewed; counts towards `last_`
+  int since_ = 0;             ///< iterations on the tangents that bodies have
+  int last_ = 0, limit_ = 0;  ///< iterations at most; of them on one tangent
+  int few_ = 0;               ///< iterations in a row in which a few nodes change
+  int renewals_ = 0;
+  bool settled_ = true;         ///< before the last renewal contact had settled
+  double renewed_force_ = 0.0;  ///< out of balance after the last renewal
+  int still_ = 0;               ///< renewals in a row that changed nothing
+  ChordRule matrices_, tangents_;
+  bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
+  bool keeps_tangent_ = false, on_kept_tangent_ = false;
+  double least_ = std::numeric_limits<double>::infinity();  ///< force out of balance so far
+};
+
+}  // namespace reye::solver
