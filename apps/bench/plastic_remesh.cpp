@@ -114,7 +114,7 @@ struct Indented {
     double most = 0.0;
     for (int b = 0; b < problem.body_count(); ++b)
       for (const auto& e : std::get<body::NonlinearBody>(system.bodies[b])
-                               .elastic_states(state.solution.interiors[b], system.part(state.solution.q, b)))
+                               .elastic_states(state.solution.interiors[b], system.part(state.solution.q.high, b)))
         most = std::max(most, yielding(std::get<material::HenckyJ2>(problem.inputs[b].material), e) - 1.0);
     return most;
   }

@@ -28,7 +28,7 @@ void Interface::book(int node, ContactState& next) const {
   });
   if (law.primary == 0.0) return;
   for (const auto& [l, T] : cover_[j]) {
-    const double volume = law.primary * work * T / spread_[j];
+    const double volume = primary_volume(node, T, c.work);
     next.pending_primary[l] += volume;
     next.removed_primary[l] += volume;
   }

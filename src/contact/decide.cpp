@@ -51,15 +51,13 @@ double Interface::sliding_sign() const {
 /// Gap at a node opened by the wear that its neighbours cause in this increment: on the primary side, and at control
 /// points between them.
 double Interface::others_wear(int node) const {
-  const double coefficient = setup_->options.wear.primary * options_.jump;
   const double own_volume = setup_->options.wear.secondary * options_.jump * condition_[node].work;
   double others = 0.0;
   for (const auto& [l, M] : rows_[node].M) {
     others += M * (primary_depth_[l] - primary_start_[l]);
     for (const auto& [k, T] : cover_[node])
       if (k == l && rows_[node].D > 0.0)
-        others -= M * coefficient * T * condition_[node].work / (spread_[node] * setup_->primary.area[l]) *
-                  thickness(options_.thickness_primary, l);
+        others -= M * primary_volume(node, T, condition_[node].work) * primary_opening(l);
   }
   for (const auto& [k, share] : rows_[node].off) {
     if (!setup_->between(k)) continue;

@@ -193,6 +193,12 @@ class Interface {
   NodeConditions<Eleven> node_duals(int node, const std::vector<Vec2>& lambda) const;
   bool wear_spreads() const;
   double worn_others(int node) const;
+  /// Wear of the primary side by a work density (c.work) of a secondary node: the volume that a primary node loses, of
+  /// which T is its part of the node's cover, and the opening of the gap per volume there.
+  double primary_volume(int node, double T, double work) const {
+    return setup_->options.wear.primary * options_.jump * work * T / spread_[node];
+  }
+  double primary_opening(int l) const { return thickness(options_.thickness_primary, l) / setup_->primary.area[l]; }
   double shares_between(int node) const;
   void spread_wear();
   void begin_wear();

@@ -137,13 +137,13 @@ void Interface::add_up(std::vector<WearEntry>& entries) {
 
 /// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
 void Interface::collect_primary_wear(int node, const Eleven& work) {
-  const double coefficient = setup_->options.wear.primary * options_.jump, D = spread_[node];
+  const double D = spread_[node];
   const bool linear = setup_->secondary.order == 1;
   std::vector<WearEntry> own;
   chain(node, work, [&](int col, double value) { own.push_back({col, value}); });
   add_up(own);
   for (const auto& [l, T] : cover_[node]) {
-    const double factor = coefficient / setup_->primary.area[l] * thickness(options_.thickness_primary, l);
+    const double factor = primary_volume(node, D, 1.0) * primary_opening(l);  // times T / D
     auto& slopes = primary_slope_[l];
     for (const auto& entry : own) slopes.push_back({entry.col, factor * T / D * entry.value});
     for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {

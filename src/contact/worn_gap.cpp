@@ -45,14 +45,12 @@ void Interface::spread_wear() {
   primary_depth_ = primary_start_;
   secondary_depth_ = secondary_start_;
   if (!wear_spreads()) return;
-  const auto& law = setup_->options.wear;
-  const double primary = law.primary * options_.jump, secondary = law.secondary * options_.jump;
+  const double secondary = setup_->options.wear.secondary * options_.jump;
   for (std::size_t j = 0; j < rows_.size(); ++j) {
     const double work = condition_[j].work;
     if (work == 0.0) continue;
     for (const auto& [l, T] : cover_[j])
-      primary_depth_[l] +=
-          primary * T * work / (spread_[j] * setup_->primary.area[l]) * thickness(options_.thickness_primary, l);
+      primary_depth_[l] += primary_volume(static_cast<int>(j), T, work) * primary_opening(l);
     for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
   }
 }

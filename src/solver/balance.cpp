@@ -45,7 +45,7 @@ std::vector<Vector> Increment::deformations(const System& system, const base::Tw
 /// S' v - f' of all bodies on the reduced columns; of nonlinear ones r + S v.
 Vector Increment::residual(const System& system, const Controls& controls, const base::TwoPart& q,
                            const std::vector<Vector>& v) const {
-  Vector r = -loads_;
+  Vector r = -loads_.forces;
   for (const auto& [column, stiffness, rest] : controls.springs) {
     const int at = reduction().index(column);
     r[at] += stiffness * (q.high[at] - rest + q.low[at]);
@@ -59,7 +59,7 @@ Vector Increment::residual(const System& system, const Controls& controls, const
       nonlinear_.add_residual(body, v[b], r);
     } else if (const auto* turning = reduction().turning(body)) {
       const double angle = q.high[at + turning->angle];
-      Vector own = reduction().stiffness(body) * v[b] - reduction().turning_load(body).at(angle);
+      Vector own = reduction().stiffness(body) * v[b] - loads_.turning[b].at(angle);
       turning->to_axes(angle, own);
       r.segment(at, own.size()) += own;
     } else {

@@ -44,9 +44,9 @@ void ContactsInReach::begin(const System& system, const SolverState& before, con
   start_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
     const auto& setup = system.contacts[c];
-    start_[c] = sides_[c] = positions(system, setup, before.q);
+    start_[c] = sides_[c] = positions(system, setup, before.q.high);
     faces_[c].begin(setup, before.contacts[c], sides_[c].secondary, sides_[c].primary, controls.contacts[c]);
-    faces_[c].hold(mobility(system, setup, before.q, controls));
+    faces_[c].hold(mobility(system, setup, before.q.high, controls));
     if (guess) faces_[c].expect(guess->status[c], guess->lambda[c]);
   }
   limit_faces();
@@ -56,19 +56,19 @@ void ContactsInReach::limit_faces() {
   for (std::size_t c = 0; c < faces_.size(); ++c) faces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
 }
 
-void ContactsInReach::change(const System& system, Reach reach, base::TwoPart& q) {
-  const auto all = reduction_.expand(q);
+void ContactsInReach::change(const System& system, Reach reach, const Reduction::Loads& loads, base::TwoPart& q) {
+  const auto all = reduction_.expand(q, loads);
   reach_ = std::move(reach);
   reduction_ = Reduction(system, reach_);
   limit_faces();
   q = {reduction_.restrict_to(all.high), reduction_.restrict_to(all.low)};
 }
 
-bool ContactsInReach::narrow(const System& system, base::TwoPart& q) {
+bool ContactsInReach::narrow(const System& system, const Reduction::Loads& loads, base::TwoPart& q) {
   if (chosen_) return false;
   Reach reach = Reach::round_contact(system, faces_, reach_margin);
   if (reach.nodes() > worth_narrowing * reach_.nodes()) return false;
-  change(system, std::move(reach), q);
+  change(system, std::move(reach), loads, q);
   return true;
 }
 
@@ -94,11 +94,11 @@ std::string ContactsInReach::passed_through() const {
   return {};
 }
 
-void ContactsInReach::follow(const System& system, base::TwoPart& q) {
+void ContactsInReach::follow(const System& system, const Reduction::Loads& loads, base::TwoPart& q) {
   Reach reach = Reach::round_contact(system, faces_, reach_margin);
   if (!enclosed_by(reach)) reach = Reach::all(system);
   chosen_ = !(reach == Reach::all(system));
-  change(system, std::move(reach), q);
+  change(system, std::move(reach), loads, q);
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.

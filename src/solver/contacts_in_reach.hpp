@@ -22,19 +22,21 @@ class ContactsInReach {
   /// Moves all nodes to where the global q puts them, and integrates.
   void place_all(const System& system, const Vector& q) { integrate(system, q, true); }
 
-  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it.
-  bool narrow(const System& system, base::TwoPart& q);
+  /// Where no earlier increment gives the reach: narrows it round what is active by now, if that is worth it. `loads`:
+  /// those on the columns of the present reach.
+  bool narrow(const System& system, const Reduction::Loads& loads, base::TwoPart& q);
   /// Returns to all nodes.
-  void widen(const System& system, base::TwoPart& q) { change(system, Reach::all(system), q); }
+  void widen(const System& system, const Reduction::Loads& loads, base::TwoPart& q) {
+    change(system, Reach::all(system), loads, q);
+  }
   /// Chooses the reach round the contact that was found among all nodes, or all nodes.
-  void follow(const System& system, base::TwoPart& q);
+  void follow(const System& system, const Reduction::Loads& loads, base::TwoPart& q);
   /// Whether contact, placed among all nodes, stayed inside the reach.
   bool enclosed() const { return enclosed_by(reach_); }
   /// After `place_all`: the node that went through the other side undetected, in words; empty: none.
   std::string passed_through() const;
 
   bool limited() const { return limited_; }
-  Reduction& reduction() { return reduction_; }
   const Reduction& reduction() const { return reduction_; }
   std::vector<contact::Interface>& faces() { return faces_; }
   const std::vector<contact::Interface>& faces() const { return faces_; }
@@ -43,7 +45,7 @@ class ContactsInReach {
 
  private:
   bool enclosed_by(const Reach& reach) const;
-  void change(const System& system, Reach reach, base::TwoPart& q);
+  void change(const System& system, Reach reach, const Reduction::Loads& loads, base::TwoPart& q);
   void limit_faces();
   void integrate(const System& system, const Vector& q, bool everything);
 

@@ -30,7 +30,7 @@ void Increment::forget() {
 }
 
 void Increment::remember(const SolverState& before, const SolverState& accepted) {
-  last_step_ = accepted.q - before.q;
+  last_step_ = accepted.q.high - before.q.high;
   nonlinear_.remember(accepted);
 }
 
@@ -50,7 +50,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), guess, continues);
-  base::TwoPart q{reduction().restrict_to(before.q), reduction().restrict_to(before.q_low)};
+  base::TwoPart q{reduction().restrict_to(before.q.high), reduction().restrict_to(before.q.low)};
   if (guess) q += reduction().restrict_to(guess->dq);
   if (continues > 0.0) q += continues * reduction().restrict_to(last_step_);
   // The tangent leads a nonlinear body to its imposed motion, without distorting the elements beside it.
@@ -66,8 +66,8 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
 /// Arms and loads on the columns in reach.
 void Increment::take_columns(const System& system, const Controls& controls) {
   arm_ = reduction().restrict_to(system.arm);
-  loads_ = contacts_.reduction().loads(system, controls.load_factors);
-  for (const auto& [column, force] : controls.forces) loads_[reduction().index(column)] += force;
+  loads_ = reduction().loads(system, controls.load_factors);
+  for (const auto& [column, force] : controls.forces) loads_.forces[reduction().index(column)] += force;
 }
 
 void Increment::change_columns(const System& system, const Controls& controls) {
@@ -76,20 +76,20 @@ void Increment::change_columns(const System& system, const Controls& controls) {
 }
 
 bool Increment::narrow(const System& system, const Controls& controls, base::TwoPart& q) {
-  if (nonlinear() || !contacts_.narrow(system, q)) return false;
+  if (nonlinear() || !contacts_.narrow(system, loads_, q)) return false;
   change_columns(system, controls);
   return true;
 }
 
 bool Increment::follow(const System& system, const Controls& controls, base::TwoPart& q) {
   if (nonlinear()) return false;
-  contacts_.follow(system, q);
+  contacts_.follow(system, loads_, q);
   change_columns(system, controls);
   return true;
 }
 
 void Increment::widen(const System& system, const Controls& controls, base::TwoPart& q) {
-  contacts_.widen(system, q);
+  contacts_.widen(system, loads_, q);
   change_columns(system, controls);
 }
 
@@ -137,10 +137,8 @@ bool Increment::touching() const {
 }
 
 bool Increment::accept(const System& system, const base::TwoPart& q, SolverState& state) {
-  auto expanded = contacts_.reduction().expand(q);
-  state.q = std::move(expanded.high);
-  state.q_low = std::move(expanded.low);
-  contacts_.place_all(system, state.q);
+  state.q = reduction().expand(q, loads_);
+  contacts_.place_all(system, state.q.high);
   if (!contacts_.enclosed()) return false;
   state.contacts.clear();
   for (std::size_t c = 0; c < lambda_.size(); ++c) {
@@ -148,7 +146,7 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
     face.evaluate(lambda_[c]);
     state.contacts.push_back(face.accepted(lambda_[c]));
   }
-  state.interiors = nonlinear_.accepted({state.q, state.q_low});
+  state.interiors = nonlinear_.accepted(state.q);
   return true;
 }
 
@@ -159,7 +157,7 @@ void Increment::turn_window(const System& system, const base::TwoPart& q) {
     const auto* turning = reduction().turning(body);
     if (!turning) continue;
     const auto own = reduction().of_body(body, q);
-    const auto& load = reduction().turning_load(body);
+    const auto& load = loads_.turning[b];
     const double angle = turning->angle_of(own.high);
     Vector forces = Vector::Zero(own.size());
     if (turning->pivot[0] >= 0) {
@@ -190,7 +188,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
                    contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
   }
   if (!chord) turn_window(system, q);
-  const Vector rhs = window_.load(-balance_);
+  const Window::Load load = window_.load(-balance_);
   auto nodes = contacts_.nodes();
   for (auto& of_contact : nodes)
     for (auto& node : of_contact) {
@@ -199,9 +197,9 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
       if (node.angle >= 0) node.angle = window_.index(node.angle);
     }
   if (chord) {
-    condenser_.again(rhs);
+    condenser_.again(load.inside);
   } else {
-    condenser_.start(system, rhs, faces, nodes);
+    condenser_.start(system, load.inside, faces, nodes);
     for (std::size_t b = 0; b < system.bodies.size(); ++b) {
       const int body = static_cast<int>(b), at = reduction().first(body);
       if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
@@ -226,7 +224,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   tie_angles(system, q);
   const Vector dq = condenser_.solve();
   for (std::size_t c = 0; c < faces.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
-  return window_.expand(dq.head(rhs.size()));
+  return window_.expand(dq.head(load.inside.size()), load);
 }
 
 double Increment::way(const Vector& dq) const {

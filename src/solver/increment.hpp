@@ -18,7 +18,7 @@ class Increment {
   /// Remembers the increment from `before` to the state `accepted`.
   void remember(const SolverState& before, const SolverState& accepted);
   /// Whether `before` is of the system whose last increment is remembered.
-  bool follows(const SolverState& before) const { return last_step_.size() == before.q.size(); }
+  bool follows(const SolverState& before) const { return last_step_.size() == before.q.high.size(); }
 
   /// Chooses the contact nodes that take part; `limited`: those near the contact, unless `everything` is set.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
@@ -86,7 +86,8 @@ class Increment {
   NonlinearBodies nonlinear_;
   Multipliers lambda_;
   Condenser condenser_;
-  Vector balance_, loads_, arm_;  ///< on the reduced columns
+  Reduction::Loads loads_;
+  Vector balance_, arm_;  ///< on the reduced columns
   Suspects suspects_;
 };
 

@@ -33,7 +33,7 @@ bool turns_beyond_reach(const System& system, const SolverState& before, const C
     const auto imposed = std::find_if(controls.prescribed.begin(), controls.prescribed.end(),
                                       [&](const auto& p) { return p.first == column; });
     if (imposed == controls.prescribed.end()) continue;
-    const double way = std::abs(imposed->second - before.q[column]) * 0.5 * system.extent;
+    const double way = std::abs(imposed->second - before.q.high[column]) * 0.5 * system.extent;
     for (const auto& setup : system.contacts)
       if (way > facets * facet_length(setup)) return true;
   }

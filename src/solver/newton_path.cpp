@@ -163,7 +163,8 @@ bool NewtonPath::met() {
 void NewtonPath::accept() {
   if (increment_.accept(system_, q_, result_.state)) {
     std::string passed = increment_.passed_through();
-    return end(passed.empty() ? Failure::none : Failure::passed_through, std::move(passed));
+    const Failure failure = passed.empty() ? Failure::none : Failure::passed_through;
+    return end(failure, std::move(passed));
   }
   narrowing_ = false;
   matrices_ = {};

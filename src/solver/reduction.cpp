@@ -15,38 +15,37 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
       auto near_translation = translation.part(near), far_translation = translation.part(far);
       std::optional<body::Turning> turning;
       if (linear->turning()) turning = linear->turning()->part(near);
-      const Vector none = Vector::Zero(static_cast<Eigen::Index>(far.size()));
       parts_[b] = {Condensed(linear->shared_stiffness(), linear->compliance(), std::move(near), std::move(far)),
-                   std::move(near_translation),
-                   std::move(far_translation),
-                   std::move(turning),
-                   {},
-                   {none, none, none}};
+                   std::move(near_translation), std::move(far_translation), std::move(turning)};
     }
   }
 }
 
 Vector Reduction::restrict_to(const Vector& q) const { return q(columns_.column); }
 
-Vector Reduction::loads(const System& system, const std::vector<Vector>& load_factors) {
-  Vector f = Vector::Zero(size());
+Reduction::Loads Reduction::loads(const System& system, const std::vector<Vector>& load_factors) const {
+  Loads loads{Vector::Zero(size()), std::vector<body::TurningLoad>(parts_.size()), {}};
+  for (const auto& part : parts_) {
+    const Vector none = Vector::Zero(static_cast<Eigen::Index>(part.far().size()));
+    loads.own.push_back({none, none, none});
+  }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
     if (!linear) continue;
-    auto& part = parts_[b];
+    const auto& part = parts_[b];
     if (part.turning) {
       const auto load = linear->turning_load(load_factors[b]);
       auto still = part.Condensed::load(load.still), along = part.Condensed::load(load.along),
            across = part.Condensed::load(load.across);
-      part.load = {std::move(still.near), std::move(along.near), std::move(across.near)};
-      part.own = {std::move(still.own), std::move(along.own), std::move(across.own)};
+      loads.turning[b] = {std::move(still.near), std::move(along.near), std::move(across.near)};
+      loads.own[b] = {std::move(still.own), std::move(along.own), std::move(across.own)};
     } else if (load_factors[b].size() > 0) {
       auto load = part.Condensed::load(linear->load(load_factors[b]));
-      f.segment(first(static_cast<int>(b)), load.near.size()) = load.near;
-      part.own.still = std::move(load.own);
+      loads.forces.segment(first(static_cast<int>(b)), load.near.size()) = load.near;
+      loads.own[b].still = std::move(load.own);
     }
   }
-  return f;
+  return loads;
 }
 
 Vector Reduction::scatter(const Vector& reduced) const {
@@ -64,14 +63,14 @@ Vector Reduction::deformation(int body, const base::TwoPart& reduced) const {
   return parts_[body].near_translation.without(parts_[body].in_frame(of_body(body, reduced)));
 }
 
-base::TwoPart Reduction::expand(const base::TwoPart& reduced) const {
+base::TwoPart Reduction::expand(const base::TwoPart& reduced, const Loads& loads) const {
   base::TwoPart q{scatter(reduced.high), scatter(reduced.low)};
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     const auto& part = parts_[b];
     if (part.far().empty()) continue;
     const auto kept = of_body(static_cast<int>(b), reduced), near = part.in_frame(kept);
     const Vec2 a = part.near_translation.of(near.high);
-    const Vector own = part.turning ? part.own.at(part.turning->angle_of(kept.high)) : part.own.still;
+    const Vector own = part.turning ? loads.own[b].at(part.turning->angle_of(kept.high)) : loads.own[b].still;
     const auto far = part.far_translation.with(a, part.moved(part.near_translation.without(a, near), own));
     for (std::size_t i = 0; i < part.far().size(); ++i) {
       q.high[offset_[b] + part.far()[i]] = far.high[static_cast<Eigen::Index>(i)];

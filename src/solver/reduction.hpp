@@ -21,10 +21,13 @@ class Reduction {
   int first(int body) const { return columns_.first[body]; }      ///< reduced index of a body's first kept column
 
   Vector restrict_to(const Vector& q) const;
-  /// Forces of all loads, f' on the kept columns; remembers the displacements out of reach for `expand`. The loads of
-  /// bodies that turn depend on the rotation: `turning_load`.
-  Vector loads(const System& system, const std::vector<Vector>& load_factors);
-  const body::TurningLoad& turning_load(int body) const { return parts_[body].load; }
+  /// Loads as the kept columns see them.
+  struct Loads {
+    Vector forces;                           ///< f' of bodies that do not turn
+    std::vector<body::TurningLoad> turning;  ///< per body: f' of one that turns, which depends on its rotation
+    std::vector<body::TurningLoad> own;      ///< per body: displacements out of reach; where nothing turns all `still`
+  };
+  Loads loads(const System& system, const std::vector<Vector>& load_factors) const;
   const body::Turning* turning(int body) const { return parts_[body].turning ? &*parts_[body].turning : nullptr; }
   const Matrix& stiffness(int body) const { return parts_[body].stiffness(); }  ///< empty but for linear bodies
   /// A choice of the kept columns of a linear body.
@@ -34,16 +37,14 @@ class Reduction {
   /// Kept columns of a linear body in its frame, without its rigid translation: S' needs no more, and is rounded less.
   Vector deformation(int body, const base::TwoPart& reduced) const;
   base::TwoPart of_body(int body, const base::TwoPart& reduced) const;
-  /// All global columns from the kept ones; `scatter` leaves those out of reach at zero.
-  base::TwoPart expand(const base::TwoPart& reduced) const;
+  /// All global columns from the kept ones, under these loads; `scatter` leaves those out of reach at zero.
+  base::TwoPart expand(const base::TwoPart& reduced, const Loads& loads) const;
   Vector scatter(const Vector& reduced) const;
 
  private:
   struct Part : Condensed {
     body::Translation near_translation, far_translation;
     std::optional<body::Turning> turning;
-    body::TurningLoad load;  ///< f' of a body that turns
-    body::TurningLoad own;   ///< displacements by loads out of reach; where nothing turns all of it is `still`
 
     base::TwoPart in_frame(base::TwoPart near) const { return turning ? turning->in_frame(std::move(near)) : near; }
   };

@@ -140,10 +140,10 @@ Vector contact_forces(const System& system, const std::vector<contact::ContactSt
 }
 
 Vector reactions(const System& system, const SolverState& state, const Controls& controls) {
-  Vector total = contact_forces(system, state.contacts, state.q);
+  Vector total = contact_forces(system, state.contacts, state.q.high);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b);
-    const base::TwoPart q{system.part(state.q, body), system.part(state.q_low, body)};
+    const base::TwoPart q{system.part(state.q.high, body), system.part(state.q.low, body)};
     const Vector r = std::visit(
         [&](const auto& o) {
           if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)

@@ -40,8 +40,7 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
 
 /// The evolving state of the solver.
 struct SolverState {
-  Vector q;
-  Vector q_low;                           ///< the rounding error of q: forces of stiff bodies need q + q_low
+  base::TwoPart q;                        ///< forces of stiff bodies need its rounding error, too
   std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;
 };

@@ -38,23 +38,23 @@ void Window::add_turning(int body, Eigen::Ref<Matrix> transposed) const {
   if (part.turning) part.turning->turn(part.q, part.forces, part.rate.near, transposed);
 }
 
-Vector Window::load(const Vector& b) {
-  Vector inside = b(columns_.column);
+Window::Load Window::load(const Vector& b) const {
+  Load result{b(columns_.column), std::vector<Vector>(parts_.size())};
   for (std::size_t k = 0; k < parts_.size(); ++k) {
-    Part& part = parts_[k];
+    const Part& part = parts_[k];
     if (part.size() == 0) continue;
     Vector forces = b.segment(first_reduced_[k], part.full());
     const double angle = part.turning ? part.turning->angle_of(part.q) : 0.0;
     if (part.turning) part.whole->to_frame(angle, forces);
     auto load = part.Condensed::load(forces);
     if (part.turning) part.turning->to_axes(angle, load.near);
-    inside.segment(columns_.first[k], part.size()) = load.near;
-    part.own = std::move(load.own);
+    result.inside.segment(columns_.first[k], part.size()) = load.near;
+    result.own[k] = std::move(load.own);
   }
-  return inside;
+  return result;
 }
 
-Vector Window::expand(const Vector& inside) const {
+Vector Window::expand(const Vector& inside, const Load& load) const {
   Vector all = Vector::Zero(static_cast<Eigen::Index>(columns_.index.size()));
   all(columns_.column) = inside;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -62,8 +62,8 @@ Vector Window::expand(const Vector& inside) const {
     if (part.size() == 0 || part.far().empty()) continue;
     const Vector near = inside.segment(columns_.first[k], part.size());
     const Vector far = part.turning ? part.moved(part.turning->step_in_frame(part.q, near),
-                                                 part.own + near[part.turning->angle] * part.rate.own)
-                                    : part.moved(near, part.own);
+                                                 load.own[k] + near[part.turning->angle] * part.rate.own)
+                                    : part.moved(near, load.own[k]);
     for (std::size_t i = 0; i < part.far().size(); ++i)
       all[first_reduced_[k] + part.far()[i]] = far[static_cast<Eigen::Index>(i)];
   }

@@ -22,9 +22,14 @@ class Window {
   /// Makes the transposed stiffness of a body inside its transposed tangent, where it turns.
   void add_turning(int body, Eigen::Ref<Matrix> transposed) const;
 
-  /// Right-hand side inside, from that on the reduced columns; remembers the rest for `expand`.
-  Vector load(const Vector& b);
-  Vector expand(const Vector& inside) const;
+  /// A right-hand side on the reduced columns as the window sees it.
+  struct Load {
+    Vector inside;
+    std::vector<Vector> own;  ///< per body: displacements outside
+  };
+  Load load(const Vector& b) const;
+  /// A step on the reduced columns, from that inside and the right-hand side that it is by.
+  Vector expand(const Vector& inside, const Load& load) const;
 
  private:
   bool chosen_ = false;
@@ -32,7 +37,6 @@ class Window {
   KeptColumns columns_;             ///< of the reduced ones
   std::vector<int> first_reduced_;  ///< per body
   struct Part : Condensed {
-    Vector own;                                   ///< displacements outside by the right-hand side
     std::optional<body::Turning> whole, turning;  ///< on all reduced columns, on those inside
     Vector q, forces;                             ///< where it is linearised
     Condensed::Load rate;

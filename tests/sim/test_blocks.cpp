@@ -30,7 +30,7 @@ struct Prepared {
     cache.newton = solver::Newton(hopeless);
   }
   const solver::System& system() { return sim::system_of(problem, state, cache); }
-  solver::Sides sides() { return solver::positions(system(), system().contacts[0], state.solution.q); }
+  solver::Sides sides() { return solver::positions(system(), system().contacts[0], state.solution.q.high); }
   sim::BlockSpan span(int step) const {
     const auto& s = problem.scene.steps[step];
     return {&s, s.cycles > 0.0 ? s.jump : 1.0, s.cycles > 0.0};
@@ -45,8 +45,8 @@ double lowest(const base::Points& points) {
 
 /// Everything of a state that a failed step could have touched.
 std::vector<double> numbers(const sim::State& s) {
-  std::vector<double> all(s.solution.q.begin(), s.solution.q.end());
-  all.insert(all.end(), s.solution.q_low.begin(), s.solution.q_low.end());
+  std::vector<double> all(s.solution.q.high.begin(), s.solution.q.high.end());
+  all.insert(all.end(), s.solution.q.low.begin(), s.solution.q.low.end());
   for (const auto& c : s.solution.contacts) {
     for (const auto& l : c.lambda) all.insert(all.end(), {l.x(), l.y()});
     for (const auto& v :
@@ -66,11 +66,11 @@ TEST(Approach, LoadedBodyIsMovedUntilItTouches) {
   Prepared p(test::block_scene, 0.2);
   EXPECT_NEAR(lowest(p.sides().secondary), 0.0, 1e-12);
   const auto& linear = p.system().bodies[0];
-  const auto q = p.system().part(p.state.solution.q, 0);
+  const auto q = p.system().part(p.state.solution.q.high, 0);
   const base::Vector none;
   const double force = std::get<body::LinearBody>(linear).residual(q, none).norm();
   EXPECT_LT(force, 1e-6);  // 200e3 MPa times round-off of the motion
-  EXPECT_EQ(p.state.solution.q.tail(1)[0], 0.0);
+  EXPECT_EQ(p.state.solution.q.high.tail(1)[0], 0.0);
 }
 
 // A body whose motion along the load is held must stay where the scene puts it.
@@ -79,7 +79,7 @@ TEST(Approach, HeldBodyStays) {
                                              "y = { motion_mm = -0.3, history = \"press\" }"}}),
              0.2);
   EXPECT_NEAR(lowest(p.sides().secondary), 0.2, 1e-12);
-  EXPECT_EQ(p.state.solution.q.norm(), 0.0);
+  EXPECT_EQ(p.state.solution.q.high.norm(), 0.0);
 }
 
 // A force of a later step must not keep apart what the first one presses together.
@@ -94,7 +94,7 @@ TEST(Approach, LaterForcesWait) {
 // Bodies that touch from the start must not be moved.
 TEST(Approach, TouchingBodiesStay) {
   Prepared p(test::block_scene);
-  EXPECT_LT(p.state.solution.q.norm(), 1e-12);
+  EXPECT_LT(p.state.solution.q.high.norm(), 1e-12);
 }
 
 // A failed block must leave the state it started from untouched: it is a value, never half updated.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "problem_of.hpp"
 #include "sim/study/run.hpp"
 
@@ -90,6 +92,27 @@ TEST(FrameRules, AtRemeshes) {
   const auto w = written(test::problem_of(text));
   ASSERT_EQ(w.summary.status, sim::RunStatus::done) << w.summary.reason;
   EXPECT_EQ(w.frames, (std::vector{0.0, 0.0, 10.0, 30.0, 40.0}));  // the press step is the first block
+}
+
+// Under a tolerance a block must end at a cycle that wants a frame where it is long against the distance of frames.
+TEST(FrameRules, BlocksUnderATolerance) {
+  const double every = 400.0, end = 40000.0;
+  const auto problem = test::problem_of(
+      test::with(test::block_scene,
+                 {{"cycles = 40\njump = 10", "cycles = 40000\njump = { tolerance = 0.01, first = 500 }"}}) +
+      "[output]\nframes = { every_cycles = 400 }\n");
+  std::vector<double> ends{0.0};
+  sim::Observer observer;
+  observer.block = [&](const sim::State& state) { ends.push_back(state.cycle); };
+  auto state = sim::initial_state(problem);
+  ASSERT_EQ(sim::run(problem, state, observer).status, sim::RunStatus::done);
+  int long_ones = 0;
+  for (std::size_t b = 1; b < ends.size(); ++b) {
+    if (ends[b] - ends[b - 1] < 4.0 * every || ends[b] > end - 1e-6) continue;
+    ++long_ones;
+    EXPECT_NEAR(std::remainder(ends[b], every), 0.0, 1e-6) << ends[b];
+  }
+  EXPECT_GE(long_ones, 2);
 }
 
 // The history must hold all rows of each n-th block, of the first and the last, and no others.

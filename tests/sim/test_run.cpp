@@ -140,8 +140,8 @@ TEST(Run, GoesOnFromAnyBlock) {
   for (auto state : ends) {
     sim::run(problem, state, {});
     EXPECT_EQ(state.cycle, whole.state.cycle);
-    EXPECT_EQ(state.solution.q, whole.state.solution.q);
-    EXPECT_EQ(state.solution.q_low, whole.state.solution.q_low);
+    EXPECT_EQ(state.solution.q.high, whole.state.solution.q.high);
+    EXPECT_EQ(state.solution.q.low, whole.state.solution.q.low);
     EXPECT_EQ(state.solution.contacts[0].removed_secondary, whole.state.solution.contacts[0].removed_secondary);
   }
 }

@@ -50,6 +50,19 @@ TEST(PartialSlipLife, AgainstTheHalfPlane) {
   EXPECT_NEAR(run.contact().secondary.worn_area / half_plane::area(grid, exact.depth), 1.0, 0.05);
 }
 
+// So it must on elements twice as long, 20 across the contact, where first order is 6 % too deep already.
+TEST(PartialSlipLife, AgainstTheHalfPlaneOnCoarseElements) {
+  auto words = first_tenth();
+  words.push_back({"force_N_per_mm = 36.0", "force_N_per_mm = 43.2"});
+  words.push_back({"size_mm = 0.0045", "size_mm = 0.009"});
+  const auto run = played(scene_text("partial_slip_life", words));
+  const auto grid = half_plane::make_grid(0.12, 120, E_star);
+  const base::Vector shape = grid.x.array().square() / (2.0 * radius);
+  const auto exact = half_plane::wear(grid, shape, {P, 0.6 * mu * P, mu}, 2.5e-3, 20);
+  EXPECT_NEAR(run.contact().secondary.max_depth_mm / exact.depth.maxCoeff(), 1.0, 0.03);
+  EXPECT_NEAR(run.contact().secondary.worn_area / half_plane::area(grid, exact.depth), 1.0, 0.05);
+}
+
 // At Q = 0.5 mu P the depth must be 0.600 of the limit at alpha N = 2.5 mm^3/J within 2 %; at 25 the stick edge must
 // lie within one element of Cattaneo and Mindlin's, the depth within 8 % of the limit with that edge, the pressure in
 // the middle within 3 %.

@@ -137,7 +137,7 @@ int expect_patch(const Patch& s, ContactStatus status) {
   if (!result.report.converged) return 0;
   for (int b = 0; b < 2; ++b)
     expect_homogeneous(s, a.inputs[b], a.meshes[b], std::get<body::NonlinearBody>(system.bodies[b]),
-                       system.part(result.state.q, b), result.state.interiors[b]);
+                       system.part(result.state.q.high, b), result.state.interiors[b]);
   const Tensor sigma = cauchy(s.F);
   const double pressure = -sigma(1, 1), shear = std::abs(sigma(0, 1));
   const auto& setup = system.contacts[0];

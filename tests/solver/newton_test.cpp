@@ -128,7 +128,7 @@ TEST(newton, chords_change_nothing_but_the_cost) {
   ASSERT_TRUE(steps.report.converged && chords.report.converged) << chords.report.reason;
   EXPECT_EQ(steps.report.matrices, steps.report.solves);
   EXPECT_LT(chords.report.matrices, steps.report.matrices);
-  EXPECT_LT((chords.state.q - steps.state.q).norm(), 1e-11 * steps.state.q.norm());
+  EXPECT_LT((chords.state.q.high - steps.state.q.high).norm(), 1e-11 * steps.state.q.high.norm());
   double largest = 0.0, difference = 0.0;
   for (std::size_t j = 0; j < steps.state.contacts[0].lambda.size(); ++j) {
     largest = std::max(largest, steps.state.contacts[0].lambda[j].norm());
@@ -152,7 +152,7 @@ TEST(newton, kept_tangents_change_nothing_but_the_cost) {
   ASSERT_TRUE(steps.report.converged && kept.report.converged) << kept.report.reason;
   EXPECT_EQ(steps.report.tangents + 1, static_cast<int>(steps.report.table.size())) << text(steps.report.table);
   EXPECT_LT(kept.report.tangents, steps.report.tangents) << text(kept.report.table);
-  EXPECT_LT((kept.state.q - steps.state.q).norm(), 1e-10 * steps.state.q.norm());
+  EXPECT_LT((kept.state.q.high - steps.state.q.high).norm(), 1e-10 * steps.state.q.high.norm());
   for (std::size_t b = 0; b < steps.state.interiors.size(); ++b) {
     const auto &y = kept.state.interiors[b].y.high, &exact = steps.state.interiors[b].y.high;
     EXPECT_LT((y - exact).norm(), 1e-10 * exact.norm());

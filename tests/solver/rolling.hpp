@@ -107,7 +107,7 @@ inline std::vector<Turned> rolled(int turns) {
     state = solved.state;
     const auto& wheel = std::get<body::LinearBody>(system.bodies[0]);
     if (step % steps == 0 && step > 0)
-      result.push_back({wheel.angle(system.part(state.q, 0)), peak(state), resultant(state)});
+      result.push_back({wheel.angle(system.part(state.q.high, 0)), peak(state), resultant(state)});
   }
   return result;
 }

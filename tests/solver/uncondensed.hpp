@@ -15,12 +15,12 @@ using base::Vector;
 class Uncondensed {
  public:
   Uncondensed(const solver::System& system, const solver::SolverState& before, const solver::Controls& controls)
-      : q(before.q), system_(system), controls_(controls), faces_(system.contacts.size()) {
+      : q(before.q.high), system_(system), controls_(controls), faces_(system.contacts.size()) {
     for (const auto& [column, value] : controls.prescribed) q[column] = value;
     for (std::size_t c = 0; c < faces_.size(); ++c) {
-      const auto sides = solver::positions(system, system.contacts[c], before.q);
+      const auto sides = solver::positions(system, system.contacts[c], before.q.high);
       faces_[c].begin(system.contacts[c], before.contacts[c], sides.secondary, sides.primary, controls.contacts[c]);
-      faces_[c].hold(solver::mobility(system, system.contacts[c], before.q, controls));
+      faces_[c].hold(solver::mobility(system, system.contacts[c], before.q.high, controls));
       lambda.push_back(before.contacts[c].lambda);
       first_.push_back(size_);
       size_ += 2 * static_cast<int>(lambda[c].size());

@@ -84,7 +84,7 @@ inline solver::Controls controls_of(const Assembly& a, const solver::System& sys
 
 inline solver::SolverState fresh(const solver::System& system) {
   solver::SolverState s;
-  s.q = s.q_low = base::Vector::Zero(system.dofs);
+  s.q = base::Vector::Zero(system.dofs);
   for (const auto& body : system.bodies) {
     const auto* nonlinear = std::get_if<body::NonlinearBody>(&body);
     s.interiors.push_back(nonlinear ? nonlinear->start() : body::Interior{});

@@ -140,15 +140,30 @@ TEST(Axis, SlidingOutOfThePlaneByEitherLaw) {
   EXPECT_NEAR(run.contact().dissipated_energy / (mu * p * 3.0 * std::numbers::pi * R * R), 1.0, 1e-4);
 }
 
-/// A frictionless contact has no shear and dissipates nothing, at the node on the axis as elsewhere, whichever side
-/// carries it.
+/// A frictionless contact has no shear, no tangential force and dissipates nothing, at the node on the axis as
+/// elsewhere, whichever side carries it.
 TEST(Axis, FrictionlessHasNoShear) {
   for (const auto& roles : {Replacements{}, swapped}) {
     const Played run = on_plate(roles);
     const auto& s = run.surface(sim::Side::secondary);
     for (std::size_t i = 0; i < s.node.size(); ++i) EXPECT_NEAR(s.shear_MPa[i], 0.0, 1e-6);
+    EXPECT_NEAR(run.contact().tangential_force, 0.0, 1e-6);
     EXPECT_EQ(run.contact().dissipated_energy, 0.0);
   }
+}
+
+/// Where a ball lies in a cup, pressed on by normals of all directions, the normal force is the resultant, which its
+/// stem feels, and not the integral of the pressure; without friction nothing acts across it and no energy is
+/// dissipated, worn or not.
+TEST(Axis, NormalForceIsTheResultant) {
+  const Played run =
+      played(scene_text("ball_in_cup", {{"cycles = 1e7\njump = { tolerance = 0.01 }", "cycles = 2e5\njump = 1e5"}}));
+  EXPECT_GT(run.contact().contact_half_width_mm.value(), 10.0);
+  for (const auto& row : run.records)
+    EXPECT_NEAR(row.contacts[0].normal_force, std::abs(row.support_forces[0].y()), 1e-6);
+  EXPECT_NEAR(run.contact().normal_force, 2000.0, 1e-3);
+  EXPECT_NEAR(run.contact().tangential_force, 0.0, 1e-6);
+  EXPECT_EQ(run.contact().dissipated_energy, 0.0);
 }
 
 /// With friction, too, nothing slides at the axis: no shear acts there.

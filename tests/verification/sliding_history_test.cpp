@@ -36,6 +36,60 @@ Played block(const std::string& value, const std::string& law) {
                   {"cycles = 10", "cycles = 10\njump = 10\nplay = [\"rub\"]\nincrements = 8"}}));
 }
 
+/// Two teeth, R = 10 and 20, pressed with 200 N/mm and slid by 0.05 mm a cycle without friction.
+const std::string teeth_geometry = R"(SetFactory("OpenCASCADE");
+R1 = 10; R2 = 20; w = 2; d = 2;
+y1 = Sqrt(R1^2 - w^2) - R1; y2 = R2 - Sqrt(R2^2 - w^2);
+Point(1) = {-w, -d, 0}; Point(2) = {w, -d, 0}; Point(3) = {w, y1, 0}; Point(4) = {-w, y1, 0}; Point(5) = {0, -R1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Circle(3) = {3, 5, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Point(11) = {-w, d, 0}; Point(12) = {w, d, 0}; Point(13) = {w, y2, 0}; Point(14) = {-w, y2, 0}; Point(15) = {0, R2, 0};
+Line(11) = {11, 14}; Circle(12) = {14, 15, 13}; Line(13) = {13, 12}; Line(14) = {12, 11};
+Curve Loop(2) = {11, 12, 13, 14}; Plane Surface(2) = {2};
+Physical Surface("lower") = {1}; Physical Surface("upper") = {2};
+Physical Curve("foot") = {1}; Physical Curve("crown") = {3}; Physical Curve("tread") = {12}; Physical Curve("hub") = {14};
+)";
+
+const std::string teeth = R"(geometry = ["reye_teeth.geo"]
+[material.steel]
+E_MPa = 210e3
+nu    = 0.3
+[body.lower]
+material = "steel"
+mesh     = { far_size_mm = 0.5 }
+[body.upper]
+material = "steel"
+mesh     = { far_size_mm = 0.5 }
+[contact.flank]
+secondary = "crown"
+primary   = ["tread"]
+imposed_sliding_mm = 0.05
+friction  = 0.0
+wear      = { law = "archard", secondary_per_MPa = 1e-9, primary_per_MPa = 1e-9 }
+fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.45, depth_mm = 0.15, size_mm = 0.03 }
+[support.low]
+edge     = "foot"
+x        = "fixed"
+y        = "fixed"
+rotation = "fixed"
+[support.up]
+edge     = "hub"
+x        = "fixed"
+rotation = "fixed"
+y        = { force_N_per_mm = -200.0, history = "press" }
+[history]
+press = [[0.0, 0.0], [1.0, 1.0]]
+[[step]]
+name = "press"
+play = ["press"]
+increments = 4
+wear = false
+[[step]]
+name = "mesh"
+cycles = 4e4
+jump = 4000
+)";
+
 const std::string energy = "law = \"energy\", secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4";
 const std::string archard = "law = \"archard\", secondary_per_MPa = 0.3e-7, primary_per_MPa = 0.15e-7";
 
@@ -82,6 +136,19 @@ TEST(SlidingHistory, EitherSignWearsTheMirrorImage) {
     const auto& left = back.surface(sim::Side::secondary).wear_depth_mm;
     for (std::size_t i = 0; i < right.size(); ++i) EXPECT_NEAR(left[left.size() - 1 - i], right[i], 1e-9) << i;
   }
+}
+
+/// Archard's law wears by the way alone, so that a contact without friction, whose front moves on as it wears, takes as
+/// many solves slid one way as the other, and no smaller increments, to the same depths.
+TEST(SlidingHistory, ArchardKnowsNoDirection) {
+  std::ofstream(support::temporary_folder() + "reye_teeth.geo") << teeth_geometry;
+  const Played forth = played(teeth),
+               back = played(replaced(teeth, {{"imposed_sliding_mm = 0.05", "imposed_sliding_mm = -0.05"}}));
+  EXPECT_EQ(back.summary.counts.newton_iterations, forth.summary.counts.newton_iterations);
+  EXPECT_EQ(back.summary.counts.cutbacks + forth.summary.counts.cutbacks, 0);
+  EXPECT_NEAR(forth.contact().secondary.worn_area / 4e-4, 1.0, 1e-4);  // k P s N
+  EXPECT_NEAR(back.contact().secondary.worn_area, forth.contact().secondary.worn_area, 1e-12);
+  EXPECT_NEAR(back.contact().secondary.max_depth_mm, forth.contact().secondary.max_depth_mm, 1e-9);
 }
 
 /// Shear follows the direction of sliding through its reversals, and what rests keeps its own.

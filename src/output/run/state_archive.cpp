@@ -51,7 +51,7 @@ namespace reye::solver {
 
 template <class Archive>
 void serialize(Archive& archive, SolverState& s) {
-  archive(s.q, s.q_low, s.interiors, s.contacts);
+  archive(s.q, s.interiors, s.contacts);
 }
 
 template <class Archive>

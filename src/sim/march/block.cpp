@@ -164,7 +164,7 @@ void tell_progress(const Playing& block, const Problem& problem, const State& st
 
 void begin_state(const Problem& problem, State& state, Cache& cache) {
   const auto& system = timed_system(problem, state, cache);
-  state.solution.q = state.solution.q_low = Vector::Zero(system.dofs);
+  state.solution.q = Vector::Zero(system.dofs);
   state.solution.interiors.assign(system.bodies.size(), {});
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]))

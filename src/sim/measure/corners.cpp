@@ -118,7 +118,7 @@ std::vector<Warning> corner_warnings(const solver::System& system, const State& 
     const auto& setup = system.contacts[c];
     if (setup.options.bonded || !has_corners(setup.secondary)) continue;
     auto warning =
-        corner_warning(setup, state.solution.contacts[c], solver::positions(system, setup, state.solution.q));
+        corner_warning(setup, state.solution.contacts[c], solver::positions(system, setup, state.solution.q.high));
     if (warning) warnings.push_back(std::move(*warning));
   }
   return warnings;

@@ -20,7 +20,7 @@ double turned_by(const body::Operator& op, const Vector& q) {
 base::Points recovered(const Problem& problem, const State& state, const solver::System& system, int body) {
   const scene::Step none;
   const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return displacements(system.bodies[body], system.part(state.solution.q, body), state.solution.interiors[body],
+  return displacements(system.bodies[body], system.part(state.solution.q.high, body), state.solution.interiors[body],
                        controls.load_factors[body]);
 }
 
@@ -29,7 +29,7 @@ base::Points recovered_in_frame(const Problem& problem, const State& state, cons
   if (!linear) return recovered(problem, state, system, body);
   const scene::Step none;
   const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
-  return linear->recover_in_frame(system.part(state.solution.q, body), controls.load_factors[body]);
+  return linear->recover_in_frame(system.part(state.solution.q.high, body), controls.load_factors[body]);
 }
 
 }  // namespace reye::sim

@@ -46,7 +46,7 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
   const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
   for (int b = 0; b < problem.body_count(); ++b) {
     BodyFrame& body = frame.bodies[b];
-    const Vector q = system.part(state.solution.q, b);
+    const Vector q = system.part(state.solution.q.high, b);
     body.u = displacements(system.bodies[b], q, state.solution.interiors[b], controls.load_factors[b]);
     body.angle_rad = turned_by(system.bodies[b], q);
     paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
@@ -122,7 +122,7 @@ void watch_overlaps(const Problem& problem, State& state, Cache& cache, const Ob
   const auto controls = controls_at(problem, system, state.factors, {}, 0.0, 0.0, 1.0);
   for (int b = 0; b < problem.body_count(); ++b)
     u.push_back(!frame.bodies[b].u.empty() ? frame.bodies[b].u
-                                           : displacements(system.bodies[b], system.part(state.solution.q, b),
+                                           : displacements(system.bodies[b], system.part(state.solution.q.high, b),
                                                            state.solution.interiors[b], controls.load_factors[b]));
   for (auto& warning : overlap_warnings(problem, state.shapes, u)) warn(state, observer, std::move(warning));
 }

@@ -210,7 +210,7 @@ void check_guess(const solver::Guess& guess, const solver::System& system,
 
 void check_solution(const Problem& problem, const State& state, const solver::System& system) {
   const auto& s = state.solution;
-  require(s.q.size() == system.dofs && s.q_low.size() == system.dofs && finite(s.q) && finite(s.q_low),
+  require(s.q.high.size() == system.dofs && s.q.low.size() == system.dofs && finite(s.q.high) && finite(s.q.low),
           "its displacements are not those of its meshes");
   require(s.interiors.size() == system.bodies.size() && s.contacts.size() == system.contacts.size(),
           "it has a body or a contact too many or too few");

@@ -189,7 +189,10 @@ std::pair<double, double> forces_of(const contact::ContactState& state, base::An
   const Vec2 n = pressing_direction(force.pressure, analysis);
   Vec2 along(-n.y(), n.x());
   if (along.x() < 0.0 || (along.x() == 0.0 && along.y() < 0.0)) along = -along;
-  return {force.all.dot(n), -force.all.dot(along)};
+  // Round a ring pressures along the radius cancel: there it is what friction pulls, summed.
+  const bool round = analysis == base::Analysis::axisymmetric && n.x() == 0.0;
+  const Vec2 pull = round ? Vec2(force.all - force.pressure) : force.all;
+  return {force.all.dot(n), -pull.dot(along)};
 }
 
 ContactSummary summarise(const contact::Setup& setup, const contact::ContactState& state,

@@ -35,7 +35,7 @@ std::vector<double> of_boundary(const Problem& problem, const State& state, cons
   const auto nodes = mesh::nodes_of(mesh.boundaries.at(ref.boundary));
   if (problem.rigid[ref.body] || problem.inputs[ref.body].kinematics == base::Kinematics::small)
     return std::vector<double>(nodes.size(), 1.0);
-  base::Points x = displacements(system.bodies[ref.body], system.part(state.solution.q, ref.body),
+  base::Points x = displacements(system.bodies[ref.body], system.part(state.solution.q.high, ref.body),
                                  state.solution.interiors[ref.body], {});
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += mesh.X[i];
   const auto J = volume_ratio(mesh, x, problem.scene.analysis);

@@ -96,7 +96,7 @@ std::string waits_in_the_gap(const Seen& c) {
 
 /// The shortest way between the sides, from nodes of the secondary to nodes of the primary side.
 std::string out_of_reach(const Seen& c, const solver::System& system, const State& last) {
-  const auto x = solver::positions(system, c.setup, last.solution.q);
+  const auto x = solver::positions(system, c.setup, last.solution.q.high);
   double gap = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, mid] : c.setup.primary.facets)
     for (const Vec2& s : x.secondary) {

@@ -12,7 +12,7 @@ void note(Recall& recall, int step, double from, double to, const solver::Solver
           const solver::SolverState& after) {
   if (step != recall.step) recall = {step, {}};
   solver::Guess& guess = recall.played[{from, to}];
-  guess = {after.q - before.q, {}, {}, {}};
+  guess = {after.q.high - before.q.high, {}, {}, {}};
   for (std::size_t b = 0; b < after.interiors.size(); ++b)
     guess.inside.push_back((after.interiors[b].y - before.interiors[b].y).high);
   for (const auto& contact : after.contacts) {

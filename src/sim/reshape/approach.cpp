@@ -104,7 +104,7 @@ std::optional<double> free_way(const Problem& problem, const solver::System& sys
     for (const auto& ref : problem.contacts[c].primary) on_primary = on_primary || ref.body == b;
     if (!on_secondary && !on_primary) continue;
     contact::Interface face;
-    auto sides = solver::positions(system, setup, state.solution.q);
+    auto sides = solver::positions(system, setup, state.solution.q.high);
     face.begin(setup, state.solution.contacts[c], sides.secondary, sides.primary, {});
     face.integrate(sides.secondary, sides.primary);
     for (int j = 0; j < setup.secondary_count(); ++j) {
@@ -136,7 +136,7 @@ void close_gap(const Problem& problem, State& state, const solver::System& syste
   for (int round = 0; round < 50; ++round) {
     const auto way = free_way(problem, system, state, b, d);
     if (!way || (round == 0 && *way <= 0.0)) break;
-    state.solution.q.segment(system.offset[b], t.size()) += *way * t;
+    state.solution.q.high.segment(system.offset[b], t.size()) += *way * t;
     if (inside.size() > 0) state.solution.interiors[b].y += *way * inside;
     if (std::abs(*way) < 1e-14) break;
   }

@@ -13,7 +13,7 @@ Balance balance_of(const Problem& problem, const State& state, const solver::Sys
       balance.force.back() += contact.reference[j].carried() * contact.lambda[j];
   }
   for (int b = 0; b < problem.body_count(); ++b) {
-    const Vector q = system.part(state.solution.q, b);
+    const Vector q = system.part(state.solution.q.high, b);
     const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]);
     const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
     balance.energy.push_back(linear      ? linear->strain_energy(q)

@@ -77,7 +77,7 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
     if (!keeps_pressure(problem.contacts[c].options)) continue;
     const auto& setup = system.contacts[c];
     auto& contact = next.solution.contacts[c];
-    const auto at = solver::positions(system, setup, pressed.solution.q);
+    const auto at = solver::positions(system, setup, pressed.solution.q.high);
     const Closing closing = closing_of(setup, contact, at, held[c]);
     carried.left_mm = std::max(carried.left_mm, closing.left_mm);
     carried.moved_mm = std::max(carried.moved_mm, closing.moved_mm);
@@ -97,7 +97,6 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
   }
   next.shapes = std::move(shapes);
   next.solution.q = std::move(pressed.solution.q);
-  next.solution.q_low = std::move(pressed.solution.q_low);
   next.solution.interiors = std::move(pressed.solution.interiors);
   for (std::size_t b = 0; b < removed.size(); ++b) book(problem, next, static_cast<int>(b), removed[b]);
   return carried;

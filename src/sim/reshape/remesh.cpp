@@ -79,7 +79,7 @@ fem::Prestrain carry_prestrain(const mesh::Mesh& old, const fem::Prestrain& F0, 
 Displaced displaced_body(const Problem& problem, const State& state, const solver::System& system, int b, bool renew,
                          const body::ShapePtr& current) {
   const auto& interior = state.solution.interiors[b];
-  const Vector q = system.part(state.solution.q, b);
+  const Vector q = system.part(state.solution.q.high, b);
   Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), support_columns(system.bodies[b]), {},
                  interior.F0};
   const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
@@ -144,7 +144,7 @@ void renew_displaced(const Problem& problem, const solver::System& system, State
     contact::IncrementOptions held;
     held.held = true;
     held.inset = inset_at(problem.contacts[c], next.factors);
-    const auto at = solver::positions(system, system.contacts[c], solution.q);
+    const auto at = solver::positions(system, system.contacts[c], solution.q.high);
     contact::Interface face;
     const contact::ContactState before = solution.contacts[c];
     face.begin(system.contacts[c], before, at.secondary, at.primary, held);
@@ -207,7 +207,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   std::map<int, Displaced> displaced;
   std::vector<Vector> parts;
   for (int b = 0; b < problem.body_count(); ++b) {
-    parts.emplace_back(old.part(state.solution.q, b));
+    parts.emplace_back(old.part(state.solution.q.high, b));
     if (reasons[b].text.empty()) continue;
     Timer timer(cache, "adapt");
     auto options = problem.scene.remesh.options;
@@ -232,7 +232,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   }
   next.shapes = std::move(shapes);
   const auto& system = timed_system(problem, next, cache);
-  next.solution.q = next.solution.q_low = Vector::Zero(system.dofs);
+  next.solution.q = Vector::Zero(system.dofs);
   std::size_t r = 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (const auto found = displaced.find(b); found != displaced.end()) {
@@ -243,7 +243,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
                                                next.solution.interiors[b], records[r++].projection_mm);
       if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
     }
-    next.solution.q.segment(system.offset[b], parts[b].size()) = parts[b];
+    next.solution.q.high.segment(system.offset[b], parts[b].size()) = parts[b];
   }
   renew_displaced(problem, system, next);
   return {};
