@@ -10,7 +10,7 @@ namespace reye::algebra {
 
 namespace {
 
-/// Puts the inverse of a symmetric definite matrix in its place, both triangles.
+/// Replaces a symmetric definite matrix by its inverse, both triangles.
 void invert(Matrix& A) {
   single_thread();
   const int n = static_cast<int>(A.rows());

@@ -80,7 +80,7 @@ struct BodyInput {
   material::Material material;
   base::Analysis analysis = base::Analysis::plane_strain;
   base::Kinematics kinematics = base::Kinematics::small;
-  bool b_bar = true;  ///< the cure against volumetric locking: B-bar at small strain, F-bar at finite
+  bool b_bar = true;  ///< the remedy for volumetric locking: B-bar at small strain, F-bar at finite
   std::vector<Support> supports;
   std::vector<fem::BoundaryLoad> boundary_loads;
   std::vector<fem::PointLoad> point_loads;

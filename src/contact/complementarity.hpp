@@ -17,8 +17,8 @@ struct NodeScalars {
   Pair<T> motion;  ///< weighted relative motion of secondary against primary in this increment
   T D{};
   T off{};          ///< shares of control points without multiplier: they slide as this node does
-  T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and what stands at control points without
-                    ///< multiplier, this increment's wear included
+  T worn_others{};  ///< sum_l M_jl w_l of the primary's own depth, and the wear at control points without multiplier,
+                    ///< that of this increment included
   T share{};        ///< held shear only: the traction that the whole contact adds to stay in balance, times pressure
 };
 

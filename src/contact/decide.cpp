@@ -115,7 +115,7 @@ Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const 
   return {!(lambda_n - closing <= (was ? -faint : faint)), was, bound};
 }
 
-/// Whether an active node sticks or slips, and which way.
+/// Whether an active node sticks or slips, and in which direction.
 void Interface::decide_tangential(int node, const Vec2& lambda, const Pressed& pressed, const Judgement& by) {
   unmoved_[node] = 0;
   if (setup_->options.imposed || friction_ == 0.0) {

@@ -6,24 +6,24 @@
 
 #include "contact/state.hpp"
 
-/// The one list of what a contact carries. Fresh states, remeshes, extrapolated blocks, checkpoints and the check of a
-/// state that was read are loops over it.
+/// The one list of the quantities of a contact. Fresh states, remeshes, extrapolated blocks, checkpoints and the check
+/// of a state that was read loop over it.
 namespace reye::contact {
 
-/// Where a quantity stands.
+/// The place of a quantity.
 enum class Site { secondary, primary, contact };
 
-/// How a quantity comes onto the nodes of a fresh mesh.
+/// The transfer of a quantity to the nodes of a fresh mesh.
 enum class OnFreshMesh {
-  stays,         ///< it is of the contact, not of its nodes
+  stays,         ///< a value of the contact, not of its nodes
   summed,        ///< a nodal share of an integral: its sum stays
   interpolated,  ///< a value at a point
   direction,     ///< interpolated, and of unit length again
   nearest,       ///< a label: that of the nearest node
-  derived,       ///< starts afresh: it follows from what else is carried, or from the next equilibrium
+  derived,       ///< starts afresh: it follows from other quantities, or from the next equilibrium
 };
 
-/// How a block that was played as a whole and in two halves corrects a quantity.
+/// The correction of a quantity by a block that was played as a whole and in two halves.
 enum class Corrected {
   never,
   wear,     ///< by the correction of its side's removed volume
@@ -37,7 +37,7 @@ struct Field {
   Site site;
   OnFreshMesh on_fresh_mesh;
   Corrected corrected = Corrected::never;
-  bool optional = false;  ///< may be empty, where nothing of it is there
+  bool optional = false;  ///< may be empty, where it does not occur
 };
 
 /// Calls visit(Field, member) for each member of a ContactState, in the order of the checkpoint; `State` may be const.
@@ -79,7 +79,7 @@ void for_each_field(A& a, B& b, Visit visit) {
   });
 }
 
-/// What a quantity is where nothing has happened yet.
+/// The initial value of a quantity.
 template <class T>
 T nothing() {
   if constexpr (std::same_as<T, Vec2>)
@@ -88,7 +88,7 @@ T nothing() {
     return T{};
 }
 
-/// Every nodal value as where nothing has happened yet; what is optional stays empty. `which`: the fields concerned.
+/// Sets every nodal value to its initial value; optional ones stay empty. `which`: the fields concerned.
 template <class Which>
 void clear_fields(ContactState& state, std::size_t secondary, std::size_t primary, Which which) {
   for_each_field(state, [&](const Field& field, auto& member) {

@@ -171,19 +171,19 @@ class Interface {
   bool uses_drift(int node) const;
   double share(int node, const std::vector<Vec2>& lambda) const;
   double others_wear(int node) const;
-  /// What one decision is made by.
+  /// The basis of one decision.
   struct Judgement {
     Start from;
     bool unjudged;  ///< the start decides, not the state
     bool late;      ///< wear of this increment counts
     bool spread;    ///< that of neighbours, too
     double c_normal, c_tangential;
-    double sliding;  ///< the way of imposed sliding
+    double sliding;  ///< direction of imposed sliding
   };
-  /// What the normal direction says of a node.
+  /// The decision in the normal direction of a node.
   struct Pressed {
     bool active, was;
-    double bound;  ///< pressure that friction is bounded by
+    double bound;  ///< pressure that bounds friction
   };
   Pressed decide_normal(int node, const Vec2& lambda, const Judgement& by) const;
   void decide_tangential(int node, const Vec2& lambda, const Pressed& pressed, const Judgement& by);

@@ -31,7 +31,7 @@ struct MortarRow {
 
 /// The evolving state of a contact; a new member is entered in `fields.hpp`, too. Volumes are stored, depth is derived:
 /// `removed` / full nodal length on X. Where the shape evolves, `removed` is measured on it: depth below the unworn
-/// outline times that length; what is exact is the ledger.
+/// outline times that length; the exact volumes are in the ledger.
 struct ContactState {
   // Compiled once: every file that holds one would else compile them.
   ContactState();

@@ -102,7 +102,7 @@ inline void check_regular(base::Analysis analysis, const Gradient<double>& F) {
 }
 
 /// H33 of plane stress, from tau_33 = 0, of a law at an in-plane H; H33 as given is not read.
-/// Throws base::SolveError when there is none (St Venant-Kirchhoff stretched far).
+/// Throws base::SolveError when it does not exist (St Venant-Kirchhoff stretched far).
 template <class Law, class T>
 T condensed_stretch(const Law& m, const Gradient<T>& H, const PlasticState& before) {
   using std::expm1;

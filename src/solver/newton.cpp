@@ -76,7 +76,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   SolveResult result;
   int solves = 0, matrices = 0, tangents = 0;
   for (const auto& attempt : attempts) {
-    // The start before may have led the reach to where contact is not.
+    // The previous start may have moved the reach away from contact.
     if (attempt.from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
     SolveResult found =
         NewtonPath(increment_, options_, system, before, controls, attempt).follow(options_.limit_reach);

@@ -13,17 +13,17 @@ using contact::Start;
 namespace {
 
 constexpr int all_at_once = 5;           ///< iterations in which nodes open and close together
-constexpr int few_changes = 4;           ///< of status in an iteration, of an active set that is near its end
-constexpr int marching = 10;             ///< iterations in a row with so few changes: an edge of contact on its way
-constexpr double worse = 1.5;            ///< out of balance than before: a start that does not fit,
-constexpr double far_out = 0.01;         ///< where that is more of the forces than this
+constexpr int few_changes = 4;           ///< changes of status in an iteration of an active set that is nearly settled
+constexpr int marching = 10;             ///< iterations in a row with so few changes: a moving edge of contact
+constexpr double worse = 1.5;            ///< growth of the imbalance at which a start does not fit,
+constexpr double far_out = 0.01;         ///< where it exceeds this share of the forces
 constexpr int settling = 5;              ///< iterations that follow the last change
-constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; those after are exact
+constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; later ones are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
-constexpr double same = 0.1;             ///< of the force out of balance: a renewal has not changed it
-constexpr int standing = 3;              ///< such renewals in a row, of contact that has not settled: it never will
+constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
+constexpr int standing = 3;  ///< such renewals in a row, with contact not settled, after which it never will be
 constexpr double on_kept =
-    0.01;  ///< of the tolerances, for a step that kept a matrix: Newton's own falls far below them
+    0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
 }  // namespace
 
@@ -67,7 +67,7 @@ bool NewtonPath::begin() {
   return true;
 }
 
-/// Each phase that ends the path says why; each that changes what the next ones stand on begins another iteration.
+/// A phase that ends the path gives the reason; a phase that changes the basis of later ones begins another iteration.
 void NewtonPath::iterate() {
   increment_.place(system_, q_);
   decide();
@@ -97,7 +97,7 @@ void NewtonPath::decide() {
   if (fresh()) result_.report.table.push_back(row_);
 }
 
-/// An edge of contact that moves by a node in each iteration is on its way: it may pass all nodes.
+/// An edge of contact may move by a node in each iteration, past all nodes.
 void NewtonPath::extend() {
   const auto set = increment_.active_set();
   watch_.add(set);
@@ -115,7 +115,7 @@ bool NewtonPath::finite() {
   return false;
 }
 
-/// Whether a predicted start leads nonlinear bodies away from balance.
+/// Whether a predicted start leads nonlinear bodies away from equilibrium.
 bool NewtonPath::astray() {
   if (!fresh() || !increment_.nonlinear()) return false;
   if (attempt_.from == Start::predicted && row_.force > std::max(worse * least_, far_out)) {
@@ -127,7 +127,7 @@ bool NewtonPath::astray() {
   return false;
 }
 
-/// Whether contact finds no status on nonlinear bodies, and renewing them leads back to where they were.
+/// Whether contact finds no consistent status on nonlinear bodies, and renewing the bodies does not change them.
 bool NewtonPath::stands_still() {
   if (!renewed()) return false;
   const bool back = !settled_ && std::abs(row_.force - renewed_force_) <= same * renewed_force_;
@@ -144,8 +144,8 @@ bool NewtonPath::may_keep_matrix() {
   return allowed || with_tangent;
 }
 
-/// Whether the equations hold, on an active set that is asked once more: early decisions leave the wear by neighbours
-/// out, and a node that it opens would be left pulling.
+/// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
+/// neighbours, so that a node it opens would stay in tension.
 bool NewtonPath::met() {
   const double bound = (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
   if (iteration_ == 0 || row_.changes > 0 || !(error() < bound)) return false;
@@ -175,7 +175,7 @@ void NewtonPath::accept() {
   ended_ = true;
 }
 
-/// Contact has settled on the bodies as they were linearised, or cannot: they go to where it left them.
+/// Contact has settled on the linearised bodies, or cannot: the bodies are moved to the state in which it left them.
 void NewtonPath::renew(bool settled) {
   settled_ = settled;
   if (renewals_++ == options_.max_iterations)
@@ -188,7 +188,7 @@ void NewtonPath::renew(bool settled) {
   since_ = -1;
 }
 
-/// Renewed bodies get a tangent there, unless the one that they have still leads fast.
+/// Renewed bodies get a tangent there, unless the present one still converges fast.
 bool NewtonPath::linearise() {
   on_kept_tangent_ = keeps_tangent_;
   if (keeps_tangent_) return true;
@@ -214,12 +214,12 @@ void NewtonPath::step() {
     ++result_.report.solves;
     result_.report.matrices += chord_ ? 0 : 1;
     q_ += dq;
-    // Far out the rounding of S q hides that nothing is in balance any more.
+    // Far away the rounding of S q hides that nothing is in balance.
     const double way = increment_.way(dq), bound = 1e3 * system_.extent;
     if (!system_.contacts.empty() && !(way < bound))
       return end(Failure::contact_lost,
                  "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported");
-    if (narrowed && iteration_ == 0) {  // what the first step closes is judged among all nodes
+    if (narrowed && iteration_ == 0) {  // nodes that the first step closes are judged among all nodes
       increment_.widen(system_, controls_, q_);
       matrices_ = {};
     }

@@ -6,20 +6,21 @@
 
 namespace reye::solver {
 
-/// How an increment is tried: from where, and whether factorised matrices and tangents are kept while that pays.
+/// Options of one attempt at an increment: its start, and whether factorised matrices and tangents are kept while that
+/// is worth it.
 struct Attempt {
   contact::Start from;
   bool chords;
 };
 
-/// One try at an increment: the iterations from one start to a state, or to the reason why there is none. A path is
+/// One attempt at an increment: the iterations from one start to a state, or to the reason of the failure. A path is
 /// followed once.
 class NewtonPath {
  public:
   NewtonPath(Increment& increment, const NewtonOptions& options, const System& system, const SolverState& before,
              const Controls& controls, const Attempt& attempt);
 
-  /// `narrowing`: the reach may be drawn closer round what is active.
+  /// `narrowing`: the reach may be narrowed around the active nodes.
   SolveResult follow(bool narrowing);
 
  private:
@@ -41,7 +42,7 @@ class NewtonPath {
 
   bool fresh() const {
     return !increment_.nonlinear() || since_ == 0;
-  }  ///< the residual is the truth, not a linearised body's
+  }  ///< the residual is that of the nonlinear bodies, not of their linearisation
   bool renewed() const { return since_ == 0 && renewals_ > 0; }
   bool one_by_one() const { return cycling_; }
   int stage() const { return late_ ? options_.max_iterations : iteration_; }
@@ -59,20 +60,20 @@ class NewtonPath {
   base::TwoPart q_;
   Iteration row_;  ///< of this iteration
   ActiveSetWatch watch_;
-  bool cycling_ = false;      ///< the active set goes round in circles: it changes in one node alone
-  bool late_ = false;         ///< decisions are those of the end of an increment
+  bool cycling_ = false;      ///< the active set cycles: it changes in one node alone
+  bool late_ = false;         ///< decisions follow the rules of late iterations
   int iteration_ = 0;         ///< since the bodies were renewed; counts towards `last_`
   int since_ = 0;             ///< iterations on the tangents that bodies have
   int last_ = 0, limit_ = 0;  ///< iterations at most; of them on one tangent
   int few_ = 0;               ///< iterations in a row in which a few nodes change
   int renewals_ = 0;
   bool settled_ = true;         ///< before the last renewal contact had settled
-  double renewed_force_ = 0.0;  ///< out of balance after the last renewal
+  double renewed_force_ = 0.0;  ///< imbalance after the last renewal
   int still_ = 0;               ///< renewals in a row that changed nothing
   ChordRule matrices_, tangents_;
   bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
-  double least_ = std::numeric_limits<double>::infinity();  ///< force out of balance so far
+  double least_ = std::numeric_limits<double>::infinity();  ///< least imbalance so far
 };
 
 }  // namespace reye::solver

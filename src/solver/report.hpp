@@ -23,14 +23,14 @@ struct Iteration {
   int changes = 0;         ///< nodes whose status changed
 };
 
-/// Why an increment has no state.
+/// The kind of a failed increment.
 enum class Failure : unsigned char {
   none,
-  torn,            ///< a nonlinear body cannot be taken or linearised where the solve has led it
+  torn,            ///< a nonlinear body cannot be moved or linearised at the state of the solve
   contact_lost,    ///< a body moves without bound, or nothing holds it
   singular,        ///< the matrix is singular though a node is in contact
-  astray,          ///< the start that was predicted leads away from balance
-  passed_through,  ///< a node went through the other side unseen
+  astray,          ///< the predicted start leads away from equilibrium
+  passed_through,  ///< a node went through the other side undetected
   no_convergence
 };
 

@@ -222,8 +222,8 @@ Left left(GaussTransfer way, CellKind kind) {
   return {1e-12, kind == CellKind::tri3 ? 0.45 : 0.95, kind == CellKind::tri3 ? 0.65 : 1.15};
 }
 
-// A plastic zone with a sharp rim keeps p >= 0 over a hundred transfers there and back, and
-// what of it is lost is what the choice says: nearest keeps values, patch smears and loses, l2 keeps the integral.
+// A plastic zone with a sharp rim keeps p >= 0 over a hundred transfers there and back, and loses no more than its
+// method allows: nearest keeps values, patch smears and loses, l2 keeps the integral.
 TEST(GaussTransfer, AHundredTimesThereAndBack) {
   for (auto kind : kinds)
     for (auto way : ways) {

@@ -54,7 +54,7 @@ TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
   EXPECT_NO_THROW(mesh::check(shape->mesh));
 }
 
-// Where the inner nodes are hangs on the outline alone: one step or the same motion in ten gives the same interior.
+// The places of inner nodes depend on the outline alone: one step or the same motion in ten gives the same interior.
 TEST(Interior, PathIndependent) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 8, .distortion = 0.5});
   auto ten = make_shape(mesh);

@@ -135,7 +135,7 @@ TEST(Locator, CrossedCell) {
   }
 }
 
-// A node is found as itself: one weight of 1, the others 0, even in a ruined mesh.
+// A node is found as itself: one weight of 1, the others 0, even in a degraded mesh.
 TEST(Locator, NodesAreFoundToTheBit) {
   for (auto kind : kinds) {
     const auto mesh = shaken(0.9, kind);

@@ -219,7 +219,7 @@ TEST(SurfaceTransfer, CornersAndDistance) {
   EXPECT_NEAR(result.largest_distance, 0.001, 1e-16);
 }
 
-// Without fields nothing is looked at.
+// Without fields nothing is searched.
 TEST(SurfaceTransfer, NoFieldsNoWork) {
   const auto result = carry({}, {}, graph(5, 1, level));
   EXPECT_TRUE(result.fields.empty());

@@ -144,7 +144,7 @@ TEST(Transfer, FarNodesAreRefused) {
   EXPECT_EQ(result.largest_distance, 0.25);
 }
 
-// No fields cost nothing: not even meshes that cannot be searched are looked at.
+// No fields cost nothing: not even meshes that cannot be searched are read.
 TEST(Transfer, NothingIsBuiltWithoutFields) {
   const auto result = transfer(Mesh{}, {}, rectangle({}), 0.0);
   EXPECT_EQ(result.failure, "");

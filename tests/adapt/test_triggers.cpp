@@ -30,7 +30,7 @@ body::Shape sheared(double angle) {
 constexpr adapt::Triggers lax{
     .min_scaled_jacobian = 0.0, .min_angle_deg = 0.0, .size_ratio = 1e9, .wear_fraction = 1e9};
 
-// A mesh as it was born is fit, whatever its bounds say of its quality.
+// A mesh as it was made is fit, even if its quality is below the bounds.
 TEST(Triggers, BirthIsNoReason) {
   const auto poor = *body::make_shape(mapped(rectangle({}), [](Vec2 x) { return Vec2(x.x() + 8.0 * x.y(), x.y()); }));
   EXPECT_EQ(why_remesh(poor, nullptr, {}), "");
@@ -91,7 +91,7 @@ TEST(Triggers, WearFraction) {
             "wear at (1.2, 0.949) mm since the mesh was made is 0.51 times the height of the element below, above 0.5");
 }
 
-// The current shape is looked at when it is given, and named; wear is that of X.
+// The current shape is measured when it is given, and named; wear is that of X.
 TEST(Triggers, CurrentShape) {
   const auto shape = moved_block([](Vec2 x) { return x; });
   const auto current = sheared(std::acos(0.2)).mesh.X;

@@ -12,7 +12,7 @@
 /// Checkpoints that were altered and sealed again with the right checksum.
 namespace reye::test {
 
-/// Some bytes of it replaced: any, or eight by a number that is none, too large, or no size.
+/// Some bytes of it replaced: any value, or eight by NaN, by a number that is too large, or by an invalid size.
 inline std::string altered(std::string bytes, std::mt19937& random) {
   constexpr double numbers[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                                 1e308, -1.0, 0.0};
@@ -37,7 +37,7 @@ inline std::string altered(std::string bytes, std::mt19937& random) {
 }
 
 /// A run is interrupted in the middle; its checkpoint is altered so many times, and the run resumed each time. That
-/// must end with a code of the contract and no number that is none in its summary; in one that is refused, with a
+/// must end with a code of the contract and without NaN in its summary; in one that is refused, with a
 /// sentence that names the file.
 inline void expect_sentences(int alterations) {
   const Place place;

@@ -72,7 +72,7 @@ TEST(conflicts, corner_in_either_order) {
   expect_refused({lid, wall}, 1, "x", "\"t\"");
 }
 
-// Two rigid edges cannot share a node unless both stand still.
+// Two rigid edges cannot share a node unless both are fixed.
 TEST(conflicts, two_rigid_edges) {
   const Support still = named("a", "left", fixed, fixed, fixed);
   expect_refused({still, named("b", "top", moved(0.1), {}, fixed)}, 1, "", "\"a\"");

@@ -262,7 +262,7 @@ body::LinearBody turned_body(bool rigid) {
   return body::LinearBody(body::make_shape(support::turned(m, std::numbers::pi / 9.0)), in);
 }
 
-// A body must cost no force where it is moved as a whole, and all its points must go along.
+// A body must cost no force where it is moved as a whole, and all its points must move with it.
 TEST(linear_body, translation_is_rigid) {
   for (bool rigid : {false, true}) {
     const auto b = turned_body(rigid);

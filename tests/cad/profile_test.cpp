@@ -103,7 +103,7 @@ TEST(profile, of_zeros) {
     EXPECT_NEAR((with.bodies[1].X[i] - without.bodies[1].X[i]).norm(), 0.0, 1e-9);
 }
 
-// A height on an arc must go along its radius: a constant one makes a circle of another radius.
+// A height on an arc must act along its radius: a constant one makes a circle of another radius.
 TEST(profile, on_an_arc) {
   GeometryOptions options = cylinder_on_flat(mesh::CellKind::quad4, 0.8, 0.02);
   const double length = 6.0 * std::numbers::pi;

@@ -18,8 +18,8 @@ std::string refusal_of_script(const std::string& text) {
   return refusal_of(temporary_file("script.geo", rectangle + text));
 }
 
-// A script that acts on anything but the model must be refused with its line, the word and what mends it, whatever it
-// hides behind.
+// A script that acts on anything but the model must be refused with its line, the word and the remedy, however it is
+// hidden.
 TEST(script, harmful_commands) {
   const char* const commands[] = {
       "SystemCall \"touch harm\";",
@@ -91,7 +91,7 @@ MeshSize { PointsOf{ Surface{7}; } } = (r < 1) ? 0.1 : w;
   EXPECT_EQ(refusal_of_script(text), "");
 }
 
-// Scripts may include what lies in their folder or below, which is looked through as well; symbolic links do not lead
+// Scripts may include files in their folder or below, which are checked as well; symbolic links do not lead
 // out.
 TEST(script, includes) {
   EXPECT_EQ(refusal_of_script("Include \"part.inc\";\n").substr(0, 11), "geometry = ");

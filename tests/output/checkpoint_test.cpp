@@ -139,8 +139,8 @@ TEST(Checkpoint, OlderContainerIsRefused) {
   EXPECT_TRUE(holds(reasons(load_checkpoint(dir.str(), origin())), "written by an older program"));
 }
 
-// Where a table holds fewer whole rows than a checkpoint says, the one before is taken, and put in its place it is
-// kept.
+// Where a table holds fewer whole rows than a checkpoint says, the checkpoint before is taken, and kept by the next
+// save.
 TEST(Checkpoint, TablesTooShortFallBack) {
   RunFolder dir;
   auto old = checkpoint("old");
@@ -230,7 +230,7 @@ TEST(Serialize, FineZoneReadsBack) {
   EXPECT_TRUE(back.turns);
 }
 
-// A matrix of a size that it cannot have, a truth value that is none and a pointer to something else are errors.
+// A matrix of a size that it cannot have, an invalid truth value and a pointer to another type are errors.
 TEST(Serialize, ImpossibleBytesThrow) {
   reye::base::Vector v;
   for (const auto& [rows, cols] :

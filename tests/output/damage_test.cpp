@@ -96,8 +96,7 @@ TEST(Damage, TheFileIsNamed) {
   EXPECT_EQ(said(dir.str()), "");
 }
 
-// Whatever bytes of a folder are altered, a report must be made or refused with a sentence; nothing else may come of
-// it.
+// If any bytes of a folder are altered, a report must be made or refused with a sentence; nothing else may happen.
 TEST(Damage, AnyAlteredBytes) {
   sample::TemporaryFolder dir;
   write_done(dir.str());

@@ -35,7 +35,7 @@ TEST(FolderLock, MakesTheFolder) {
   EXPECT_TRUE(is_locked(dir / "a/b"));
 }
 
-// The kernel must let go of the lock of a process that is killed.
+// The kernel must release the lock of a process that is killed.
 TEST(FolderLock, EndsWithTheProcess) {
   sample::TemporaryFolder dir;
   const pid_t child = ::fork();

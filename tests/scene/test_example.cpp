@@ -123,7 +123,7 @@ TEST(Example, Run) {
   EXPECT_TRUE(s.warnings.empty());
 }
 
-/// Each key has its line, so that rooms below can hang their issues on it.
+/// Each key has its line, so that rooms below can attach their issues to it.
 TEST(Example, Lines) {
   const auto s = read_example();
   EXPECT_EQ(s.lines.at("material.steel.nu"), 8);

@@ -54,7 +54,8 @@ TEST(Corners, ItMayBePrimary) {
     EXPECT_LE(std::abs(r.support_forces[1].x()), 0.3 * std::abs(r.support_forces[1].y()) + 1e-6);
 }
 
-// Corners that do not poke are none of this: a block whose sides are named with its foot stays welcome.
+// Corners that do not point out of the body cause neither error nor warning: a block whose sides are named with its
+// foot stays welcome.
 TEST(Corners, AFlatFootWithItsSidesIsAccepted) {
   EXPECT_NO_THROW(standing(corner_secondary, 0.0));
   EXPECT_NO_THROW(standing(corner_secondary, 0.01));

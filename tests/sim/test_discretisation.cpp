@@ -147,7 +147,7 @@ TEST(Discretisation, Interrupted) {
 TEST(Discretisation, NoNumberButAReason) {
   const std::pair<sim::Problem, std::string> cases[] = {
       {prepared(scene_text("patch", {{"[output]", "[output]\nestimate_error = true"}})), "came with their files"},
-      {hertz("0.08", "[output]\nestimate_error = true\n"), "fewer than four touch"}};
+      {hertz("0.08", "[output]\nestimate_error = true\n"), "fewer than four elements touch"}};
   for (const auto& [problem, reason] : cases) {
     auto state = sim::initial_state(problem);
     std::string log;

@@ -81,7 +81,8 @@ TEST(Intact, WhatCannotBe) {
          s.solution.contacts[0].reference[0].off = {{-1, 0.5}};
        },
        "its secondary side lacks"},
-      {[](sim::State& s) { s.recall.played.begin()->second.dq.conservativeResize(1); }, "an increment led elsewhere"},
+      {[](sim::State& s) { s.recall.played.begin()->second.dq.conservativeResize(1); },
+       "the recalled end of an increment is impossible"},
       {[](sim::State& s) { s.renewed_at.resize(1); }, "the position of a support is not a number"},
       {[](sim::State& s) { s.displaced.resize(2), s.displaced[0].resize(1); }, "displaced at nodes that it lacks"},
       {[](sim::State& s) { s.watch.resize(5); }, "contacts that do not exist"},

@@ -71,8 +71,8 @@ TEST(WarnSetup, RigidRing) {
   }
 }
 
-// Bodies in contact that no support holds along the load must be refused by their names, though each by itself has the
-// other one to lean on.
+// Bodies in contact that no support holds along the load must be refused by their names, though each alone is supported
+// by the other.
 TEST(WarnSetup, HeldByNothing) {
   const std::string told = refusal(
       test::with(test::block_scene,

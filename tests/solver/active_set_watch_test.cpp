@@ -79,7 +79,7 @@ TEST(active_set_watch, no_solution_is_told) {
   EXPECT_TRUE(c.watch.stuck());
 }
 
-// Sets that are left for good must not be taken for a cycle, nor one that rests.
+// Sets that do not come back must not be taken for a cycle, nor one that rests.
 TEST(active_set_watch, silent_while_the_set_moves_on) {
   auto c = ring();
   c.M = Matrix::Identity(3, 3);

@@ -183,7 +183,7 @@ TEST(newton, a_singular_system_is_a_reason) {
   EXPECT_NE(result.report.reason.find("is unsupported"), std::string::npos) << result.report.reason;
 }
 
-/// Blocks in another unit of length, forces the same; the upper one hangs on an edge that may turn.
+/// Blocks in another unit of length, forces the same; the upper one is held by an edge that may turn.
 Assembly in_unit(double length) {
   auto a = support::blocks({.press = 0.03 * length});
   for (auto& mesh : a.meshes) mesh = support::mapped(mesh, [&](const base::Vec2& x) { return base::Vec2(length * x); });

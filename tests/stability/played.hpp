@@ -5,7 +5,7 @@
 #include "sim/problem/records.hpp"
 #include "stability/members.hpp"
 
-/// A member played through the library, and what is asked of every one.
+/// A member played through the library, and the checks that every one must pass.
 namespace reye::test {
 
 struct Played {

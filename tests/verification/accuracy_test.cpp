@@ -59,7 +59,7 @@ TEST(Accuracy, Hertz) {
 }
 
 // A line contact in gross slip at S = 1 (references B8) must have worn as deep as the universal curve says, within what
-// was asked; half as much must be asked of the blocks, and who asks for more gets a finer mesh.
+// was asked; the blocks must get half of it as tolerance, and a higher accuracy a finer mesh.
 TEST(Accuracy, Wear) {
   constexpr double a0 = 0.0358622, R = 6.0, exact = 0.8594;
   double before = 1.0;

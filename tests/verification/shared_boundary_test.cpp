@@ -81,8 +81,8 @@ void expect_two_tracks(const Played& run, sim::Side side, double tolerance) {
 
 }  // namespace
 
-/// Two pins that run over one track must each wear it by their own work, and its depth must be the sum, whichever is
-/// looked at.
+/// Two pins that run over one track must each wear it by their own work, and its depth must be the sum in the tables of
+/// both.
 TEST(SharedBoundary, TwoPinsOnASecondaryTrack) {
   expect_two_tracks(played(scene_text("two_pins", shorter)), sim::Side::secondary, 0.01);
 }

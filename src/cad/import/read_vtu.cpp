@@ -53,7 +53,7 @@ std::vector<int> values_in(vtkUnstructuredGrid& grid, const char* array, int oth
   return values;
 }
 
-/// Nodes of every cell, by number in the file. Data that VTK takes over unchecked is checked here before use.
+/// Nodes of every cell, by number in the file. VTK does not check these data, so they are checked here before use.
 std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
   constexpr vtkIdType most = 50'000'000;
   const vtkIdType count = grid.GetNumberOfCells(), points = grid.GetNumberOfPoints();

@@ -96,7 +96,7 @@ std::string estimated(double error) {
   return text;
 }
 
-/// How far the pressures of a state are from those that were held before it: the worst contact, in the mean
+/// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
 /// (`pressure_jump`).
 double pressure_change(const Problem& problem, const State& state, Cache& cache,
                        const std::vector<HeldTraction>& before) {
@@ -110,7 +110,7 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
 /// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
 /// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
 /// first remove the unevenness, the last wear so little that pressures follow the stroke. At the end of a step, whose
-/// pressures remain to be seen, they halve until pressures repeat.
+/// pressures are shown, they halve until pressures repeat.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
   constexpr int fewest_cycles = 2, most_cycles = 8;
   constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next

@@ -114,7 +114,7 @@ struct Corrections {
   std::vector<double> secondary, primary, energy;
 };
 
-/// One quantity of the halves, as its field says.
+/// Corrects one quantity of the halves by the rule of its field.
 template <class Member>
 void correct(const contact::Field& field, const Corrections& by, const Member& once, Member& end) {
   const auto twice = [](double whole, double& x) { x = std::max(0.0, 2.0 * x - whole); };

@@ -106,7 +106,8 @@ void retain_sides(Problem& p, const PlacedContact& joint) {
   for (const auto& ref : joint.primary) retain(ref);
 }
 
-/// The contacts or the bonds of a scene, `kind` being their table: `joints` takes those whose sides are found.
+/// Places the contacts or the bonds of a scene, `kind` being their table: `joints` receives those whose sides are
+/// found.
 void place_joints(Problem& p, const std::string& kind, const std::vector<contact::ContactOptions>& named,
                   Resolver& resolve, std::vector<PlacedContact>& joints) {
   for (const auto& options : named) {

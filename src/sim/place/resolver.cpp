@@ -39,7 +39,7 @@ int Resolver::body_at(const std::string& named, const base::Vec2& point) const {
   return best;
 }
 
-/// Why a curve of this name is no boundary.
+/// Why a curve of this name is not a boundary.
 std::string Resolver::cut_off(const std::string& name) const {
   for (const auto& facts : facts_)
     for (const auto& own : facts.cut_off)

@@ -28,7 +28,7 @@ std::vector<double> column(const std::vector<T>& values, Get get) {
   return numbers;
 }
 
-/// What goes from one mesh of a boundary to another: members of a contact's state and beside them.
+/// Quantities carried from one mesh of a boundary to another: members of a contact's state and further ones.
 class Load {
  public:
   void add(SurfaceKind kind, std::vector<double>& values) {
@@ -109,7 +109,7 @@ void carry_secondary(const mortar::Surface& from, const mortar::Surface& to, con
   });
 }
 
-/// The multipliers that the held forces are.
+/// The multipliers of the held forces.
 void derive_tractions(const mortar::Surface& on, contact::ContactState& s, HeldTraction& held) {
   for (std::size_t k = 0; k < s.lambda.size(); ++k) {
     if (s.status[k] == contact::ContactStatus::inactive) held.normal[k] = held.tangential[k] = 0.0;
