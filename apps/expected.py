@@ -10,7 +10,7 @@ moved from it by more than "within" (a share of |measured|, WITHIN where it is l
 to be found, a gain to be kept, and "results.py renew" writes the new figure down. "within": "any" is for round-off and for
 times of the machine of the day, which are shown and not compared.
 
-"published": [least, largest] is shown beside the figure and judges nothing, so that nobody needs to widen it.
+"published": a number or [least, largest] is shown beside the figure and judges nothing, so that nobody needs to widen it.
 """
 import math
 
@@ -68,8 +68,8 @@ def fault(entry):
         return f"{kinds[0]} is {'not [least, largest]' if kinds == ['between'] else 'no number'}"
     if not isinstance(entry.get("source"), str) or not entry["source"].strip():
         return "the source is missing"
-    if "published" in entry and not is_range(entry["published"]):
-        return "published is not [least, largest]"
+    if "published" in entry and not (is_number(entry["published"]) or is_range(entry["published"])):
+        return "published is neither a number nor [least, largest]"
     return band_fault(entry) or record_fault(entry)
 
 
@@ -121,10 +121,13 @@ def complaints(entry, value):
 
 
 def beside(entry, value):
-    """Where the figure stands beside a published range, in words; empty where none is given."""
+    """Where the figure stands beside what was published, in words; empty where nothing is given."""
     if "published" not in entry or not is_number(value):
         return ""
-    least, largest = entry["published"]
+    published = entry["published"]
+    if is_number(published):
+        return f"published {published:.7g}: {100 * (value - published) / abs(published):+.2g} %"
+    least, largest = published
     text = f"published {least:.7g} to {largest:.7g}"
     if least <= value <= largest:
         return f"{text}: inside"

@@ -99,6 +99,7 @@ class Published(unittest.TestCase):
         self.assertEqual(ex.complaints(entry, 44.0), [])
         self.assertEqual(ex.beside(entry, 44.0), "published 44.5 to 48.7: outside by 1.1 %")
         self.assertEqual(ex.beside(entry, 45.0), "published 44.5 to 48.7: inside")
+        self.assertEqual(ex.beside(WHY | {"measured": 90.0, "published": 100.0}, 90.0), "published 100: -10 %")
         self.assertEqual(ex.beside(WHY | {"at_most": 1}, 45.0), "")
 
 
@@ -106,14 +107,14 @@ class Faults(unittest.TestCase):
     def test_every_kind_makes_sense(self):
         for entry in ({"at_least": 1}, {"at_most": 1}, {"between": [1, 2]}, {"value": 1, "tolerance": 0.1}, {"value": 0, "tolerance": 9},
                       {"value": 1, "relative_tolerance": 0.1}, {"measured": 1}, {"measured": 1, "within": "any"},
-                      {"at_most": 2, "measured": 1, "within": 0.1}, {"at_most": 2, "published": [1, 2]}):
+                      {"at_most": 2, "measured": 1, "within": 0.1}, {"at_most": 2, "published": [1, 2]}, {"at_most": 2, "published": 3}):
             self.assertEqual(ex.fault(WHY | entry), "", entry)
 
     def test_what_makes_none_is_refused(self):
         for entry in ({}, {"at_least": 1, "at_most": 2}, {"at_least": 1, "value": 1, "tolerance": 0.1}, {"between": [2, 1]}, {"between": 2},
                       {"at_most": "much"}, {"value": 1}, {"value": 1, "tolerance": 0.1, "relative_tolerance": 0.1},
                       {"value": 1, "tolerance": -0.1}, {"at_most": 1, "tolerance": 0.1}, {"at_most": 1, "within": 0.1},
-                      {"measured": None}, {"measured": 1, "within": -1}, {"measured": 1, "within": "some"}, {"at_most": 1, "published": 2},
+                      {"measured": None}, {"measured": 1, "within": -1}, {"measured": 1, "within": "some"}, {"at_most": 1, "published": "2"},
                       {"at_mots": 1}):
             self.assertNotEqual(ex.fault(WHY | entry), "", entry)
         self.assertIn("source", ex.fault({"at_most": 1}))
