@@ -139,7 +139,7 @@ def renewed(entry, value):
     """The entry with the figure that was measured now; one that has not moved keeps its digits."""
     if "measured" in entry and moved(dict(entry, within=1e-6), value) is None:
         return entry
-    digits = 2 if entry.get("within") == "any" else 7
+    digits = 3 if entry.get("within") == "any" else 7
     number = value if isinstance(value, int) else float(f"{value:.{digits}g}")
     fresh = {key: v for key, v in entry.items() if key not in ("measured", "within", "source")}
     fresh["measured"] = number
