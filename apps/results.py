@@ -151,33 +151,51 @@ def renew(name):
     return 0
 
 
+def committed(entry):
+    """What was measured when the case was last committed; bold where that was not as expected."""
+    if "measured" not in entry:
+        return "-"
+    least, largest = ex.bounds(entry)
+    return shown(entry["measured"]) + ("" if least <= entry["measured"] <= largest else " **not as expected**")
+
+
 def table_rows(case):
     """Rows of a case for the table of all; what was not measured here has no figure of now."""
     entries, file = expectations(case), case / "measured.json"
     measured = read_json(file) if file.is_file() else None
     if not isinstance(measured, dict):
         why = "-" if measured is None else f"left out: {measured}"
-        return [(case.name, name, ex.in_words(entry), shown(entry.get("measured")), why) for name, entry in entries.items()]
+        return [(case.name, name, ex.in_words(entry), committed(entry), why) for name, entry in entries.items()]
     rows = []
     for name, entry, value, wrong, left_out in judged(entries, measured):
         now = f"left out: {left_out}" if left_out else shown(value) + (f" **{'; '.join(wrong)}**" if wrong else "")
         note = ex.beside(entry, value) if entry else ""
-        rows.append((case.name, name, ex.in_words(entry) if entry else "-", shown(entry.get("measured")) if entry else "-",
+        rows.append((case.name, name, ex.in_words(entry) if entry else "-", committed(entry) if entry else "-",
                      f"{now} ({note})" if note else now))
     return rows
 
 
+TABLE = """# Every figure of every case
+
+Written by `python3 apps/results.py table-all`. *Expectation*: a promise (>=, <=, from to), a reference and how near to it the
+figure must come (+-), or a record, which promises nothing. *Committed*: what was measured when the case was last committed.
+*Now*: what the last `compare` in this clone measured, - where there was none. What is not as expected is bold. Where an
+expectation comes from is written in the case's `expected.json`.
+
+{}
+
+"""
+
+
 def table_all():
     rows = [row for case in all_cases() for row in table_rows(case)]
+    here = [row for row in rows if row[4] != "-" and not row[4].startswith("left out")]
+    summary = (f"{len(rows)} figures of {len({row[0] for row in rows})} cases; {len(here)} figures of {len({row[0] for row in here})} "
+               f"cases measured in this clone, {sum('**' in row[4] for row in here)} of them not as expected.")
     head = ("case", "figure", "expectation", "committed", "now")
-    lines = ["# Every figure of every case", "",
-             "Written by `python3 apps/results.py table-all`. *Expectation*: a promise (>=, <=, from to), a reference and how near we",
-             "must come to it (+-), or a record, which promises nothing. *Committed*: what was measured when the case was last",
-             "committed. *Now*: what the last `compare` in this clone measured, - where there was none; what is not as expected is",
-             "bold. Where an expectation comes from is written in the case's `expected.json`.", "",
-             *("| " + " | ".join(row) + " |" for row in (head, ["---"] * len(head), *rows))]
-    (ROOT / "results" / "TABLE.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print(f"results/TABLE.md: {len(rows)} figures of {len({row[0] for row in rows})} cases")
+    lines = ["| " + " | ".join(row) + " |" for row in (head, ["---"] * len(head), *rows)]
+    (ROOT / "results" / "TABLE.md").write_text(TABLE.format(summary) + "\n".join(lines) + "\n", encoding="utf-8")
+    print(f"results/TABLE.md: {summary}")
     return 0
 
 

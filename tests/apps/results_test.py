@@ -106,16 +106,18 @@ class Published(unittest.TestCase):
 class Faults(unittest.TestCase):
     def test_every_kind_makes_sense(self):
         for entry in ({"at_least": 1}, {"at_most": 1}, {"between": [1, 2]}, {"value": 1, "tolerance": 0.1},
-                      {"value": 0, "tolerance": 9}, {"value": 1, "relative_tolerance": 0.1}, {"measured": 1}, {"measured": 1, "within": "any"},
-                      {"at_most": 2, "measured": 1, "within": 0.1}, {"at_most": 2, "published": [1, 2]}, {"at_most": 2, "published": 3}):
+                      {"value": 0, "tolerance": 9}, {"value": 1, "relative_tolerance": 0.1}, {"measured": 1},
+                      {"measured": 1, "within": "any"}, {"at_most": 2, "measured": 1, "within": 0.1},
+                      {"at_most": 2, "published": [1, 2]}, {"at_most": 2, "published": 3}):
             self.assertEqual(ex.fault(WHY | entry), "", entry)
 
     def test_what_makes_none_is_refused(self):
         for entry in ({}, {"at_least": 1, "at_most": 2}, {"at_least": 1, "value": 1, "tolerance": 0.1},
-                      {"between": [2, 1]}, {"between": 2}, {"at_most": "much"}, {"value": 1}, {"value": 1, "tolerance": 0.1, "relative_tolerance": 0.1},
+                      {"between": [2, 1]}, {"between": 2}, {"at_most": "much"}, {"value": 1},
+                      {"value": 1, "tolerance": 0.1, "relative_tolerance": 0.1},
                       {"value": 1, "tolerance": -0.1}, {"at_most": 1, "tolerance": 0.1}, {"at_most": 1, "within": 0.1},
-                      {"measured": None}, {"measured": 1, "within": -1}, {"measured": 1, "within": "some"}, {"at_most": 1, "published": "2"},
-                      {"at_mots": 1}):
+                      {"measured": None}, {"measured": 1, "within": -1}, {"measured": 1, "within": "some"},
+                      {"at_most": 1, "published": "2"}, {"at_mots": 1}):
             self.assertNotEqual(ex.fault(WHY | entry), "", entry)
         self.assertIn("source", ex.fault({"at_most": 1}))
 
@@ -241,6 +243,7 @@ class Case(unittest.TestCase):
         table = (self.root / "results" / "TABLE.md").read_text(encoding="utf-8")
         self.assertIn("| one | a | <= 1 | 0.5 | 2 **promise broken; moved by +3e+02 %", table)
         self.assertIn("| two | b | 1 to 2 | - | - |", table)
+        self.assertIn("2 figures of 2 cases; 1 figures of 1 cases measured in this clone, 1 of them not as expected.", table)
 
     def test_what_is_no_command_is_refused(self):
         for arguments in ((), ("compare",), ("table-all", "x"), ("cmp", "one")):
