@@ -80,12 +80,13 @@ def judged(entries, measured):
     rows = []
     for name in [*entries, *(name for name in measured if name not in entries)]:
         entry, value = entries.get(name), measured.get(name)
-        if isinstance(value, str):
+        number = value if ex.is_number(value) else None
+        if entry is None:
+            rows.append((name, entry, number, ["measured, but expected.json does not name it"], ""))
+        elif isinstance(value, str):
             rows.append((name, entry, None, [], value))
-        elif entry is None:
-            rows.append((name, entry, value, ["measured, but expected.json does not name it"], ""))
         else:
-            rows.append((name, entry, value if ex.is_number(value) else None, ex.complaints(entry, value), ""))
+            rows.append((name, entry, number, ex.complaints(entry, value), ""))
     return rows
 
 
@@ -113,6 +114,8 @@ def compare_case(case):
         if isinstance(measured, str):
             print(f"  left out: {measured}")
             return "left out", [measured]
+        if not isinstance(measured, dict):
+            raise ValueError("measured.json holds neither figures nor a text")
         good, absent = compare_numbers(entries, measured)
         if good and absent and all(isinstance(measured.get(name), str) for name in entries):
             return "left out", absent
@@ -199,7 +202,7 @@ def table_all():
     return 0
 
 
-def number(value):
+def short(value):
     return "-" if value is None else f"{value:.5g}"
 
 
@@ -207,14 +210,14 @@ def table(folder):
     """Depth, width and area of each worn side, then where to look."""
     folder = pathlib.Path(folder)
     summary = read_json(folder / "summary.json")
-    print(f"\n{summary['title']}: {summary['status']} at cycle {number(summary['cycles'])}")
+    print(f"\n{summary['title']}: {summary['status']} at cycle {short(summary['cycles'])}")
     print(f"  {'contact':12} {'side':10} {'depth mm':>12} {'width mm':>12} {'area mm2':>12}")
     for name, contact in summary["contacts"].items():
         for side in ("secondary", "primary"):
             worn = contact.get(side) or {}
             size = worn.get("worn_area_mm2", worn.get("worn_volume_mm3"))
-            print(f"  {name:12} {side:10} {number(worn.get('max_depth_mm')):>12} "
-                  f"{number(worn.get('scar_width_mm')):>12} {number(size):>12}")
+            print(f"  {name:12} {side:10} {short(worn.get('max_depth_mm')):>12} "
+                  f"{short(worn.get('scar_width_mm')):>12} {short(size):>12}")
     print()
     for what, file in (("page with pictures", "report.html"), ("ParaView series", "series.pvd"),
                        ("tables", "history.csv"), ("summary", "summary.json")):

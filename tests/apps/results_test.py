@@ -182,10 +182,17 @@ class Case(unittest.TestCase):
         self.assertIn("FAIL: not measured", text)
 
     def test_a_name_that_is_not_expected_fails(self):
-        self.case("one", {"a": {"at_most": 1}}, {"a": 0.5, "new": 7.0})
+        for case, value in (("number", 7.0), ("text", "peer is not installed"), ("list", [7.0])):
+            self.case(case, {"a": {"at_most": 1}}, {"a": 0.5, "new": value})
+            code, text = self.said("compare", case)
+            self.assertEqual(code, 1, case)
+            self.assertIn("measured, but expected.json does not name it", text)
+
+    def test_what_is_no_measurement_fails(self):
+        self.case("one", {"a": {"at_most": 1}}, [0.5])
         code, text = self.said("compare", "one")
         self.assertEqual(code, 1)
-        self.assertIn("measured, but expected.json does not name it", text)
+        self.assertIn("neither figures nor a text", text)
 
     def test_a_program_that_is_missing_leaves_its_figures_out(self):
         self.case("peers", {"own": {"at_most": 1}, "theirs": {"at_most": 1}}, {"own": 0.5, "theirs": "peer is not installed"})
