@@ -145,7 +145,7 @@ class Renewed(unittest.TestCase):
 
 
 class Case(unittest.TestCase):
-    """Cases in a scratch folder whose make.py writes what it is told."""
+    """Cases in a scratch folder whose make.py writes what the test gives it."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
