@@ -70,12 +70,10 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
   if (observer.log) observer.log("cut back: " + where);
 }
 
-/// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
-std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to,
-                 int depth) {
-  const auto& [span, observer, held, in_history, last_length, newton, played] = block;
-  const auto& system = timed_system(problem, state, cache);
-  const auto factors = factors_at(problem.scene, *span.step, to, held);
+/// What is prescribed, loaded and asked of the contacts in the increment from progress `from` to `to`.
+solver::Controls asked(const Problem& problem, const State& state, const solver::System& system, const Playing& block,
+                       const std::map<std::string, double>& factors, double from, double to) {
+  const auto& span = block.span;
   auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
   set_friction(controls, problem, state.cycle);
   auto left = left_by_others(problem, state);
@@ -91,8 +89,46 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
       controls.contacts[c].thickness_primary = std::move(thickness.primary);
     }
   count_from_renewal(controls, problem, system, state);
-  if (last_length > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last_length;
+  const double last = block.last_length;
+  if (last > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last;
   if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to);
+  return controls;
+}
+
+/// The state that an increment has led to, with what is seen and recorded of it.
+void accept(const Problem& problem, State& state, const solver::System& system, Playing& block,
+            const solver::Controls& controls, const std::map<std::string, double>& factors, double from, double to,
+            solver::SolveResult result) {
+  const auto& span = block.span;
+  if (span.cycles) note(state.recall, state.step, from, to, state.solution, result.state);
+  state.solution = std::move(result.state);
+  state.factors = factors;
+  block.last_length = to - from;
+  if (to > from) block.ends.push_back(to);
+  block.newton = result.report.solves;
+  watch_contacts(problem, state, system, span.step->wear);
+  watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
+  state.shown = false;
+  ++state.counts.increments;
+  if (block.observer.increment && block.in_history)
+    block.observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
+}
+
+/// Where an increment has failed.
+std::string place_of(const State& state, const BlockSpan& span, const std::map<std::string, double>& factors,
+                     double from, double to) {
+  char progress[120];
+  std::snprintf(progress, sizeof progress, "\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
+  return "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
+}
+
+/// One increment from progress `from` to `to`; on failure it is halved, up to `depth` times.
+std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to,
+                 int depth) {
+  const auto& span = block.span;
+  const auto& system = timed_system(problem, state, cache);
+  const auto factors = factors_at(problem.scene, *span.step, to, block.held);
+  const auto controls = asked(problem, state, system, block, factors, from, to);
   solver::SolveResult result;
   {
     Timer timer(cache, "solver");
@@ -100,15 +136,13 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   }
   state.counts.newton_iterations += result.report.solves;
   if (!result.report.converged) {
-    char progress[120];
-    std::snprintf(progress, sizeof progress, "\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
-    const std::string where = "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
+    const std::string where = place_of(state, span, factors, from, to);
     if (depth == 0) {
-      if (observer.log) observer.log("no state: " + where + result.report.reason);
+      if (block.observer.log) block.observer.log("no state: " + where + result.report.reason);
       const Attempt attempt{span.step, span.jump, result.report.failure, result.report.reason};
       return scene_line(problem.scene, "step " + span.step->name) + where + why_failed(problem, state, attempt, system);
     }
-    note_cutback(state, where + result.report.reason, observer);
+    note_cutback(state, where + result.report.reason, block.observer);
     const double middle = 0.5 * (from + to);
     block.last_length = 0.0;
     const std::string first = play(problem, state, cache, block, from, middle, depth - 1);
@@ -116,20 +150,9 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   }
   {
     Timer timer(cache, "sim");
-    if (span.cycles) note(state.recall, state.step, from, to, state.solution, result.state);
-    state.solution = std::move(result.state);
-    state.factors = factors;
-    block.last_length = to - from;
-    if (to > from) block.ends.push_back(to);
-    block.newton = result.report.solves;
-    watch_contacts(problem, state, system, span.step->wear);
-    watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
-    state.shown = false;
-    ++state.counts.increments;
-    if (observer.increment && in_history)
-      observer.increment(record_of(problem, state, system, controls, span, to, result.report.solves));
+    accept(problem, state, system, block, controls, factors, from, to, std::move(result));
   }
-  if (span.remesh && renew_references(problem, state, cache, span, observer)) block.last_length = 0.0;
+  if (span.remesh && renew_references(problem, state, cache, span, block.observer)) block.last_length = 0.0;
   return {};
 }
 
