@@ -55,10 +55,6 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
 }
 
 Cache::Cache() = default;
-Cache::Cache(const Cache&) = default;
-Cache::Cache(Cache&&) noexcept = default;
-Cache& Cache::operator=(const Cache&) = default;
-Cache& Cache::operator=(Cache&&) noexcept = default;
 Cache::~Cache() = default;
 
 }  // namespace reye::sim

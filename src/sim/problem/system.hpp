@@ -12,12 +12,8 @@ namespace reye::sim {
 
 /// Derived data, keyed by the shapes they came from; discarding them changes no result.
 struct Cache {
-  // Compiled once: every file that holds one would else compile them.
+  // Compiled once: every file that holds one would else compile them. A cache is not copied.
   Cache();
-  Cache(const Cache&);
-  Cache(Cache&&) noexcept;
-  Cache& operator=(const Cache&);
-  Cache& operator=(Cache&&) noexcept;
   ~Cache();
 
   std::vector<body::ShapePtr> shapes;
