@@ -15,6 +15,7 @@ times of the machine of the day, which are shown and not compared.
 import math
 
 WITHIN = 1e-3
+ROUND_OFF = 1e-9     # a number this small is of no digit that another machine would repeat
 WIDE = 0.15          # a band this wide, relative, says at_least, at_most or between
 KINDS = ("at_least", "at_most", "between", "value")
 OPTIONAL = {"measured", "within", "published", "source"}
@@ -136,11 +137,13 @@ def beside(entry, value):
 
 
 def renewed(entry, value):
-    """The entry with the figure that was measured now; one that has not moved keeps its digits."""
+    """The entry with the figure that was measured now; one that has not moved keeps its digits, and what is round-off when it
+    is written down for the first time is only shown."""
     if "measured" in entry and moved(dict(entry, within=1e-6), value) is None:
         return entry
-    digits = 3 if entry.get("within") == "any" else 7
-    number = value if isinstance(value, int) else float(f"{value:.{digits}g}")
     fresh = {key: v for key, v in entry.items() if key not in ("measured", "within", "source")}
-    fresh["measured"] = number
-    return fresh | {key: entry[key] for key in ("within", "source") if key in entry}
+    within = entry.get("within")
+    if "measured" not in entry and isinstance(value, float) and abs(value) < ROUND_OFF:
+        within = "any"
+    fresh["measured"] = value if isinstance(value, int) else float(f"{value:.{3 if within == 'any' else 7}g}")
+    return fresh | ({} if within is None else {"within": within}) | {"source": entry["source"]}

@@ -57,7 +57,6 @@ def curves(measured):
     measured["reverse_stick_half_width_mm"] = result.contact["stick_half_width_mm"]
     # What the holder feels; the contact's own tangential force is counted across its pressure, which leans by 5e-4 rad.
     measured["reverse_force_N_per_mm"] = -result.history[-1]["holder_force_x_N_per_mm"]
-    measured["energy_mJ_per_mm"] = result.contact["dissipated_energy_mJ_per_mm"]
     measured["load_peak_shear_MPa"] = max(r["shear_MPa"] for r in at["load"])
 
 

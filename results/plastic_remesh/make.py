@@ -16,9 +16,10 @@ def main():
         way, play, times = run["label"], PLAYS[int(play)], int(times)
         rows.append([way, play, 0, 1.0, 1.0])
         rows += [[way, play, n, run[f"integral_{n}"], run[f"peak_{n}"]] for n in range(1, times + 1)]
-        measured |= {f"integral_{play}_{way}": rows[-1][3], f"peak_{play}_{way}": rows[-1][4],
-                     f"beyond_yield_{play}_{way}": run["beyond_yield"]}
-        if "integral_farther" in run:
+        measured |= {f"integral_{play}_{way}": rows[-1][3], f"peak_{play}_{way}": rows[-1][4]}
+        if (way, play) == ("l2", "held"):
+            measured["beyond_yield_held_l2"] = run["beyond_yield"]
+        if way == "l2" and "integral_farther" in run:   # the default: of the others it is known that they drift
             measured[f"farther_{play}_{way}"] = run["integral_farther"]
     write_csv("decay.csv", ["way", "play", "times", "integral", "peak"], rows)
     write_measured(measured)

@@ -138,6 +138,10 @@ class Renewed(unittest.TestCase):
         entry = WHY | {"measured": 0.123}
         self.assertIs(ex.renewed(entry, 0.12300001), entry)
 
+    def test_round_off_is_only_shown(self):
+        self.assertEqual(ex.renewed(WHY | {"at_most": 1e-9}, 3.694052e-15), WHY | {"at_most": 1e-9, "measured": 3.69e-15, "within": "any"})
+        self.assertEqual(ex.renewed(WHY | {"at_most": 0}, 0), WHY | {"at_most": 0, "measured": 0})
+
     def test_is_good_afterwards(self):
         for value in (1.0 / 3.0, -2e-7 / 3.0, 1e9 / 7.0, 0, 17):
             entry = ex.renewed(WHY | {"measured": 5.0}, value)
