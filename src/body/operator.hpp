@@ -68,6 +68,14 @@ struct NodeFreedom {
 /// The input of a body: the supports and loads of the scene that act on it, with their edges already resolved to
 /// boundaries of the mesh.
 struct BodyInput {
+  // Compiled once: every file that holds one would else compile them.
+  BodyInput();
+  BodyInput(const BodyInput&);
+  BodyInput(BodyInput&&) noexcept;
+  BodyInput& operator=(const BodyInput&);
+  BodyInput& operator=(BodyInput&&) noexcept;
+  ~BodyInput();
+
   std::string name;
   material::Material material;
   base::Analysis analysis = base::Analysis::plane_strain;

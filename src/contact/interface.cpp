@@ -275,4 +275,11 @@ Vector Interface::forces(const std::vector<Vec2>& lambda) const {
   return f;
 }
 
+Interface::Interface() = default;
+Interface::Interface(const Interface&) = default;
+Interface::Interface(Interface&&) noexcept = default;
+Interface& Interface::operator=(const Interface&) = default;
+Interface& Interface::operator=(Interface&&) noexcept = default;
+Interface::~Interface() = default;
+
 }  // namespace reye::contact

@@ -72,6 +72,14 @@ struct Linearised {
 /// Holds work space only; everything is recomputed by `integrate`.
 class Interface {
  public:
+  // Compiled once: every file that holds one would else compile them.
+  Interface();
+  Interface(const Interface&);
+  Interface(Interface&&) noexcept;
+  Interface& operator=(const Interface&);
+  Interface& operator=(Interface&&) noexcept;
+  ~Interface();
+
   /// Fixes the start of an increment: setup, accepted state, positions then.
   void begin(const Setup& setup, const ContactState& before, Points xs, Points xm, const IncrementOptions& options);
 

@@ -33,6 +33,14 @@ struct MortarRow {
 /// `removed` / full nodal length on X. Where the shape evolves, `removed` is measured on it: depth below the unworn
 /// outline times that length; the exact volumes are in the ledger.
 struct ContactState {
+  // Compiled once: every file that holds one would else compile them.
+  ContactState();
+  ContactState(const ContactState&);
+  ContactState(ContactState&&) noexcept;
+  ContactState& operator=(const ContactState&);
+  ContactState& operator=(ContactState&&) noexcept;
+  ~ContactState();
+
   std::vector<Vec2> lambda;  ///< per secondary node [MPa]; lambda . n > 0 in compression
   std::vector<Vec2> normal;  ///< unit normal per secondary node on x, zero before the first increment
   std::vector<ContactStatus> status;

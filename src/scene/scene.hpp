@@ -87,6 +87,14 @@ struct Remesh {
 };
 
 struct Scene {
+  // Compiled once: every file that holds one would else compile them.
+  Scene();
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+
   std::string title;
   base::Analysis analysis = base::Analysis::plane_strain;
   double accuracy = 0.0;          ///< relative, for sizes and jumps left open; 0: none

@@ -95,4 +95,11 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   return result;
 }
 
+Newton::Newton() = default;
+Newton::Newton(const Newton&) = default;
+Newton::Newton(Newton&&) noexcept = default;
+Newton& Newton::operator=(const Newton&) = default;
+Newton& Newton::operator=(Newton&&) noexcept = default;
+Newton::~Newton() = default;
+
 }  // namespace reye::solver

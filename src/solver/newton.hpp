@@ -9,7 +9,14 @@ namespace reye::solver {
 /// so are the reach and the last increment, which steer but do not decide the result: `reset` forgets them.
 class Newton {
  public:
-  Newton() = default;
+  // Compiled once: every file that holds one would else compile them.
+  Newton();
+  Newton(const Newton&);
+  Newton(Newton&&) noexcept;
+  Newton& operator=(const Newton&);
+  Newton& operator=(Newton&&) noexcept;
+  ~Newton();
+
   explicit Newton(NewtonOptions options) : options_(options) {}
 
   /// From the accepted state `before` to equilibrium under `controls`. A failure is a result with a reason.

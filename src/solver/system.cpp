@@ -159,4 +159,11 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
   return total;
 }
 
+SolverState::SolverState() = default;
+SolverState::SolverState(const SolverState&) = default;
+SolverState::SolverState(SolverState&&) noexcept = default;
+SolverState& SolverState::operator=(const SolverState&) = default;
+SolverState& SolverState::operator=(SolverState&&) noexcept = default;
+SolverState::~SolverState() = default;
+
 }  // namespace reye::solver

@@ -40,6 +40,14 @@ System make_system(std::vector<body::Operator> bodies, std::vector<contact::Setu
 
 /// The evolving state of the solver.
 struct SolverState {
+  // Compiled once: every file that holds one would else compile them.
+  SolverState();
+  SolverState(const SolverState&);
+  SolverState(SolverState&&) noexcept;
+  SolverState& operator=(const SolverState&);
+  SolverState& operator=(SolverState&&) noexcept;
+  ~SolverState();
+
   base::TwoPart q;                        ///< forces of stiff bodies need its rounding error, too
   std::vector<body::Interior> interiors;  ///< per body; empty but for nonlinear ones
   std::vector<contact::ContactState> contacts;

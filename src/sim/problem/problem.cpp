@@ -18,4 +18,11 @@ std::optional<double> chosen_small_error(const Problem& problem) {
   return largest;
 }
 
+Problem::Problem() = default;
+Problem::Problem(const Problem&) = default;
+Problem::Problem(Problem&&) noexcept = default;
+Problem& Problem::operator=(const Problem&) = default;
+Problem& Problem::operator=(Problem&&) noexcept = default;
+Problem::~Problem() = default;
+
 }  // namespace reye::sim

@@ -50,6 +50,14 @@ struct Plan {
 
 /// Everything that does not change in a run.
 struct Problem {
+  // Compiled once: every file that holds one would else compile them.
+  Problem();
+  Problem(const Problem&);
+  Problem(Problem&&) noexcept;
+  Problem& operator=(const Problem&);
+  Problem& operator=(Problem&&) noexcept;
+  ~Problem();
+
   scene::Scene scene;
   std::vector<body::BodyInput> inputs;       ///< per body
   std::vector<char> rigid;                   ///< per body

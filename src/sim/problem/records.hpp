@@ -40,6 +40,14 @@ struct BondTraction {
 
 /// One row of history.csv: the end of an accepted increment.
 struct IncrementRecord {
+  // Compiled once: every file that holds one would else compile them.
+  IncrementRecord();
+  IncrementRecord(const IncrementRecord&);
+  IncrementRecord(IncrementRecord&&) noexcept;
+  IncrementRecord& operator=(const IncrementRecord&);
+  IncrementRecord& operator=(IncrementRecord&&) noexcept;
+  ~IncrementRecord();
+
   std::string step;
   double cycle = 0.0;
   double progress = 0.0;  ///< of the step's play, in (0, 1]
@@ -62,6 +70,14 @@ enum class Side { secondary, primary };
 /// begins, the arc length of the last row is repeated. A ring ends with the row it began with.
 /// status: 0 inactive, 1 stick, 2 slip; the primary side repeats the tractions of the secondary.
 struct SurfaceRecord {
+  // Compiled once: every file that holds one would else compile them.
+  SurfaceRecord();
+  SurfaceRecord(const SurfaceRecord&);
+  SurfaceRecord(SurfaceRecord&&) noexcept;
+  SurfaceRecord& operator=(const SurfaceRecord&);
+  SurfaceRecord& operator=(SurfaceRecord&&) noexcept;
+  ~SurfaceRecord();
+
   std::string contact;
   Side side = Side::secondary;
   std::vector<int> body, node;  ///< of each row: the body, and the node of its mesh
@@ -70,6 +86,14 @@ struct SurfaceRecord {
 };
 
 struct BodyFrame {
+  // Compiled once: every file that holds one would else compile them.
+  BodyFrame();
+  BodyFrame(const BodyFrame&);
+  BodyFrame(BodyFrame&&) noexcept;
+  BodyFrame& operator=(const BodyFrame&);
+  BodyFrame& operator=(BodyFrame&&) noexcept;
+  ~BodyFrame();
+
   std::string name;
   std::shared_ptr<const mesh::Mesh> mesh;         ///< on X; a rigid body has outline only
   std::vector<Vec2> u;                            ///< nodal displacement [mm]
@@ -154,6 +178,14 @@ struct Warning {
 enum class RunStatus { done, failed, interrupted };
 
 struct Summary {
+  // Compiled once: every file that holds one would else compile them.
+  Summary();
+  Summary(const Summary&);
+  Summary(Summary&&) noexcept;
+  Summary& operator=(const Summary&);
+  Summary& operator=(Summary&&) noexcept;
+  ~Summary();
+
   std::string title;
   RunStatus status = RunStatus::done;
   std::string reason;  ///< empty when done

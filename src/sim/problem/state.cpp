@@ -10,4 +10,11 @@ State initial_state(const Problem& problem) {
   return state;
 }
 
+State::State() = default;
+State::State(const State&) = default;
+State::State(State&&) noexcept = default;
+State& State::operator=(const State&) = default;
+State& State::operator=(State&&) noexcept = default;
+State::~State() = default;
+
 }  // namespace reye::sim

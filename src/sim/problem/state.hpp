@@ -19,6 +19,14 @@ inline constexpr long told_cutbacks = 100;
 
 /// Everything that changes in a run, and nothing else. A value: copied, never half updated.
 struct State {
+  // Compiled once: every file that holds one would else compile them.
+  State();
+  State(const State&);
+  State(State&&) noexcept;
+  State& operator=(const State&);
+  State& operator=(State&&) noexcept;
+  ~State();
+
   double cycle = 0.0;
   int step = 0;
   double step_cycles = 0.0;   ///< cycles done of this step

@@ -54,4 +54,11 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
   return cache.system;
 }
 
+Cache::Cache() = default;
+Cache::Cache(const Cache&) = default;
+Cache::Cache(Cache&&) noexcept = default;
+Cache& Cache::operator=(const Cache&) = default;
+Cache& Cache::operator=(Cache&&) noexcept = default;
+Cache::~Cache() = default;
+
 }  // namespace reye::sim

@@ -12,6 +12,14 @@ namespace reye::sim {
 
 /// Derived data, keyed by the shapes they came from; discarding them changes no result.
 struct Cache {
+  // Compiled once: every file that holds one would else compile them.
+  Cache();
+  Cache(const Cache&);
+  Cache(Cache&&) noexcept;
+  Cache& operator=(const Cache&);
+  Cache& operator=(Cache&&) noexcept;
+  ~Cache();
+
   std::vector<body::ShapePtr> shapes;
   solver::System system;
   solver::Newton newton;
