@@ -35,10 +35,19 @@ class Run:
         return self.frames(side)[-1][1]
 
 
+def program(name):
+    """A program of the build, beside the command; where it was not built the case is left out and ends here."""
+    path = pathlib.Path(REYE).with_name(name)
+    if not path.is_file():
+        write_measured(f"{name} is not built")
+        raise SystemExit(0)
+    return path
+
+
 def benchmarks(pattern):
     """What reye-bench reports of the benchmarks whose name fits a pattern: name, label, counters of each.
     One that failed ends the case."""
-    told = subprocess.run([pathlib.Path(REYE).with_name("reye-bench"), f"--benchmark_filter={pattern}", "--benchmark_format=json"],
+    told = subprocess.run([program("reye-bench"), f"--benchmark_filter={pattern}", "--benchmark_format=json"],
                           check=True, capture_output=True, text=True).stdout
     runs = json.loads(told)["benchmarks"]
     for run in runs:
@@ -131,6 +140,7 @@ def write_csv(name, header, rows):
 
 
 def write_measured(measured):
+    """The figures of a case, or a text that says why there are none here."""
     pathlib.Path("measured.json").write_text(json.dumps(measured, indent=2) + "\n", encoding="utf-8")
 
 

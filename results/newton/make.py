@@ -8,9 +8,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, figure, write_csv, write_measured  # noqa: E402
-
-TEST = pathlib.Path(REYE).with_name("test_verification")
+from wear_case import figure, program, write_csv, write_measured  # noqa: E402
 
 
 def rows_of(name):
@@ -29,7 +27,7 @@ def tails(rows):
 
 
 def main():
-    subprocess.run([TEST, "--gtest_filter=ContactNewton.*", "--gtest_brief=1"], check=True,
+    subprocess.run([program("test_verification"), "--gtest_filter=ContactNewton.*", "--gtest_brief=1"], check=True,
                    env=dict(os.environ, REYE_NEWTON=str(pathlib.Path.cwd())))
     measured, pairs = {}, []
     for name in ("hertz", "cattaneo_mindlin"):

@@ -89,6 +89,7 @@ def main():
                      for r in rows if abs(r["x_mm"]) < 0.125]
         measured[f"edge_order_{order}_across_{across}"] = own / C
         measured[f"edge_ratio_order_{order}_across_{across}"] = ratio
+        measured[f"depth_at_25_over_limit_order_{order}_across_{across}"] = depth[10000.0] / LIMIT
         if (order, across) == (1, 40):
             measured.update({
                 "cycles_solved": counts["cycles_solved"],

@@ -45,7 +45,8 @@ measured = {
 }
 for name, run in runs.items():
     measured[f"scaled_jacobian_{name}"] = meshes.poorest_scaled_jacobian(run)
-    measured[f"life_{name}"] = run.summary["life_cycles"]["fifth"] / base.summary["life_cycles"]["fifth"]
+    if run is not base:
+        measured[f"life_{name}"] = run.summary["life_cycles"]["fifth"] / base.summary["life_cycles"]["fifth"]
 for name, other in [("disc", disc)] + [(name, tip(run, CYCLE)) for name, run in runs.items() if name != "base"]:
     measured[f"profile_to_{name}_rms"] = meshes.difference(tip(base, CYCLE), other, 3.5, d)[1]
     measured[f"profile_to_{name}_but_for_corner"] = meshes.difference(tip(base, CYCLE), other, 3.5, d, corner=(a, facet))[0]

@@ -7,9 +7,8 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from wear_case import REYE, WORK, read_csv, write_measured  # noqa: E402
+from wear_case import WORK, program, read_csv, write_measured  # noqa: E402
 
-TEST = pathlib.Path(REYE).with_name("test_stability")
 MORE = 1.1   # solves that count as no more than before
 
 
@@ -17,7 +16,7 @@ def play(file):
     """Every member's row; a member that fails the test is a row, too."""
     file.unlink(missing_ok=True)
     environment = dict(os.environ, REYE_STABILITY=str(file), OPENBLAS_NUM_THREADS="1")
-    ended = subprocess.run([TEST, "--gtest_brief=1"], env=environment, stdout=subprocess.DEVNULL, check=False)
+    ended = subprocess.run([program("test_stability"), "--gtest_brief=1"], env=environment, stdout=subprocess.DEVNULL, check=False)
     if ended.returncode < 0:
         raise SystemExit(f"the grid ended by signal {-ended.returncode}")
     return read_csv(file)

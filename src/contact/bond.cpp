@@ -70,9 +70,9 @@ void Interface::linearise_bond(Linearised& out) const {
     const auto [first, second] = directions(node);
     for (int t = 0; t < 2; ++t) {
       const Vec2& d = t == 0 ? first : second;
-      const auto push = [&](int first, const Vec2& slope) {
+      const auto push = [&](int column, const Vec2& slope) {
         for (int i = 0; i < 2; ++i)
-          if (slope[i] != 0.0) out.rows.push_back({2 * node + t, first + i, slope[i]});
+          if (slope[i] != 0.0) out.rows.push_back({2 * node + t, column + i, slope[i]});
       };
       if (t == 1 && unmoved_[j]) {
         push(placement_.dofs() + 2 * node, d);

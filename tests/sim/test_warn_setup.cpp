@@ -175,3 +175,11 @@ wear = false
   EXPECT_EQ(of("order = 1"), Kinds{"facets, contact bearing"});
   EXPECT_EQ(of("order = 2"), Kinds{});
 }
+
+// A rotation that would take more increments than any run plays must be refused before they are listed.
+TEST(WarnSetup, EndlessTurns) {
+  const std::string turned = "rotation = { motion_rad = 4294967296.0, history = \"press\" }";
+  const auto text = refusal(test::with(test::block_scene, {{"rotation = \"fixed\"", turned}}));
+  EXPECT_NE(text.find("step[0] = \"press\": its rotations take 1.432e+10 increments of at most 0.3 rad"), text.npos)
+      << text;
+}

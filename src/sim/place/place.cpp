@@ -22,6 +22,8 @@
 #include "sim/place/resolver.hpp"
 #include "sim/place/warn_setup.hpp"
 #include "sim/place/widen_zones.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/problem/scene_line.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -189,9 +191,22 @@ void refuse(const std::vector<Issue>& issues) {
   if (!issues.empty()) throw base::InputError(issues);
 }
 
+/// Steps whose rotations would take more increments than any run plays.
+void refuse_endless_steps(const scene::Scene& scene) {
+  constexpr double most = 1e6;
+  std::vector<Issue> issues;
+  for (const auto& step : scene.steps)
+    if (const double count = increments_of(scene, step); count > most)
+      issues.push_back({key_of_step(scene, step.name), quoted(step.name),
+                        "its rotations take " + shown(count) +
+                            " increments of at most 0.3 rad; at most 1e6 are played. " + "Angles are in rad"});
+  refuse(issues);
+}
+
 }  // namespace
 
 Problem place(const scene::Scene& scene, Cache& cache) {
+  refuse_endless_steps(scene);
   Problem p;
   p.scene = scene;
   for (const auto& text : scene.warnings) p.warnings.push_back({"scene", "", text});

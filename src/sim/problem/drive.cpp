@@ -42,9 +42,8 @@ double turned_between(const scene::Scene& scene, const scene::Step& step, double
   return most;
 }
 
-}  // namespace
-
-std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
+/// Ends of the equal parts of a step, and the corners of what it plays.
+std::vector<double> corners_of(const scene::Scene& scene, const scene::Step& step) {
   std::vector<double> corners;
   for (int i = 1; i <= step.increments; ++i) corners.push_back(static_cast<double>(i) / step.increments);
   for (const auto& name : step.play)
@@ -53,15 +52,35 @@ std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step&
   std::sort(corners.begin(), corners.end());
   const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9; };
   corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  return corners;
+}
+
+/// Increments between two corners.
+double parts_between(const scene::Scene& scene, const scene::Step& step, double from, double to) {
+  return std::max(1.0, std::ceil(turned_between(scene, step, from, to) / most_turn - 1e-9));
+}
+
+}  // namespace
+
+std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
   std::vector<double> ends;
   double from = 0.0;
-  for (const double to : corners) {
-    const auto parts = static_cast<int>(std::ceil(turned_between(scene, step, from, to) / most_turn - 1e-9));
+  for (const double to : corners_of(scene, step)) {
+    const auto parts = static_cast<int>(parts_between(scene, step, from, to));
     for (int i = 1; i < parts; ++i) ends.push_back(from + (to - from) * i / parts);
     ends.push_back(to);
     from = to;
   }
   return ends;
+}
+
+double increments_of(const scene::Scene& scene, const scene::Step& step) {
+  double count = 0.0, from = 0.0;
+  for (const double to : corners_of(scene, step)) {
+    count += parts_between(scene, step, from, to);
+    from = to;
+  }
+  return count;
 }
 
 std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,

@@ -16,6 +16,9 @@ double factor_at(const scene::History& history, double progress);
 /// support would turn its body by more than 0.3 rad.
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
 
+/// Their number, which may be beyond all memory.
+double increments_of(const scene::Scene& scene, const scene::Step& step);
+
 /// Factors of all histories while a step plays.
 std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
                                          const std::map<std::string, double>& held);

@@ -6,10 +6,6 @@
 
 namespace reye::sim {
 
-namespace {
-
-/// The key of a step, which has its number in the file: that of the distinct names before it, since a spectrum repeats
-/// steps.
 std::string key_of_step(const scene::Scene& scene, const std::string& name) {
   std::vector<std::string> names;
   for (const auto& step : scene.steps)
@@ -18,8 +14,6 @@ std::string key_of_step(const scene::Scene& scene, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return "step[" + std::to_string(found - names.begin()) + "]";
 }
-
-}  // namespace
 
 std::string scene_line(const scene::Scene& scene, const std::string& about) {
   const auto space = about.find(' ');
