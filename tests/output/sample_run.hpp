@@ -71,18 +71,9 @@ inline sim::BodyFrame body_frame(const std::string& name, reye::mesh::Mesh mesh,
 /// Nodes [first, first + count) of a body as a surface with a wear scar that grows with the cycle.
 inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame& frame, int first, int count,
                                   double cycle) {
-  sim::SurfaceRecord s{.contact = "pad",
-                       .side = side,
-                       .body = {},
-                       .node = {},
-                       .arc_length_mm = {},
-                       .x_mm = {},
-                       .y_mm = {},
-                       .pressure_MPa = {},
-                       .shear_MPa = {},
-                       .slip_mm = {},
-                       .wear_depth_mm = {},
-                       .status = {}};
+  sim::SurfaceRecord s;
+  s.contact = "pad";
+  s.side = side;
   const double grown = cycle / 18000.0, a = 0.12 + 0.35 * std::sqrt(grown), p0 = 400.0 * 0.12 / a;
   for (int i = 0; i < count; ++i) {
     const Vec2 X = frame.mesh->X[static_cast<std::size_t>(first + i)];
@@ -117,23 +108,24 @@ inline const reye::output::HistoryColumns columns{{"pad"}, {{"holder"}, {"shaker
 
 inline sim::IncrementRecord increment(int k, double cycle) {
   const double t = k / 40.0, force = 12.0 * std::sin(2.0 * M_PI * t);
-  return {.step = "wear, main",
-          .cycle = cycle,
-          .progress = t,
-          .newton = 3,
-          .pressure_max_MPa = 400.0 / 3.0,
-          .depth_max_secondary_mm = 1e-7 * cycle,
-          .depth_max_primary_mm = 0.7e-7 * cycle,
-          .energy_mJ = 0.9 * cycle + t,
-          .contacts = {{.pressure_max_MPa = 400.0 / 3.0,
-                        .depth_max_secondary_mm = 1e-7 * cycle,
-                        .depth_max_primary_mm = 0.7e-7 * cycle,
-                        .energy_mJ = 0.9 * cycle + t,
-                        .normal_force = 18.5,
-                        .tangential_force = force}},
-          .bonds = {},
-          .support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)},
-          .support_moments = {{}, {}}};
+  sim::IncrementRecord r;
+  r.step = "wear, main";
+  r.cycle = cycle;
+  r.progress = t;
+  r.newton = 3;
+  r.pressure_max_MPa = 400.0 / 3.0;
+  r.depth_max_secondary_mm = 1e-7 * cycle;
+  r.depth_max_primary_mm = 0.7e-7 * cycle;
+  r.energy_mJ = 0.9 * cycle + t;
+  r.contacts = {{.pressure_max_MPa = 400.0 / 3.0,
+                 .depth_max_secondary_mm = 1e-7 * cycle,
+                 .depth_max_primary_mm = 0.7e-7 * cycle,
+                 .energy_mJ = 0.9 * cycle + t,
+                 .normal_force = 18.5,
+                 .tangential_force = force}};
+  r.support_forces = {Vec2(force, -18.5), Vec2(-force, 18.5)};
+  r.support_moments = {{}, {}};
+  return r;
 }
 
 inline sim::RemeshRecord remesh(double cycle) {
