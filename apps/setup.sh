@@ -68,6 +68,15 @@ run_demo() {
   python3 apps/results.py table "$out"
 }
 
+# The programs of the build that the cases named run: all of them for all.
+programs_of() {
+  local program files=("results/$1/"make.*)
+  [ "$1" != all ] || files=(results/*/make.*)
+  for program in reye reye-bench test_stability test_verification; do
+    [ "$program" != reye ] && ! grep -qs -- "$program" "${files[@]}" || echo "$program"
+  done
+}
+
 [ $# -ge 1 ] || usage
 case "$1" in
   demo | test | build) [ $# -eq 1 ] || usage ;;
@@ -80,5 +89,5 @@ case "$1" in
   demo) build reye; run_demo ;;
   build) build ;;
   test) build; ctest --test-dir "$build" --output-on-failure -LE slow -j2 ;;
-  results) build reye reye-bench; python3 apps/results.py compare "$2" ;;
+  results) mapfile -t programs < <(programs_of "$2"); build "${programs[@]}"; python3 apps/results.py compare "$2" ;;
 esac
