@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -33,7 +34,7 @@ enum class Corrected {
 
 /// One entry of the list.
 struct Field {
-  const char* name;
+  std::string_view name;
   Site site;
   OnFreshMesh on_fresh_mesh;
   Corrected corrected = Corrected::never;

@@ -27,7 +27,6 @@ class NewtonPath {
   bool begin();
   void iterate();
   void decide();
-  void decide_one();
   void extend();
   bool finite();
   bool astray();
@@ -44,7 +43,6 @@ class NewtonPath {
     return !increment_.nonlinear() || since_ == 0;
   }  ///< the residual is that of the nonlinear bodies, not of their linearisation
   bool renewed() const { return since_ == 0 && renewals_ > 0; }
-  bool one_by_one() const { return cycling_; }
   int stage() const { return late_ ? options_.max_iterations : iteration_; }
   double error() const;  ///< of the tolerances
 

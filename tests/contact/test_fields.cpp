@@ -12,7 +12,7 @@ TEST(Fields, NamesAreUnique) {
   std::set<std::string> names;
   contact::ContactState state;
   contact::for_each_field(state, [&](const contact::Field& field, const auto&) {
-    EXPECT_TRUE(names.insert(field.name).second) << field.name;
+    EXPECT_TRUE(names.emplace(field.name).second) << field.name;
   });
   EXPECT_EQ(names.size(), 18U);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 
 #include "sim/march/block.hpp"
@@ -97,13 +98,19 @@ std::string estimated(double error) {
 }
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
-/// (`pressure_jump`).
+/// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
+/// nothing of the pressures inside them.
 double pressure_change(const Problem& problem, const State& state, Cache& cache,
                        const std::vector<HeldTraction>& before) {
   const auto& system = system_of(problem, state, cache);
   double largest = 0.0;
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-    largest = std::max(largest, pressure_jump(system.contacts[c], state.solution.contacts[c], before[c]));
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& contact = state.solution.contacts[c];
+    const auto& pressed = before[c].normal;
+    const bool open = std::none_of(pressed.begin(), pressed.end(), [](double force) { return force > 0.0; });
+    if (open && contact.law_work > 0.0) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, pressure_jump(system.contacts[c], contact, before[c]));
+  }
   return largest;
 }
 
