@@ -17,7 +17,7 @@ namespace {
 
 using namespace reye;
 
-constexpr std::array names{"nearest", "patch", "l2"};
+constexpr std::array transfers{"nearest", "patch", "l2"};
 constexpr std::array factors{1.13, 0.91, 1.06, 0.95,
                              1.0,  1.1,  0.9};  ///< on the element size: never twice the same mesh
 
@@ -150,7 +150,7 @@ void plastic_remesh(benchmark::State& run) {
     for (int i = 0; i < 5; ++i) press_both({{0.0, way}, {1.0, way + 0.01}});
     count("_farther");
   }
-  run.SetLabel(names[run.range(0)]);
+  run.SetLabel(transfers[run.range(0)]);
 }
 
 BENCHMARK(plastic_remesh)

@@ -16,7 +16,7 @@ namespace {
 
 /// Smallest share of its diagonal entry that a pivot of a healthy matrix keeps; below it the
 /// solution would have lost all but four digits.
-constexpr double smallest_pivot = 1e-12;
+constexpr double smallest_pivot_share = 1e-12;
 
 /// The upper triangle, the only part of a symmetric matrix that is read.
 SparseMatrix upper_triangle(const SparseMatrix& K) {
@@ -62,7 +62,7 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
   const Vector l = L.diagonal(), k = K.diagonal();
   const auto order = L.order();
   for (int j = 0; j < count; ++j)
-    if (!(l[j] * l[j] > smallest_pivot * k[order[j]]))
+    if (!(l[j] * l[j] > smallest_pivot_share * k[order[j]]))
       throw SolveError("sparse Cholesky: the matrix is singular to working precision (pivot of row " +
                        std::to_string(order[j]) + "); a rigid motion may be unconstrained");
 }

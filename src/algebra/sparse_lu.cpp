@@ -17,7 +17,7 @@ using base::Vector;
 namespace {
 
 /// Smallest ratio of pivots of the scaled matrix; below it the solution would have lost all but two digits.
-constexpr double smallest_pivot = 1e-14;
+constexpr double smallest_pivot_ratio = 1e-14;
 
 using Control = std::array<double, UMFPACK_CONTROL>;
 using Info = std::array<double, UMFPACK_INFO>;
@@ -60,7 +60,7 @@ void SparseLu::factorise(const SparseMatrix& A, bool same_pattern) {
                                         c.data(), info.data());
   numeric_.reset(made);
   check(status, "sparse LU");
-  if (!(info[UMFPACK_RCOND] > smallest_pivot))
+  if (!(info[UMFPACK_RCOND] > smallest_pivot_ratio))
     throw SolveError("sparse LU: the matrix is singular to working precision; a rigid motion may be unconstrained");
 }
 

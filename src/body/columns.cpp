@@ -13,8 +13,7 @@ using mesh::Mesh;
 
 namespace {
 
-constexpr int no_column = -1;      // a motion held at zero without a column
-constexpr double parallel = 1e-3;  // sine below which two held directions count as one
+constexpr int no_column = -1;  // a motion held at zero without a column
 
 /// One held direction of a node; `group` is the support column it belongs to.
 struct Hold {

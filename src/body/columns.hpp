@@ -8,6 +8,9 @@
 /// The unknowns of a body: which columns move which node.
 namespace reye::body {
 
+/// Sine below which two held directions count as one.
+constexpr double parallel = 1e-3;
+
 /// The motion that one term gives its node, with its first and second derivative.
 struct Path {
   base::Vec2 displacement{0.0, 0.0}, slope{0.0, 0.0}, curvature{0.0, 0.0};

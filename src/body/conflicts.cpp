@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "base/formatted.hpp"
 #include "body/edges.hpp"
 #include "body/imposed.hpp"
 
@@ -14,15 +14,7 @@ namespace reye::body {
 
 namespace {
 
-constexpr double parallel = 1e-3;  ///< sine below which two directions count as one, as in `number_columns`
-
-std::string at(const Vec2& X) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g)", X.x() + 0.0, X.y() + 0.0);
-  return text;
-}
-
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
+std::string at(const Vec2& X) { return base::formatted("(%.4g, %.4g)", X.x() + 0.0, X.y() + 0.0); }
 
 /// One direction along which a support holds, moves or loads a node.
 struct Demand {
@@ -81,7 +73,7 @@ class Search {
     for (std::size_t k = 1; k < rigid.size(); ++k)
       if (!all_fixed(rigid.front()) || !all_fixed(rigid[k]))
         note(rigid[k], rigid.front(), "",
-             "shares the node at " + at(mesh_.X[node]) + " with support " + quoted(support(rigid.front()).name) +
+             "shares the node at " + at(mesh_.X[node]) + " with support " + base::quoted(support(rigid.front()).name) +
                  ", and both are rigid edges; name what moves as one in one boundary, and say in one "
                  "support how it moves",
              true);
@@ -157,7 +149,7 @@ class Search {
     if (!loaded && same(expected, demand.value)) return;
     const Demand& other = same_line != standing.end() ? *same_line : standing.back();
     const std::string who =
-        other.support < 0 ? "the axis of symmetry" : "support " + quoted(support(other.support).name);
+        other.support < 0 ? "the axis of symmetry" : "support " + base::quoted(support(other.support).name);
     note(demand.support, other.support, motion_names[demand.motion],
          "asks of the node at " + at(mesh_.X[node]) + " another motion than " + who +
              " does; a place can be held, moved or "
@@ -191,8 +183,8 @@ class Search {
     const auto& of_edge = places_[edge].nodes;
     const bool nothing_left = std::all_of(
         own.begin(), own.end(), [&](int n) { return std::find(of_edge.begin(), of_edge.end(), n) != of_edge.end(); });
-    const std::string where =
-        "the node at " + at(mesh_.X[node]) + " moves with the rigid edge of support " + quoted(support(edge).name);
+    const std::string where = "the node at " + at(mesh_.X[node]) + " moves with the rigid edge of support " +
+                              base::quoted(support(edge).name);
     for (const Demand& demand : demands(node, s)) {
       const RigidValue edge_value = along(demand.direction, node, edge);
       if (!edge_value.undetermined && !demand.loaded && same(edge_value.value, demand.value)) continue;
@@ -201,7 +193,7 @@ class Search {
       const std::string free =
           m < 0 ? "" : ", whose " + std::string(motion_names[m]) + " is " + (pushed ? "loaded" : "free");
       note(s, edge, motion_names[demand.motion],
-           where + free + ", and not as support " + quoted(support(s).name) +
+           where + free + ", and not as support " + base::quoted(support(s).name) +
                " asks; say it in the support of the rigid edge",
            m < 0 || pushed || demand.loaded || nothing_left);
     }

@@ -13,9 +13,6 @@ inline constexpr std::array<const char*, 3> motion_names{"x", "y", "rotation"};
 /// An imposed displacement as a sum of histories times amplitudes; empty for a fixed motion.
 using Imposed = std::map<std::string, double>;
 
-/// The motion of a support with that number: x, y, rotation.
-inline const Motion& motion_of(const Support& s, int m) { return m == 0 ? s.x : m == 1 ? s.y : s.rotation; }
-
 inline bool drives(const Motion& m) { return m.drive == Drive::moved || m.drive == Drive::loaded; }
 
 void add(Imposed& to, const Motion& motion, double weight);

@@ -1,7 +1,7 @@
 #include <Eigen/SVD>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "body/edges.hpp"
 #include "body/operator.hpp"
 #include "body/resultant.hpp"
@@ -88,9 +88,7 @@ std::string name_of(const Eigen::Vector3d& translation) {
   if (std::abs(translation.y()) < 1e-6) return "translation along x";
   if (std::abs(translation.x()) < 1e-6) return "translation along y";
   const double sign = translation.x() < 0.0 ? -1.0 : 1.0;
-  char text[64];
-  std::snprintf(text, sizeof text, "translation along (%.3g, %.3g)", sign * translation.x(), sign * translation.y());
-  return text;
+  return base::formatted("translation along (%.3g, %.3g)", sign * translation.x(), sign * translation.y());
 }
 
 std::vector<std::string> names_of(const MotionSpace& space) {

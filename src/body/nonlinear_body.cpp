@@ -1,6 +1,6 @@
-#include <cstdio>
 #include <utility>
 
+#include "base/formatted.hpp"
 #include "body/condensation.hpp"
 #include "body/nonlinear_equations.hpp"
 #include "body/operator.hpp"
@@ -123,8 +123,7 @@ std::string NonlinearBody::least_balanced(const Linearised& at) const {
     for (const Term& term : impl_->columns.terms[node]) {
       if (term.column != column) continue;
       const Vec2& X = impl_->mesh().X[node];
-      char place[80];
-      std::snprintf(place, sizeof place, "node %d at (%.4g, %.4g) mm inside body ", node, X.x(), X.y());
+      const std::string place = base::formatted("node %d at (%.4g, %.4g) mm inside body ", node, X.x(), X.y());
       return place + impl_->name;
     }
   return "body " + impl_->name;

@@ -280,6 +280,12 @@ class NonlinearBody {
 
 using Operator = std::variant<RigidBody, LinearBody, NonlinearBody>;
 
+/// What every body has, whichever it is.
+int dofs(const Operator& op);
+const std::vector<int>& contact_nodes(const Operator& op);
+const std::vector<SupportColumn>& support_columns(const Operator& op);
+const std::vector<LoadColumn>& loads(const Operator& op);
+
 /// The rigid motions of the body that nothing holds and nothing loads, in words ("translation along x",
 /// "rotation"); empty when the body is well posed. A motion left free by the supports is accepted when the
 /// body has a contact and either friction acts there or some load or loaded support does work on the motion.

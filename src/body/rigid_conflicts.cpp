@@ -1,5 +1,6 @@
 #include <array>
 
+#include "base/formatted.hpp"
 #include "body/conflicts.hpp"
 #include "body/edges.hpp"
 #include "body/imposed.hpp"
@@ -7,8 +8,6 @@
 namespace reye::body {
 
 namespace {
-
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 /// Whether both supports of one motion impose equal values, and neither is a force.
 bool agree(const Motion& a, const Motion& b) {
@@ -37,7 +36,7 @@ std::vector<SupportConflict> rigid_support_conflicts(const mesh::Mesh& mesh, con
         first[m] = &support;
       } else if (!agree(motion, motion_of(*first[m], m))) {
         found.push_back({s, motion_names[m],
-                         "support " + quoted(first[m]->name) +
+                         "support " + base::quoted(first[m]->name) +
                              " drives the same motion of this rigid body another "
                              "way; a rigid body has one of each"});
       }
@@ -47,8 +46,8 @@ std::vector<SupportConflict> rigid_support_conflicts(const mesh::Mesh& mesh, con
     if (const Support& support = input.supports[s];
         !is_rigid(support) && holds_rotation(mesh, support, place_support(mesh, support)))
       found.push_back({s, "",
-                       "holds the edge node by node, and with it the rotation that support " + quoted(first[2]->name) +
-                           " drives; hold a point, or name the rotation here"});
+                       "holds the edge node by node, and with it the rotation that support " +
+                           base::quoted(first[2]->name) + " drives; hold a point, or name the rotation here"});
   return found;
 }
 

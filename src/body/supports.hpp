@@ -37,6 +37,9 @@ struct Support {
   Motion x, y, rotation;
 };
 
+/// The motion of a support with that number: x, y, rotation.
+inline const Motion& motion_of(const Support& s, int m) { return m == 0 ? s.x : m == 1 ? s.y : s.rotation; }
+
 /// Whether a motion is fixed or imposed, or a spring acts against it.
 inline bool holds(const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved || m.stiffness > 0.0; }
 

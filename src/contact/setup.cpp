@@ -11,7 +11,7 @@ namespace reye::contact {
 namespace {
 
 std::vector<SurfaceNode> located(int body, const std::vector<int>& mesh_nodes, const body::Operator& op) {
-  const auto& retained = std::visit([](const auto& o) -> const std::vector<int>& { return o.contact_nodes(); }, op);
+  const auto& retained = body::contact_nodes(op);
   std::unordered_map<int, int> index;
   for (std::size_t k = 0; k < retained.size(); ++k) index[retained[k]] = static_cast<int>(k);
   std::vector<SurfaceNode> nodes;

@@ -1,9 +1,9 @@
 #include "fem/finite.hpp"
 
 #include <cassert>
-#include <cstdio>
 #include <type_traits>
 
+#include "base/formatted.hpp"
 #include "fem/nodal_average.hpp"
 #include "fem/strain_measure.hpp"
 
@@ -73,8 +73,8 @@ base::SolveError located(const Mesh& mesh, int cell, int point, const base::Solv
   const NodeValues N = shape_functions(mesh.kind, stiffness_rule(mesh.kind)[point].xi);
   Vec2 at = Vec2::Zero();
   for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) at += N[a] * mesh.X[mesh.cells[cell][a]];
-  char place[120];
-  std::snprintf(place, sizeof place, "cell %d, Gauss point %d at (%.4g, %.4g) mm: ", cell, point, at.x(), at.y());
+  const std::string place =
+      base::formatted("cell %d, Gauss point %d at (%.4g, %.4g) mm: ", cell, point, at.x(), at.y());
   return base::SolveError(place + std::string(error.what()));
 }
 

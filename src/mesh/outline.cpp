@@ -20,7 +20,7 @@ struct Edge {
   int from, to, mid;
 };
 
-bool before(const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); }
+bool runs_before(const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); }
 
 /// Edges of all cells in ascending order of their ends.
 std::vector<Edge> edges_of(CellKind kind, const std::vector<Cell>& cells) {
@@ -29,7 +29,7 @@ std::vector<Edge> edges_of(CellKind kind, const std::vector<Cell>& cells) {
   edges.reserve(n * cells.size());
   for (const Cell& cell : cells)
     for (int i = 0; i < n; ++i) edges.push_back({cell[i], cell[(i + 1) % n], order(kind) == 2 ? cell[n + i] : -1});
-  std::sort(edges.begin(), edges.end(), before);
+  std::sort(edges.begin(), edges.end(), runs_before);
   return edges;
 }
 
@@ -39,11 +39,11 @@ std::map<int, Edge> boundary_edges(const Points& X, CellKind kind, const std::ve
   std::map<int, Edge> next;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge& edge = edges[i];
-    if (i > 0 && !before(edges[i - 1], edge))
+    if (i > 0 && !runs_before(edges[i - 1], edge))
       throw base::MeshError("two cells lie on the same side of an edge at " + where(X, edge.from));
     const Edge back{edge.to, edge.from, edge.mid};
-    const auto other = std::lower_bound(edges.begin(), edges.end(), back, before);
-    if (other != edges.end() && !before(back, *other)) {
+    const auto other = std::lower_bound(edges.begin(), edges.end(), back, runs_before);
+    if (other != edges.end() && !runs_before(back, *other)) {
       if (other->mid != edge.mid)
         throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, edge.from));
       continue;

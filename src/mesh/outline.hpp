@@ -1,9 +1,13 @@
 #pragma once
+#include <numbers>
 #include <vector>
 
 #include "mesh/mesh.hpp"
 
 namespace reye::mesh {
+
+/// An outline has a corner where its tangent turns by more.
+constexpr double corner_angle = std::numbers::pi / 6.0;
 
 inline bool is_closed(const Chain& chain) { return chain.size() > 2 && chain.front() == chain.back(); }
 

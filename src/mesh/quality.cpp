@@ -15,8 +15,6 @@ namespace reye::mesh {
 
 namespace {
 
-using Edge = std::pair<int, int>;
-
 std::string at(const Vec2& p) {
   std::ostringstream text;
   text << " at (" << p.x() << ", " << p.y() << ")";
@@ -89,8 +87,8 @@ void check_cells(const Mesh& mesh) {
           (order(mesh.kind) == 1 ? " has a corner that is folded over or flat" : " is folded over or flat"));
 }
 
-std::set<Edge> edges_of(const std::vector<Chain>& chains) {
-  std::set<Edge> edges;
+std::set<std::pair<int, int>> edges_of(const std::vector<Chain>& chains) {
+  std::set<std::pair<int, int>> edges;
   for (const Chain& chain : chains)
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges.insert({chain[i], chain[i + 1]});
   return edges;
@@ -110,7 +108,7 @@ void check_outline(const Mesh& mesh) {
 }
 
 void check_boundaries(const Mesh& mesh) {
-  const std::set<Edge> outline = edges_of(mesh.outline);
+  const std::set<std::pair<int, int>> outline = edges_of(mesh.outline);
   std::set<int> mids;
   for (const Chain& loop : mesh.outline)
     for (std::size_t i = 1; order(mesh.kind) == 2 && i < loop.size(); i += 2) mids.insert(loop[i]);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "cad/build/profile.hpp"
 #include "scene/build.hpp"
 #include "scene/geometry_files.hpp"
@@ -76,13 +76,10 @@ std::string too_steep(const cad::Profile& profile) {
     const double rise = std::abs(profile.height_mm[i] - profile.height_mm[i - 1]),
                  along = profile.arc_mm[i] - profile.arc_mm[i - 1];
     if (rise <= steepest * along) continue;
-    char rule[200];
-    std::snprintf(
-        rule, sizeof rule,
+    return base::formatted(
         "its height changes by %.4g mm over %.4g mm at arc length %.4g mm, more steeply than %g : 1; heights in um "
         "must be divided by 1000",
         rise, along, profile.arc_mm[i - 1], steepest);
-    return rule;
   }
   return {};
 }

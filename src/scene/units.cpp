@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "scene/histories.hpp"
 #include "scene/validate.hpp"
 
@@ -20,28 +20,23 @@ constexpr double least_motion_mm = 1e-6,
                  smallest_motion_mm =
                      1e-4;  ///< a motion between the two is probably in metres; a smaller one is intended
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[240];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
-
 void look_at_modulus(const Entry& material, Issues& found) {
   const double E = material.number("E_MPa");
   if (E <= stiffest_MPa) return;
-  found.push_back({material.key("E_MPa"), material.written("E_MPa"),
-                   text("no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be %.4g; for a "
-                        "body that does not "
-                        "deform write rigid = true",
-                        1e-6 * E)});
+  found.push_back(
+      {material.key("E_MPa"), material.written("E_MPa"),
+       base::formatted("no solid has more than 1e9 MPa (steel 2.1e5, diamond 1.2e6); in Pa it would be %.4g; for a "
+                       "body that does not "
+                       "deform write rigid = true",
+                       1e-6 * E)});
 }
 
 void look_at_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& found) {
   if (contact.friction <= most_friction) return;
-  found.push_back({entry.key("friction"), entry.written("friction"),
-                   text("no dry contact has a coefficient of friction above %g; in per cent it would be %.4g",
-                        most_friction, contact.friction / 100.0)});
+  found.push_back(
+      {entry.key("friction"), entry.written("friction"),
+       base::formatted("no dry contact has a coefficient of friction above %g; in per cent it would be %.4g",
+                       most_friction, contact.friction / 100.0)});
 }
 
 void look_at_coefficients(const Entry& wear, Issues& found) {
@@ -49,9 +44,9 @@ void look_at_coefficients(const Entry& wear, Issues& found) {
   const auto look = [&](const char* name, double least, double most, const std::string& much, double by,
                         const std::string& small, double up) {
     const double value = wear.maybe_number(name).value_or(0.0);
-    if (value > most) found.push_back({wear.key(name), wear.written(name), much + text("%.4g", value * by)});
+    if (value > most) found.push_back({wear.key(name), wear.written(name), much + base::formatted("%.4g", value * by)});
     if (value > 0.0 && value < least)
-      found.push_back({wear.key(name), wear.written(name), small + text("%.4g", value * up)});
+      found.push_back({wear.key(name), wear.written(name), small + base::formatted("%.4g", value * up)});
   };
   for (const char* name : {"secondary_mm3_per_J", "primary_mm3_per_J"})
     look(name, smallest_mm3_per_J, cutting_mm3_per_J,
@@ -68,9 +63,10 @@ void look_at_motions(const Entry& support, const Scene& scene, Issues& found) {
     for (const auto& part : support.parts(name)) {
       const double way = part.number("motion_mm"), most = std::abs(way) * largest_factor(scene, part.text("history"));
       if (most < least_motion_mm || most >= smallest_motion_mm) continue;
-      found.push_back({part.key("motion_mm"), part.written("motion_mm"),
-                       text("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g",
-                            most, way * 1e3)});
+      found.push_back(
+          {part.key("motion_mm"), part.written("motion_mm"),
+           base::formatted("moves by %.4g mm at most, less than a tenth of a micrometre; in metres it would be %.4g",
+                           most, way * 1e3)});
     }
   }
 }
@@ -79,7 +75,7 @@ void look_at_jump(const Entry& step, Issues& found) {
   const double cycles = step.number("cycles"), jump = step.maybe_number("jump").value_or(1.0);
   if (cycles == 0.0 || jump <= cycles) return;
   found.push_back({step.key("jump"), step.written("jump"),
-                   text("is more than cycles = %g: the step is one block of %g cycles", cycles, cycles)});
+                   base::formatted("is more than cycles = %g: the step is one block of %g cycles", cycles, cycles)});
 }
 
 }  // namespace

@@ -13,28 +13,28 @@ namespace reye::scene {
 
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 template <class Items>
-Names names_of(const Items& items) {
-  Names names;
+NameList names_of(const Items& items) {
+  NameList names;
   for (const auto& item : items) names.push_back(item.name);
   return names;
 }
 
 template <class Value>
-Names keys_of(const std::map<std::string, Value>& items) {
-  Names names;
+NameList keys_of(const std::map<std::string, Value>& items) {
+  NameList names;
   for (const auto& [name, value] : items) names.push_back(name);
   return names;
 }
 
-bool holds(const Names& names, const std::string& name) {
+bool holds(const NameList& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// The name written under `key`, if any, must be one of `names`.
-void refer(const Entry& entry, std::string_view key, const std::string& what, const Names& names, Issues& issues) {
+void refer(const Entry& entry, std::string_view key, const std::string& what, const NameList& names, Issues& issues) {
   const auto name = entry.text(key);
   if (name.empty() || holds(names, name)) return;
   issues.push_back({entry.key(key), entry.written(key), unknown_name_rule(what, name, names)});
@@ -42,7 +42,7 @@ void refer(const Entry& entry, std::string_view key, const std::string& what, co
 
 constexpr std::string_view motions[] = {"x", "y", "tangent", "normal", "rotation"};
 
-void check_histories(const Entry& root, const Names& histories, Issues& issues) {
+void check_histories(const Entry& root, const NameList& histories, Issues& issues) {
   for (const auto& support : root.all("support"))
     for (const auto motion : motions)
       for (const auto& part : support.parts(motion)) refer(part, "history", "history", histories, issues);
@@ -55,7 +55,7 @@ void check_histories(const Entry& root, const Names& histories, Issues& issues) 
   }
 }
 
-void check_step(const Entry& step, const Names& histories, Issues& issues) {
+void check_step(const Entry& step, const NameList& histories, Issues& issues) {
   std::set<std::string> seen;
   for (const auto& name : step.texts("play")) {
     if (!holds(histories, name))

@@ -32,7 +32,7 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
   turned_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const bool turns = !std::holds_alternative<body::LinearBody>(system.bodies[b]);
-    const auto count = turns ? std::visit([](const auto& o) { return o.contact_nodes().size(); }, system.bodies[b]) : 0;
+    const auto count = turns ? body::contact_nodes(system.bodies[b]).size() : 0;
     turned_[b].assign(count, Vec2::Zero());
   }
   Eigen::Index k = 0;

@@ -1,8 +1,8 @@
 #include "solver/contacts_in_reach.hpp"
 
-#include <cstdio>
 #include <utility>
 
+#include "base/formatted.hpp"
 #include "solver/mobility.hpp"
 #include "solver/passage.hpp"
 
@@ -82,14 +82,11 @@ std::string ContactsInReach::passed_through() const {
   for (std::size_t c = 0; c < faces_.size(); ++c) {
     const auto found = passage(faces_[c], start_[c], sides_[c]);
     if (!found) continue;
-    char text[240];
-    std::snprintf(
-        text, sizeof text,
+    return base::formatted(
         "node %d at (%.4g, %.4g) mm went through the other side of contact %s, to %.3g mm behind it: it moved "
         "farther in this increment than search_mm = %.3g sees",
         found->node.mesh_node, found->x.x(), found->x.y(), faces_[c].setup().options.name.c_str(), found->depth,
         faces_[c].setup().search);
-    return text;
   }
   return {};
 }

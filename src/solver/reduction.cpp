@@ -8,7 +8,7 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
   const auto out = reach.columns_out(system);
   parts_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int n = std::visit([](const auto& o) { return o.dofs(); }, system.bodies[b]);
+    const int n = body::dofs(system.bodies[b]);
     auto [near, far] = columns_.add(n, [&](int column) { return out[column]; });
     if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b])) {
       const auto& translation = linear->translation();

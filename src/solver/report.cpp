@@ -1,6 +1,6 @@
 #include "solver/report.hpp"
 
-#include <cstdio>
+#include "base/formatted.hpp"
 
 namespace reye::solver {
 
@@ -8,15 +8,10 @@ namespace {
 
 using Placed = std::vector<std::vector<PlacedNode>>;
 
-std::string short_number(double value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1e", value);
-  return text;
-}
+std::string short_number(double value) { return base::formatted("%.1e", value); }
 
 std::string node_in_words(int mesh_node, const Vec2& x, const std::string& owner) {
-  char text[80];
-  std::snprintf(text, sizeof text, "node %d at (%.4g, %.4g) mm of ", mesh_node, x.x(), x.y());
+  const std::string text = base::formatted("node %d at (%.4g, %.4g) mm of ", mesh_node, x.x(), x.y());
   return text + owner;
 }
 

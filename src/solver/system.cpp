@@ -73,7 +73,7 @@ Vector arms(const System& system) {
     if (std::holds_alternative<body::RigidBody>(system.bodies[b])) arm[system.offset[b] + turning] = system.extent;
     if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[b]); linear && linear->turning())
       arm[system.offset[b] + linear->turning()->angle] = system.extent;
-    for (const auto& s : std::visit([](const auto& o) { return o.support_columns(); }, system.bodies[b]))
+    for (const auto& s : body::support_columns(system.bodies[b]))
       if (s.motion == turning) arm[system.offset[b] + s.column] = system.extent;
   }
   return arm;

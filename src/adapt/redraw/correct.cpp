@@ -70,12 +70,12 @@ double gain(Analysis analysis, const Points& p, const Points& d, double volume, 
 }
 
 /// Signed distance, outward positive, of a point from the nearest place of a polyline, and where that is.
-struct Beside {
+struct FootOnLine {
   std::size_t segment = 0;
   double s = 0.0, distance = 0.0;
 };
 
-Beside beside(const SegmentTree& tree, const Points& line, const Vec2& x) {
+FootOnLine beside(const SegmentTree& tree, const Points& line, const Vec2& x) {
   const auto foot = tree.nearest(x);
   const auto k = static_cast<std::size_t>(foot.segment);
   const Vec2 e = line[k + 1] - line[k];
@@ -93,7 +93,7 @@ std::vector<std::array<double, 2>> heights(const Points& old, const Points& fres
   std::vector<std::array<double, 2>> h;
   const SegmentTree on_fresh = tree_of(fresh), on_old = tree_of(old);
   for (std::size_t j = 1; j + 1 < old.size(); ++j) {
-    const Beside b = beside(on_fresh, fresh, old[j]);
+    const FootOnLine b = beside(on_fresh, fresh, old[j]);
     h.push_back({arc[b.segment] + b.s * (arc[b.segment + 1] - arc[b.segment]), b.distance});
   }
   for (std::size_t k = 0; k < fresh.size(); ++k) {

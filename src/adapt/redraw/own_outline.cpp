@@ -8,6 +8,7 @@
 
 #include "adapt/redraw/trace.hpp"
 #include "mesh/measure.hpp"
+#include "mesh/outline.hpp"
 
 namespace reye::adapt {
 
@@ -15,8 +16,6 @@ namespace {
 
 using base::Points;
 using base::Vec2;
-
-constexpr double corner = std::numbers::pi / 6.0;
 
 using Facets = std::set<std::pair<int, int>>;
 
@@ -38,7 +37,7 @@ std::vector<bool> belongs(const std::vector<Facets>& boundaries, const mesh::Cha
 bool ends_at(const mesh::Mesh& mesh, const std::vector<Facets>& boundaries, const mesh::Chain& loop, std::size_t i) {
   const std::size_t before = i == 0 ? loop.size() - 2 : i - 1;
   const Vec2 in = mesh.X[loop[i]] - mesh.X[loop[before]], out = mesh.X[loop[i + 1]] - mesh.X[loop[i]];
-  return std::abs(std::atan2(base::cross(in, out), in.dot(out))) > corner ||
+  return std::abs(std::atan2(base::cross(in, out), in.dot(out))) > mesh::corner_angle ||
          belongs(boundaries, loop, before) != belongs(boundaries, loop, i);
 }
 

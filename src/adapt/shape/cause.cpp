@@ -21,12 +21,12 @@ Vec2 centroid(const mesh::Mesh& mesh, int cell) {
   return sum / n;
 }
 
-using Facet = std::pair<int, int>;
+using FacetEnds = std::pair<int, int>;
 
 /// Height of the cell behind every outline facet (half edge in second order): its area over the edge's length, twice
 /// that for triangles.
-std::map<Facet, double> heights(const mesh::Mesh& mesh) {
-  std::map<Facet, double> result;
+std::map<FacetEnds, double> heights(const mesh::Mesh& mesh) {
+  std::map<FacetEnds, double> result;
   for (const auto& loop : mesh.outline)
     for (std::size_t i = 0; i + 1 < loop.size(); ++i) result[{loop[i], loop[i + 1]}] = 0.0;
   const int n = mesh::corners(mesh.kind);

@@ -68,16 +68,16 @@ bool clash(const base::Points& X, const Facet& f, const Facet& g) {
   return CGAL::do_intersect(Kernel::Segment_2(at(f.a), at(f.b)), Kernel::Segment_2(at(g.a), at(g.b)));
 }
 
-using Nodes = std::array<int, 2>;
+using SegmentNodes = std::array<int, 2>;
 
-bool on(const mesh::Boundary& boundary, const Nodes& facet) {
+bool on(const mesh::Boundary& boundary, const SegmentNodes& facet) {
   for (const auto& chain : boundary)
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       if (chain[i] == facet[0] && chain[i + 1] == facet[1]) return true;
   return false;
 }
 
-std::set<std::string> names_of(const mesh::Mesh& mesh, const Nodes& facet) {
+std::set<std::string> names_of(const mesh::Mesh& mesh, const SegmentNodes& facet) {
   std::set<std::string> names;
   for (const auto& [name, boundary] : mesh.boundaries)
     if (on(boundary, facet)) names.insert(name);
@@ -85,7 +85,7 @@ std::set<std::string> names_of(const mesh::Mesh& mesh, const Nodes& facet) {
 }
 
 /// A boundary of the facet that the other one is not on; "" when it has none.
-std::string own_name(const mesh::Mesh& mesh, const Nodes& facet, const Nodes& other) {
+std::string own_name(const mesh::Mesh& mesh, const SegmentNodes& facet, const SegmentNodes& other) {
   const auto theirs = names_of(mesh, other);
   for (const auto& name : names_of(mesh, facet))
     if (!theirs.contains(name)) return "boundary '" + name + "'";
@@ -96,7 +96,7 @@ struct Place {
   std::size_t loop = 0, facet = 0;
 };
 
-Place place_of(const mesh::Mesh& mesh, const Nodes& facet) {
+Place place_of(const mesh::Mesh& mesh, const SegmentNodes& facet) {
   for (std::size_t l = 0; l < mesh.outline.size(); ++l)
     for (std::size_t i = 0; i + 1 < mesh.outline[l].size(); ++i)
       if (mesh.outline[l][i] == facet[0] && mesh.outline[l][i + 1] == facet[1]) return {l, i};
@@ -119,7 +119,7 @@ bool same_side(const mesh::Mesh& mesh, const Crossing& c) {
 }  // namespace
 
 std::string meaning(const Crossing& c, const mesh::Mesh& now, const mesh::Mesh& born) {
-  const auto worn = [&](const Nodes& f) { return now.X[f[0]] != born.X[f[0]] || now.X[f[1]] != born.X[f[1]]; };
+  const auto worn = [&](const SegmentNodes& f) { return now.X[f[0]] != born.X[f[0]] || now.X[f[1]] != born.X[f[1]]; };
   if (same_side(now, c)) return "the worn outline crosses itself";
   const bool both = worn(c.first) && worn(c.second);
   if (both && place_of(now, c.first).loop == place_of(now, c.second).loop) return "the body is worn into two pieces";

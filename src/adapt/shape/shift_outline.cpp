@@ -23,14 +23,12 @@ struct Steps {
   std::vector<Facet> facets;  ///< that these move
 };
 
-Vec2 unit(const Vec2& v) { return v.normalized(); }
-
 /// Direction of a vertex that belongs to the boundary with the facet before it, the one after it or both.
 Vec2 outwards(const Points& P, const Outline& outline, int node, bool before, bool after) {
   const Facet first = outline.facet_before(node), second = outline.facet_after(node);
-  const Vec2 in = unit(P[node] - P[first.c >= 0 ? first.c : first.a]);
-  const Vec2 out = unit(P[second.c >= 0 ? second.c : second.b] - P[node]);
-  if (before && after) return unit(base::right_of(in) + base::right_of(out));
+  const Vec2 in = (P[node] - P[first.c >= 0 ? first.c : first.a]).normalized();
+  const Vec2 out = (P[second.c >= 0 ? second.c : second.b] - P[node]).normalized();
+  if (before && after) return (base::right_of(in) + base::right_of(out)).normalized();
   const Vec2 normal = base::right_of(before ? in : out), side = before ? out : in;
   const double turning = std::abs(std::atan2(base::cross(in, out), in.dot(out))), along = side.dot(normal);
   constexpr double least_along = 0.2;
@@ -69,8 +67,9 @@ Steps steps_of(const mesh::Mesh& mesh, const Outline& outline, const std::vector
       if (shift.by[k] == 0.0 && shift.free[k] == 0.0) continue;
       const int node = nodes[k];
       const auto& [before, after] = sides.at(node);
-      const Vec2 d = outline.middle[node] ? unit(base::right_of(P[outline.after[node]] - P[outline.before[node]]))
-                                          : outwards(P, outline, node, before, after);
+      const Vec2 d = outline.middle[node]
+                         ? base::right_of(P[outline.after[node]] - P[outline.before[node]]).normalized()
+                         : outwards(P, outline, node, before, after);
       steps.by[node] += shift.by[k] * d;
       steps.free[node] += shift.free[k] * d;
     }

@@ -13,18 +13,18 @@ namespace {
 
 using base::Points;
 using base::Vec2;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ExactKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, int>;
 
 /// A convex polygon, counter-clockwise, of a cell.
-struct Part {
+struct ConvexPart {
   int cell;
   double sign;
   Points polygon;
 };
 
 CGAL::Orientation turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return CGAL::orientation(Kernel::Point_2(a.x(), a.y()), {b.x(), b.y()}, {c.x(), c.y()});
+  return CGAL::orientation(ExactKernel::Point_2(a.x(), a.y()), {b.x(), b.y()}, {c.x(), c.y()});
 }
 
 /// The outline of a cell: its corners, and the mid nodes that are off the chord by more than round-off.
@@ -49,7 +49,7 @@ bool convex(const Points& p) {
   return true;
 }
 
-void add_parts(int cell, const Points& p, std::vector<Part>& parts) {
+void add_parts(int cell, const Points& p, std::vector<ConvexPart>& parts) {
   if (convex(p)) {
     parts.push_back({cell, 1.0, p});
     return;
@@ -61,13 +61,13 @@ void add_parts(int cell, const Points& p, std::vector<Part>& parts) {
   }
 }
 
-std::vector<Part> parts_of(const mesh::Mesh& mesh) {
-  std::vector<Part> parts;
+std::vector<ConvexPart> parts_of(const mesh::Mesh& mesh) {
+  std::vector<ConvexPart> parts;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) add_parts(cell, outline_of(mesh, mesh.cells[cell]), parts);
   return parts;
 }
 
-std::vector<Box> boxes_of(const std::vector<Part>& parts) {
+std::vector<Box> boxes_of(const std::vector<ConvexPart>& parts) {
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
     CGAL::Bbox_2 box;

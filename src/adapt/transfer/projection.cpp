@@ -29,8 +29,7 @@ struct Affine {
 
 Eigen::Vector3d monomials(const Vec2& d) { return {1.0, d.x(), d.y()}; }
 
-constexpr double round_off = 1e-14;
-bool degenerate(const Eigen::Matrix2d& S) { return S.determinant() <= round_off * S.trace() * S.trace(); }
+bool degenerate(const Eigen::Matrix2d& S) { return S.determinant() <= 1e-14 * S.trace() * S.trace(); }
 
 Vec2 centre_of(const GaussPoints& points, int cell) {
   Vec2 sum = Vec2::Zero();

@@ -15,7 +15,7 @@ using Values = std::vector<double>;
 using Foot = SegmentTree::Foot;
 
 /// Two distances are equal within this share of the largest coordinate.
-constexpr double round_off = 1e-13;
+constexpr double same_place = 1e-13;
 
 double largest_coordinate(const Surface& surface) {
   double largest = 0.0;
@@ -100,7 +100,7 @@ Foot refined(const Surface& s, const Line& line, const Foot& on_chord, const Vec
 
 /// The closest point of `on` (its facets in `line`) for every node of `nodes`.
 std::vector<Foot> feet(const Surface& on, const Line& line, const Surface& nodes) {
-  const double same = round_off * largest_coordinate(on);
+  const double same = same_place * largest_coordinate(on);
   std::vector<Foot> result;
   for (int k = 0; k < nodes.node_count(); ++k) {
     const Vec2 x = place(nodes, k);

@@ -1,13 +1,13 @@
 #include "cad/build/importer.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <thread>
 
+#include "base/formatted.hpp"
 #include "cad/build/importer_process.hpp"
 #include "cad/meshing/kernel.hpp"
 #include "cad/part/raw_bytes.hpp"
@@ -16,11 +16,7 @@ namespace reye::cad {
 
 namespace {
 
-std::string exactly(double x) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%a", x);
-  return digits;
-}
+std::string exactly(double x) { return base::formatted("%a", x); }
 
 /// What import/main.cpp receives: whether to trust, the folder, the section's point and normal or "-", the files.
 std::vector<std::string> words_for(const GeometryOptions& options, std::size_t first) {

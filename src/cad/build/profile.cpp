@@ -11,8 +11,8 @@ namespace reye::cad {
 
 namespace {
 
-constexpr double tolerance = 1e-9;  // mm, of heights at ends
-constexpr double smooth = 1e-3;     // rad: a joint that turns by more is a corner
+constexpr double height_tolerance = 1e-9;  // mm, of heights at ends
+constexpr double smooth = 1e-3;            // rad: a joint that turns by more is a corner
 
 /// The edges of a boundary in the order of the loop.
 struct Run {
@@ -69,7 +69,7 @@ void check_range(const Profile& profile, double length) {
     throw DoesNotFit{"reaches to arc length " + text(s.back()) + " mm; the boundary is " + text(length) + " mm long"};
   for (const auto& [arc, height, inside] :
        {std::tuple{s.front(), h.front(), s.front() > slack}, std::tuple{s.back(), h.back(), s.back() < length - slack}})
-    if (inside && std::abs(height) > tolerance)
+    if (inside && std::abs(height) > height_tolerance)
       throw DoesNotFit{"the height at arc length " + text(arc) + " mm, where it ends within the boundary, is " +
                        text(height) + " mm; it must be 0 there"};
   for (double height : h)
@@ -172,7 +172,7 @@ void join(Part& part, const Part& before, const Run& run) {
   for (std::size_t i = 0; i + 1 < run.edges.size(); ++i)
     loop[run.edges[i + 1]].knots.front() = loop[run.edges[i]].knots.back();
   const auto settle = [&](Vec2& end, const Vec2& old_end, int neighbour) {
-    if ((end - old_end).norm() <= tolerance)
+    if ((end - old_end).norm() <= height_tolerance)
       end = old_end;
     else
       loop[neighbour] = stretched(loop[neighbour], old_end, end);

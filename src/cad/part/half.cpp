@@ -11,13 +11,13 @@ namespace reye::cad {
 namespace {
 
 /// Edges at x >= 0 that follow one another, with the edges of the whole that they come from.
-struct Run {
+struct HalfRun {
   Loop edges;
   std::vector<std::array<int, 2>> whole;
 };
 
 /// The part of a loop at x > 0: runs from axis to axis, or the whole loop as a closed one.
-std::vector<Run> runs_of(const Part& part, int loop, double width, bool& closed) {
+std::vector<HalfRun> runs_of(const Part& part, int loop, double width, bool& closed) {
   std::vector<AxisPiece> pieces;
   std::vector<std::array<int, 2>> whole;
   for (int k = 0; k < static_cast<int>(part.loops[static_cast<std::size_t>(loop)].size()); ++k)
@@ -30,7 +30,7 @@ std::vector<Run> runs_of(const Part& part, int loop, double width, bool& closed)
   closed = std::all_of(pieces.begin(), pieces.end(), right);
   const auto first =
       closed ? 0 : static_cast<std::size_t>(std::find_if_not(pieces.begin(), pieces.end(), right) - pieces.begin());
-  std::vector<Run> runs;
+  std::vector<HalfRun> runs;
   bool open = false;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t k = (first + i) % pieces.size();
@@ -51,7 +51,7 @@ struct AxisEnd {
 };
 
 /// For each run, the one that continues from where it ends, down the axis.
-std::vector<std::size_t> next_runs(const std::vector<Run>& runs) {
+std::vector<std::size_t> next_runs(const std::vector<HalfRun>& runs) {
   std::vector<AxisEnd> ends;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     ends.push_back({runs[r].edges.front().first().y(), true, r});
@@ -70,7 +70,7 @@ std::vector<std::size_t> next_runs(const std::vector<Run>& runs) {
 }
 
 /// Runs and lines along the axis, one loop after the other.
-void join(const std::vector<Run>& runs, Half& half) {
+void join(const std::vector<HalfRun>& runs, Half& half) {
   const auto next = next_runs(runs);
   std::vector<char> used(runs.size(), 0);
   for (std::size_t first = 0; first < runs.size(); ++first) {
@@ -99,10 +99,10 @@ double area_within(const Loop& loop) {
 Half half_of(const Part& part) {
   const double width = axis_width(part);
   Half half{{part.label, {}, {}, part.file}, {}};
-  std::vector<Run> open;
+  std::vector<HalfRun> open;
   for (int k = 0; k < static_cast<int>(part.loops.size()); ++k) {
     bool closed = false;
-    for (Run& run : runs_of(part, k, width, closed)) {
+    for (HalfRun& run : runs_of(part, k, width, closed)) {
       if (closed) {
         half.part.loops.push_back(std::move(run.edges));
         half.whole.push_back(std::move(run.whole));

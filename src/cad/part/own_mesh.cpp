@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mesh/measure.hpp"
 #include "mesh/outline.hpp"
@@ -11,8 +10,6 @@
 namespace reye::cad {
 
 namespace {
-
-constexpr double corner = std::numbers::pi / 6.0;
 
 const std::set<std::string>& names_of(const RawMesh& mesh, int a, int b) {
   static const std::set<std::string> none;
@@ -32,7 +29,7 @@ bool ends_at(const RawMesh& raw, const Points& X, const mesh::Chain& loop, std::
     in = mesh::QuadraticEdge{X[before], X[loop[(i + last - 1) % last]], X[here]}.tangent(1.0);
     out = mesh::QuadraticEdge{X[here], X[loop[i + 1]], X[after]}.tangent(-1.0);
   }
-  return std::abs(std::atan2(base::cross(in, out), in.dot(out))) > corner ||
+  return std::abs(std::atan2(base::cross(in, out), in.dot(out))) > mesh::corner_angle ||
          names_of(raw, before, here) != names_of(raw, here, after);
 }
 

@@ -9,7 +9,7 @@ namespace reye::cad {
 
 namespace {
 
-constexpr double tolerance = 1e-6;  // mm; gmsh and CAD round their boxes
+constexpr double box_tolerance = 1e-6;  // mm; gmsh and CAD round their boxes
 
 std::string list(const std::vector<std::string>& items) {
   constexpr std::size_t shown = 12;
@@ -55,8 +55,8 @@ std::string list_edges(const Part& part) {
 }
 
 bool inside(const std::array<double, 4>& inner, const std::array<double, 4>& outer) {
-  return inner[0] >= outer[0] - tolerance && inner[1] >= outer[1] - tolerance && inner[2] <= outer[2] + tolerance &&
-         inner[3] <= outer[3] + tolerance;
+  return inner[0] >= outer[0] - box_tolerance && inner[1] >= outer[1] - box_tolerance &&
+         inner[2] <= outer[2] + box_tolerance && inner[3] <= outer[3] + box_tolerance;
 }
 
 /// Keeps the chosen edges for which `belongs` holds; says whether any is left.
@@ -86,7 +86,7 @@ std::vector<std::string> keep_nearest(const Part& part, EdgeChoice& choice, cons
   });
   std::vector<std::string> nearest;
   narrow(part, choice, [&](const Edge& edge) {
-    const bool belongs = foot_on(edge, p).distance <= smallest + tolerance;
+    const bool belongs = foot_on(edge, p).distance <= smallest + box_tolerance;
     if (belongs) nearest.push_back(describe(edge));
     return belongs;
   });

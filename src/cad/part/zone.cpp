@@ -1,4 +1,5 @@
 #include "cad/part/zone.hpp"
+#include "mesh/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace reye::cad {
 
 namespace {
 
-constexpr double corner = std::numbers::pi / 6.0;
 constexpr double remainder_elements = 0.75;  // shorter leftovers of an edge join the zone
 
 struct Place {
@@ -83,7 +83,7 @@ std::pair<std::vector<Stretch>, bool> walk(const Loop& loop, const Place& start,
       stretches.push_back({k, std::min(from, reached), std::max(from, reached)});
     if (reached != end) return {stretches, true};
     const Edge& next = loop[(k + step + edges) % edges];
-    if (n < edges && (step > 0 ? kink(edge, next) : kink(next, edge)) > corner) return {stretches, false};
+    if (n < edges && (step > 0 ? kink(edge, next) : kink(next, edge)) > mesh::corner_angle) return {stretches, false};
   }
   return {stretches, false};
 }

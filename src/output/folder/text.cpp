@@ -4,9 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
+#include "base/formatted.hpp"
 #include "base/printable.hpp"
 
 namespace reye::output {
@@ -27,14 +27,11 @@ std::string power_of_ten(int exponent) {
 std::string rounded(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   const double size = std::abs(value);
-  std::array<char, 64> buffer;
   if (size == 0.0 || (size >= 1e-3 && size < 1e6)) {
     const int whole = size < 1.0 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", std::max(digits, whole), value);
-    return buffer.data();
+    return base::formatted("%.*g", std::max(digits, whole), value);
   }
-  std::snprintf(buffer.data(), buffer.size(), "%.*e", digits - 1, value);
-  const std::string text(buffer.data());
+  const std::string text = base::formatted("%.*e", digits - 1, value);
   const auto e = text.find('e');
   return text.substr(0, e) + " · " + power_of_ten(std::stoi(text.substr(e + 1)));
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "output/folder/text.hpp"
 
 namespace reye::output {
@@ -15,11 +15,7 @@ constexpr double width = 720.0, left = 76.0, bottom_space = 52.0, plot_height = 
 constexpr const char* ink = "#2b2f36";
 constexpr const char* faint = "#e3e6ea";
 
-std::string fixed(double value) {
-  std::array<char, 64> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "%.2f", value);
-  return buffer.data();
-}
+std::string fixed(double value) { return base::formatted("%.2f", value); }
 
 std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + fixed(value) + '"'; }
 
@@ -161,9 +157,7 @@ std::string draw_line(const Line& line, const Layout& at) {
 std::string timing(std::size_t k, std::size_t count) {
   if (count < 2) return {};
   const auto part = [&](std::size_t i) {
-    std::array<char, 32> buffer;
-    std::snprintf(buffer.data(), buffer.size(), "%.6f", static_cast<double>(i) / static_cast<double>(count));
-    return std::string(buffer.data());
+    return base::formatted("%.6f", static_cast<double>(i) / static_cast<double>(count));
   };
   std::string values = k == 0 ? "inline" : "none;inline", times = k == 0 ? "0" : "0;" + part(k);
   if (k + 1 < count) {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "output/report/plot.hpp"
 
 namespace reye::output {
@@ -13,12 +13,10 @@ std::string scale_colour(double t) {
   const double position = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0) * (stops.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(position), stops.size() - 2);
   const double f = position - static_cast<double>(i);
-  std::array<char, 16> hex;
   const auto mixed = [&](std::size_t c) {
     return static_cast<unsigned>(std::lround((1.0 - f) * stops[i][c] + f * stops[i + 1][c])) & 255u;
   };
-  std::snprintf(hex.data(), hex.size(), "#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
-  return hex.data();
+  return base::formatted("#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
 }
 
 std::string line_colour(std::size_t i) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include "base/formatted.hpp"
 
 namespace reye::output {
 
@@ -19,9 +19,7 @@ double nice_step(double range, int target) {
 }
 
 std::string fixed(double value, int decimals) {
-  std::array<char, 64> buffer;
-  std::snprintf(buffer.data(), buffer.size(), "%.*f", decimals, std::abs(value));
-  return (value < 0.0 ? "−" : "") + std::string(buffer.data());
+  return (value < 0.0 ? "−" : "") + base::formatted("%.*f", decimals, std::abs(value));
 }
 
 }  // namespace

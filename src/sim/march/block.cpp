@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
+#include "base/formatted.hpp"
 #include "sim/march/watch_contacts.hpp"
 #include "sim/measure/bond_traction.hpp"
 #include "sim/measure/figures.hpp"
@@ -60,9 +60,7 @@ struct Playing {
 std::string in_words_of_overlap(const std::map<std::string, double>& factors) {
   const auto left = factors.find(overlap_left);
   if (left == factors.end() || left->second == 1.0) return {};
-  char words[80];
-  std::snprintf(words, sizeof words, ", %.3g %% of the drawn overlap let in", 100.0 * (1.0 - left->second));
-  return words;
+  return base::formatted(", %.3g %% of the drawn overlap let in", 100.0 * (1.0 - left->second));
 }
 
 void note_cutback(State& state, const std::string& where, const Observer& observer) {
@@ -117,8 +115,7 @@ void accept(const Problem& problem, State& state, const solver::System& system, 
 /// Where an increment has failed.
 std::string place_of(const State& state, const BlockSpan& span, const std::map<std::string, double>& factors,
                      double from, double to) {
-  char progress[120];
-  std::snprintf(progress, sizeof progress, "\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
+  const std::string progress = base::formatted("\", cycle %.9g, progress %.4g to %.4g", state.cycle, from, to);
   return "step \"" + span.step->name + progress + in_words_of_overlap(factors) + ": ";
 }
 

@@ -1,8 +1,8 @@
 #include "sim/march/extend.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "scene/check.hpp"
 #include "sim/measure/intact.hpp"
 #include "sim/measure/limit_measure.hpp"
@@ -28,9 +28,7 @@ void forget_limits(const Problem& problem, const std::set<std::string>& others, 
 }
 
 std::string passed(double measure, double cycle) {
-  char text[120];
-  std::snprintf(text, sizeof text, "the run has passed it already: it stands at %.4g at cycle %.9g", measure, cycle);
-  return text;
+  return base::formatted("the run has passed it already: it stands at %.4g at cycle %.9g", measure, cycle);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "sim/march/block.hpp"
 #include "sim/march/recording.hpp"
 #include "sim/problem/warnings.hpp"
@@ -16,9 +16,7 @@ constexpr double shorter = 0.25;  ///< of the cycles of a block that failed, for
 
 void tell(const BlockSpan& span, double wanted, const std::string& failure, State& state, const Observer& observer) {
   if (observer.log) observer.log("shortened: " + failure);
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
+  const std::string text = base::formatted(
       "A block of %g cycles failed at cycle %g; from there on blocks have %g (the log says why). Write jump = %g, or "
       "jump = { tolerance = 0.01 }.",
       wanted, state.cycle - span.jump, span.jump, span.jump);

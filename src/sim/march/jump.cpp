@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
 
+#include "base/formatted.hpp"
 #include "sim/march/block.hpp"
 #include "sim/march/recording.hpp"
 #include "sim/measure/correction.hpp"
@@ -20,7 +20,7 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double fewest = 1.0;      ///< cycles of a block without a jump: it is played once and has no error
+constexpr double unjumped = 1.0;    ///< cycles of a block without a jump: it is played once and has no error
 constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
 constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
@@ -37,7 +37,7 @@ double removed(const State& state) {
 }
 
 /// Both ends of a block, before its shape step.
-struct Attempt {
+struct TwicePlayed {
   State once, halves;
   std::vector<contact::ContactState> half_way;
   std::map<std::string, double> middle;  ///< measures of the limits after the first half
@@ -46,9 +46,9 @@ struct Attempt {
   Counts counts;
 };
 
-Attempt try_block(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& coarse,
-                  const Observer& fine) {
-  Attempt attempt;
+TwicePlayed try_block(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& coarse,
+                      const Observer& fine) {
+  TwicePlayed attempt;
   attempt.counts = state.counts;
   span.remesh = false;  // nodes must be equal at both ends
   const auto over = [&](const Outcome& outcome) {
@@ -86,16 +86,11 @@ Attempt try_block(const Problem& problem, const State& state, Cache& cache, Bloc
 
 void tell(const Observer& observer, const BlockSpan& span, double cycle, const std::string& what) {
   if (!observer.log) return;
-  char text[120];
-  std::snprintf(text, sizeof text, ", cycle %g, block of %g cycles: ", cycle, span.jump);
+  const std::string text = base::formatted(", cycle %g, block of %g cycles: ", cycle, span.jump);
   observer.log("step \"" + span.step->name + '"' + text + what);
 }
 
-std::string estimated(double error) {
-  char text[80];
-  std::snprintf(text, sizeof text, "estimated error %.3g %%", 100.0 * error);
-  return text;
-}
+std::string estimated(double error) { return base::formatted("estimated error %.3g %%", 100.0 * error); }
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
 /// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
@@ -201,7 +196,7 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   BlockSpan block = span;
   block.jump = without_levelling(span);
   block.last = span.last && !span.level;
-  Attempt attempt = try_block(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
+  TwicePlayed attempt = try_block(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
   trial.outcome = {start, attempt.failure, attempt.interrupted};
   trial.outcome.state.counts = attempt.counts;
   if (!attempt.failure.empty() || attempt.interrupted) return;
@@ -244,13 +239,13 @@ double next_jump(double jump, double share, double error, double tolerance, doub
       rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
   const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // factor of the share
   const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
-  return std::max(fewest, jump * std::clamp(factor, most_cut, most_growth));
+  return std::max(unjumped, jump * std::clamp(factor, most_cut, most_growth));
 }
 
 Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span,
                         const Observer& observer) {
   State start = state;
-  while (span.jump > fewest) {
+  while (span.jump > unjumped) {
     Trial trial;
     play_trial(problem, start, cache, span, observer, trial);
     Outcome& outcome = trial.outcome;
@@ -277,12 +272,12 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
     ++start.counts.refused_blocks;
     const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
     const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
-    span.jump = std::max(fewest, factor * span.jump);
+    span.jump = std::max(unjumped, factor * span.jump);
     span.last = span.level = false;
     if (trial.too_long && start.step_cycles == 0.0) break;
   }
   const double tried = span.jump;
-  span.jump = std::min(fewest, span.jump);
+  span.jump = std::min(unjumped, span.jump);
   Outcome outcome = play_one_cycle(problem, start, cache, span, observer);
   outcome.state.jump = std::max(outcome.state.jump, tried);
   return outcome;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
+#include "base/formatted.hpp"
 #include "scene/choose_elements.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -13,8 +13,9 @@ namespace reye::sim {
 namespace {
 
 constexpr double most_lost =
-    2.5;                   ///< elements that a stick zone may lose: one at either end depends on which node is the last
-constexpr int fewest = 3;  ///< stick nodes of a zone: fewer may be a node on an axis, or one that has just touched
+    2.5;  ///< elements that a stick zone may lose: one at either end depends on which node is the last
+constexpr int fewest_stuck =
+    3;  ///< stick nodes of a zone: fewer may be a node on an axis, or one that has just touched
 
 struct Loaded {
   int stick = 0, slip = 0;  ///< nodes that carry pressure: through the block in stick, or not
@@ -58,27 +59,25 @@ std::optional<Warning> receding(const std::string& contact, const Widths& now, C
   const double lost = watch.stick_mm - now.stick, share = watch.stick_mm / watch.contact_mm;
   if (lost <= most_lost * watch.facet_mm || share >= 1.0) return std::nullopt;
   const double left = share * now.stick / watch.stick_mm;
-  char estimate[120] = "it wears without bound";
+  std::string estimate = "it wears without bound";
   if (left > 0.0)
-    std::snprintf(estimate, sizeof estimate,
-                  "by the estimate for a round contact the largest depth is %.0f %% too large in the end",
-                  100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
-  char words[400];
-  std::snprintf(words, sizeof words,
-                "its stick zone has receded from %.3g to %.3g mm by cycle %g, and would keep its width under "
-                "forces of one amplitude: %s; shorter elements hold its edge longer",
-                watch.stick_mm, now.stick, cycle, estimate);
+    estimate = base::formatted("by the estimate for a round contact the largest depth is %.0f %% too large in the end",
+                               100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
+  const std::string words = base::formatted(
+      "its stick zone has receded from %.3g to %.3g mm by cycle %g, and would keep its width under "
+      "forces of one amplitude: %s; shorter elements hold its edge longer",
+      watch.stick_mm, now.stick, cycle, estimate.c_str());
   return Warning{"stick_zone", "contact " + contact, words, lost / watch.stick_mm};
 }
 
 std::string text_of(const Loaded& nodes) {
   const double share = nodes.stick / static_cast<double>(nodes.stick + nodes.slip), left = receded(share);
-  char estimate[160] = "; by the estimate for a round contact it vanishes";
+  std::string estimate = "; by the estimate for a round contact it vanishes";
   if (left > 0.0)
-    std::snprintf(estimate, sizeof estimate,
-                  "; by the estimate for a round contact by %.0f %% of its width, and the largest "
-                  "depth is %.0f %% too large in the end",
-                  100.0 * (1.0 - left / share), 100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
+    estimate = base::formatted(
+        "; by the estimate for a round contact by %.0f %% of its width, and the largest "
+        "depth is %.0f %% too large in the end",
+        100.0 * (1.0 - left / share), 100.0 * (limit_depth(left) / limit_depth(share) - 1.0));
   return std::to_string(nodes.stick) + " of " + std::to_string(nodes.stick + nodes.slip) +
          " nodes in contact stick while the others slip and wear, and on elements of first order the edge of a stick "
          "zone "
@@ -116,7 +115,7 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
         warn(state, observer, std::move(*warning));
     if (system.contacts[c].secondary.order != 1) continue;
     const Loaded nodes = count(state.solution.contacts[c], slip_before[c]);
-    if (nodes.stick >= fewest && nodes.slip > 0)
+    if (nodes.stick >= fewest_stuck && nodes.slip > 0)
       warn(state, observer, {"stick_edge", "contact " + o.name, text_of(nodes)});
   }
 }

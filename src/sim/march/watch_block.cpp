@@ -1,8 +1,8 @@
 #include "sim/march/watch_block.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "sim/measure/small_strain.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -17,11 +17,10 @@ void watch_chosen_strain(const Problem& problem, State& state, const solver::Sys
   if (!now || *now <= before) return;
   state.small_strain_error = now;
   if (*now <= small_strain_bound) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "small strain was chosen, but its estimated error is %.2g %% at cycle %g: "
-                "kinematics = \"finite\" is without it",
-                100.0 * *now, state.cycle);
+  const std::string text = base::formatted(
+      "small strain was chosen, but its estimated error is %.2g %% at cycle %g: "
+      "kinematics = \"finite\" is without it",
+      100.0 * *now, state.cycle);
   warn(state, observer, {"strain", "", text, *now});
 }
 
@@ -37,11 +36,10 @@ double largest_plastic_strain(const State& state) {
 void watch_tolerance(const scene::Step& step, State& state, const Observer& observer) {
   const double error = state.jump_error.value_or(0.0);
   if (error <= step.jump_tolerance) return;
-  char words[240];
-  std::snprintf(words, sizeof words,
-                "at cycle %g the estimated error of the cycle jump is %.2g %%, above the tolerance of "
-                "%.2g %%; a smaller jump.first or jump.most, or more increments a cycle, lower it",
-                state.cycle, 100.0 * error, 100.0 * step.jump_tolerance);
+  const std::string words = base::formatted(
+      "at cycle %g the estimated error of the cycle jump is %.2g %%, above the tolerance of "
+      "%.2g %%; a smaller jump.first or jump.most, or more increments a cycle, lower it",
+      state.cycle, 100.0 * error, 100.0 * step.jump_tolerance);
   warn(state, observer, {"tolerance", "step " + step.name, words, error / step.jump_tolerance});
 }
 
@@ -49,9 +47,7 @@ void watch_plastic_strain(const scene::Step& step, double before, double cycles,
                           const Observer& observer) {
   const double now = largest_plastic_strain(state), missing = (cycles - 1.0) * (now - before);
   if (missing <= 0.01 * now) return;
-  char words[320];
-  std::snprintf(
-      words, sizeof words,
+  const std::string words = base::formatted(
       "cycles that are jumped add no plastic strain: up to cycle %g its largest value grew "
       "from %.3g to %.3g in cycles that stand for %.3g each, so that some %.2g is missing from this block alone; "
       "jump = 1 plays every cycle",

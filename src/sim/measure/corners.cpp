@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "base/formatted.hpp"
 #include "mesh/measure.hpp"
 
 namespace reye::sim {
@@ -19,14 +19,14 @@ constexpr double worth_a_word = 0.02;                      ///< of a contact's n
 bool has_corners(const mortar::Surface& s) { return std::find(s.corner.begin(), s.corner.end(), 1) != s.corner.end(); }
 
 /// The point of a surface nearest to x, and the outward normal there.
-struct Nearest {
+struct NearestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vec2 normal{0.0, 0.0};
 };
 
 /// `at`: where the nodes of the surface are.
-Nearest nearest(const mortar::Surface& surface, const base::Points& at, const Vec2& x) {
-  Nearest best;
+NearestPoint nearest_point(const mortar::Surface& surface, const base::Points& at, const Vec2& x) {
+  NearestPoint best;
   for (const auto& [a, b, c] : surface.facets) {
     const Vec2 e = at[b] - at[a], r = x - at[a];
     const double distance = (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
@@ -66,16 +66,15 @@ std::vector<base::Issue> corner_issues(const Problem& problem, const solver::Sys
     const auto& s = setup.secondary;
     if (!has_corners(s)) continue;
     double first = std::numeric_limits<double>::infinity();
-    for (const Vec2& X : s.X) first = std::min(first, nearest(setup.primary, setup.primary.X, X).distance);
+    for (const Vec2& X : s.X) first = std::min(first, nearest_point(setup.primary, setup.primary.X, X).distance);
     for (int j = 0; j < s.node_count(); ++j) {
       if (!s.corner[j]) continue;
-      const auto opposite = nearest(setup.primary, setup.primary.X, s.X[j]);
+      const auto opposite = nearest_point(setup.primary, setup.primary.X, s.X[j]);
       if (opposite.distance > first + 0.5 * setup.length[j] || !pokes(s, j, opposite.normal)) continue;
-      char text[200];
-      std::snprintf(text, sizeof text,
-                    "its corner at (%.4g, %.4g) mm is what touches, and at a corner the direction of contact forces is "
-                    "undefined; %s",
-                    s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
+      const std::string text = base::formatted(
+          "its corner at (%.4g, %.4g) mm is what touches, and at a corner the direction of contact forces is "
+          "undefined; %s",
+          s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
       issues.push_back({"contact." + setup.options.name + ".secondary", '"' + setup.options.secondary + '"', text});
       break;
     }
@@ -97,11 +96,9 @@ std::optional<Warning> corner_warning(const contact::Setup& setup, const contact
     const double share = load[j] / all;
     if (!s.corner[j] || !(share > worth_a_word) || (worst && share <= worst->severity)) continue;
     const double angle =
-        angle_between(state.normal[j], -nearest(setup.primary, sides.primary, sides.secondary[j]).normal);
+        angle_between(state.normal[j], -nearest_point(setup.primary, sides.primary, sides.secondary[j]).normal);
     if (angle <= faced) continue;
-    char text[320];
-    std::snprintf(
-        text, sizeof text,
+    const std::string text = base::formatted(
         "a corner of its secondary side, at (%.4g, %.4g) mm, carries %.2g %% of its normal load along a normal %.2g "
         "degrees off the surface opposite: its force may leave the friction cone; swap the sides, or round it",
         sides.secondary[j].x(), sides.secondary[j].y(), 100.0 * share, angle * 180.0 / std::numbers::pi);

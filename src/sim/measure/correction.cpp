@@ -15,7 +15,7 @@ namespace {
 using contact::ContactState;
 using contact::ContactStatus;
 
-constexpr int reach = 3;  ///< elements between an edge that moved and the place where the correction is full
+constexpr int correction_reach = 3;  ///< elements between an edge that moved and the place where the correction is full
 
 double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
@@ -163,10 +163,10 @@ double side_difference(const mortar::Surface& surface, const std::vector<double>
 }  // namespace
 
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed) {
-  std::vector<int> distance(passed.size(), reach);
+  std::vector<int> distance(passed.size(), correction_reach);
   for (std::size_t j = 0; j < passed.size(); ++j)
     if (passed[j]) distance[j] = 0;
-  for (int turn = 1; turn < reach; ++turn)
+  for (int turn = 1; turn < correction_reach; ++turn)
     for (const auto& [a, b, mid] : surface.facets) {
       int nearest = std::min(distance[a], distance[b]);
       if (mid >= 0) nearest = std::min(nearest, distance[mid]);
@@ -175,7 +175,7 @@ std::vector<double> trust(const mortar::Surface& surface, const std::vector<char
         if (node >= 0) distance[node] = std::min(distance[node], turn);
     }
   std::vector<double> share;
-  for (int d : distance) share.push_back(static_cast<double>(d) / reach);
+  for (int d : distance) share.push_back(static_cast<double>(d) / correction_reach);
   return share;
 }
 

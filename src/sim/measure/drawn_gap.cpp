@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <tuple>
 
+#include "base/formatted.hpp"
 #include "mesh/measure.hpp"
 #include "scene/histories.hpp"
 #include "sim/problem/drive.hpp"
@@ -16,21 +16,14 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double at_once = 0.05;   ///< of the facet that a node lies behind: a smaller overlap is closed in one
-                                   ///< increment, as facets of touching curves overlap by that
-constexpr double touching = 1e-4;  ///< of a facet: a smaller distance is rounding of the drawing
-constexpr double facing = 0.1;     ///< cosine between two facets, as in the integrals
+constexpr double at_once = 0.05;         ///< of the facet that a node lies behind: a smaller overlap is closed in one
+                                         ///< increment, as facets of touching curves overlap by that
+constexpr double drawn_together = 1e-4;  ///< of a facet: a smaller distance is rounding of the drawing
+constexpr double facing = 0.1;           ///< cosine between two facets, as in the integrals
 constexpr double other_surface =
     3.0;  ///< a node so many times nearer to the rest of the outline did not enter through this side
-constexpr double deepest = 1.0 / 3.0;  ///< of a body: the deepest overlap of a fit
-constexpr int own_increments = 10;     ///< increments of the step that lets overlaps in before cycles
-
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[400];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
+constexpr double deepest_fit = 1.0 / 3.0;  ///< of a body: the deepest overlap of a fit
+constexpr int own_increments = 10;         ///< increments of the step that lets overlaps in before cycles
 
 /// A piece of a side or an outline, body on the left.
 struct Piece {
@@ -83,7 +76,7 @@ double nearest(const std::vector<Piece>& pieces, const Vec2& x) {
 void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
   const auto look_at = [&](const Piece& piece, const Vec2& x) {
     if (const double gap = nearest(other.pieces, x); drawn.overlap_mm == 0.0 && gap < drawn.gap_mm) {
-      drawn.gap_mm = gap > touching * piece.along().norm() ? gap : 0.0;
+      drawn.gap_mm = gap > drawn_together * piece.along().norm() ? gap : 0.0;
       drawn.at = x;
     }
     if (!other.contains(x)) return;
@@ -92,7 +85,8 @@ void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
       if (piece.faces(facet) && (!behind || facet.distance(x) < behind->distance(x))) behind = &facet;
     if (!behind) return;
     const double depth = behind->distance(x), facet = behind->along().norm();
-    if (depth <= std::max(drawn.overlap_mm, touching * facet) || depth > other_surface * nearest(other.outline, x))
+    if (depth <= std::max(drawn.overlap_mm, drawn_together * facet) ||
+        depth > other_surface * nearest(other.outline, x))
       return;
     drawn = {0.0, depth, x, mesh::outward_normal(behind->a, behind->b), drawn.primary, depth > at_once * facet};
   };
@@ -117,8 +111,8 @@ std::string why_no_fit(const Problem& problem, const PlacedContact& contact) {
   const auto& drawn = contact.drawn;
   for (int body : {contact.secondary.body, drawn.primary}) {
     const double size = extent(problem.shapes[body]->mesh, drawn.out);
-    if (drawn.overlap_mm > deepest * size)
-      return text(
+    if (drawn.overlap_mm > deepest_fit * size)
+      return base::formatted(
           "its sides overlap by %.3g mm as drawn, at (%.4g, %.4g) mm, of the %.3g mm that body %s measures there: too "
           "deep "
           "for a fit; draw the bodies apart, or name the boundaries that touch",
@@ -207,11 +201,12 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
     if (closes(problem, contact)) options.drawn_mm = drawn.gap_mm;
     let_in = let_in || drawn.let_in;
     if (drawn.gap_mm > farthest_way_of_all(problem))
-      warn(problem.warnings, {"gap", "contact " + options.name,
-                              text("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g "
-                                   "mm, nor does a force: they never "
-                                   "touch. Draw them closer, or move them farther.",
-                                   drawn.gap_mm, farthest_way_of_all(problem))});
+      warn(problem.warnings,
+           {"gap", "contact " + options.name,
+            base::formatted("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g "
+                            "mm, nor does a force: they never "
+                            "touch. Draw them closer, or move them farther.",
+                            drawn.gap_mm, farthest_way_of_all(problem))});
     if (const auto why = why_no_fit(problem, contact); !why.empty())
       issues.push_back({"contact." + options.name, "", why});
   }
@@ -221,10 +216,11 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
 
 std::string why_out_of_reach(const Problem& problem, const PlacedContact& contact, double search_mm) {
   if (contact.drawn.gap_mm <= search_mm) return ": they do not face each other; name boundaries that do";
-  std::string why = text("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
+  std::string why = base::formatted("; the sides are %.4g mm apart as drawn", contact.drawn.gap_mm);
   if (!closes(problem, contact))
-    return why + text(", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther",
-                      farthest_way(problem, contact));
+    return why + base::formatted(
+                     ", and supports move these bodies by %.4g mm at most: draw them closer, or move them farther",
+                     farthest_way(problem, contact));
   return why + (contact.options.search_mm > 0.0 ? ": leave search_mm out" : "");
 }
 
@@ -232,16 +228,17 @@ std::string in_words(const Problem& problem, const PlacedContact& contact) {
   const auto& drawn = contact.drawn;
   const std::string about = "contact " + contact.options.name + ": ";
   if (drawn.overlap_mm == 0.0 && drawn.gap_mm == 0.0)
-    return about + text("its sides touch as drawn, at (%.6g, %.6g) mm", drawn.at.x() + 0.0, drawn.at.y() + 0.0);
+    return about +
+           base::formatted("its sides touch as drawn, at (%.6g, %.6g) mm", drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   const bool overlaps = drawn.overlap_mm > 0.0;
   const std::string size =
-      about + text("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
-                   overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);
+      about + base::formatted("drawn %s of %.3g mm, at (%.6g, %.6g) mm", overlaps ? "overlap" : "gap",
+                              overlaps ? drawn.overlap_mm : drawn.gap_mm, drawn.at.x() + 0.0, drawn.at.y() + 0.0);
   if (!overlaps) return size;
   if (!drawn.let_in) return size + ", closed at once: it is less than a twentieth of a facet";
   const auto& step = problem.scene.steps.front();
-  return size + text(", let in over the %d increment%s of step \"%s\"", step.increments,
-                     step.increments == 1 ? "" : "s", step.name.c_str());
+  return size + base::formatted(", let in over the %d increment%s of step \"%s\"", step.increments,
+                                step.increments == 1 ? "" : "s", step.name.c_str());
 }
 
 }  // namespace reye::sim

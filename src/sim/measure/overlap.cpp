@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdio>
 #include <limits>
+#include "base/formatted.hpp"
 
 namespace reye::sim {
 
@@ -106,11 +106,10 @@ std::vector<Warning> overlap_warnings(const Problem& problem, const std::vector<
   std::vector<Warning> warnings;
   for (const auto& o : overlaps(problem, shapes, u)) {
     const auto &name = problem.inputs[o.body].name, &other = problem.inputs[o.other].name;
-    char text[320];
-    std::snprintf(text, sizeof text,
-                  "body %s lies up to %.3g mm inside body %s, at (%.4g, %.4g) mm, where no contact keeps them apart; "
-                  "define one there, or name all of the boundaries that can touch",
-                  name.c_str(), o.depth_mm, other.c_str(), o.at.x(), o.at.y());
+    const std::string text = base::formatted(
+        "body %s lies up to %.3g mm inside body %s, at (%.4g, %.4g) mm, where no contact keeps them apart; "
+        "define one there, or name all of the boundaries that can touch",
+        name.c_str(), o.depth_mm, other.c_str(), o.at.x(), o.at.y());
     warnings.push_back(
         {"overlap", "bodies " + std::min(name, other) + " and " + std::max(name, other), text, o.depth_mm});
   }

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "base/formatted.hpp"
 #include "material/parameters.hpp"
 #include "mesh/measure.hpp"
 #include "scene/histories.hpp"
@@ -16,13 +16,6 @@ namespace reye::sim {
 namespace {
 
 constexpr double crushing = 0.3, crushing_rubber = 3.0;  ///< pressure over modulus at small and at finite strain
-
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[400];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
 
 Eigen::AlignedBox2d box_of(const mesh::Mesh& mesh) {
   Eigen::AlignedBox2d box;
@@ -51,11 +44,12 @@ void warn_of_motions(Problem& problem) {
     for (const auto* motion : {&placed.support.x, &placed.support.y}) {
       const double way = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::moved || way <= reach) continue;
-      warn(problem.warnings, {"units", "support " + placed.support.name,
-                              text("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in "
-                                   "um must be divided by 1000.",
-                                   way, reach),
-                              way / reach});
+      warn(problem.warnings,
+           {"units", "support " + placed.support.name,
+            base::formatted("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in "
+                            "um must be divided by 1000.",
+                            way, reach),
+            way / reach});
     }
 }
 
@@ -64,12 +58,13 @@ void warn_of_bodies(Problem& problem) {
     const Vec2 size = box_of(problem.shapes[b]->mesh).sizes();
     const double far = problem.scene.geometry.bodies[b].mesh.far_size_mm;
     if (far <= size.norm()) continue;
-    warn(problem.warnings, {"units", "body " + problem.inputs[b].name,
-                            text("It measures %.4g x %.4g mm, less than one element of far_size_mm = %.4g. A drawing "
-                                 "in metres must be scaled by "
-                                 "1000: it would measure %.4g x %.4g mm.",
-                                 size.x(), size.y(), far, 1e3 * size.x(), 1e3 * size.y()),
-                            far / size.norm()});
+    warn(problem.warnings,
+         {"units", "body " + problem.inputs[b].name,
+          base::formatted("It measures %.4g x %.4g mm, less than one element of far_size_mm = %.4g. A drawing "
+                          "in metres must be scaled by "
+                          "1000: it would measure %.4g x %.4g mm.",
+                          size.x(), size.y(), far, 1e3 * size.x(), 1e3 * size.y()),
+          far / size.norm()});
   }
 }
 
@@ -87,7 +82,7 @@ std::string why_crushed(const Problem& problem, int body) {
       const double size = size_of(problem, body, support), force = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size)
         continue;
-      return text(
+      return base::formatted(
                  "the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g "
                  "%%; ",
                  support.name.c_str(), force, unit, size,
@@ -99,8 +94,8 @@ std::string why_crushed(const Problem& problem, int body) {
     const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) *
                             scene::largest_factor(problem.scene, load.history);
     if (pressure > least)
-      return text("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ", load.name.c_str(),
-                  pressure, name.c_str(), E, 100.0 * pressure / E) +
+      return base::formatted("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ",
+                             load.name.c_str(), pressure, name.c_str(), E, 100.0 * pressure / E) +
              mend;
   }
   return {};

@@ -1,8 +1,8 @@
 #include "sim/measure/small_strain.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "sim/measure/displacements.hpp"
 #include "sim/problem/scene_line.hpp"
 #include "sim/problem/warnings.hpp"
@@ -40,9 +40,7 @@ std::string check_small_strain(const Problem& problem, State& state, const solve
     const double strain = distortion_of(problem, state, system, b).strain_and_rotation();
     if (strain <= strain_warned_of) continue;
     constexpr double crushed = 0.3;
-    char text[300];
-    std::snprintf(
-        text, sizeof text,
+    const std::string text = base::formatted(
         "%s %.2g %% where body %s stores its energy: the error of small strain in that is about %.2g %%; write "
         "kinematics = \"finite\"%s",
         turns(system, b) ? "strain reaches" : "strain and rotation reach", 100.0 * strain, input.name.c_str(),

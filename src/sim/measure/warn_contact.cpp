@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "base/formatted.hpp"
 #include "cad/part/zone.hpp"
 #include "scene/histories.hpp"
 #include "sim/measure/roundness.hpp"
@@ -20,13 +20,6 @@ constexpr double milder_side = 0.2;  ///< a limit's side wears less than this sh
 constexpr double remesh_jump = 0.1;  ///< of the pressure, L2: beyond it the mesh rules the pressure
 constexpr int edge_nodes = 2;        ///< one at each edge of contact, which is not a slip zone that the mesh resolves
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
-
 /// Approximate approach of the two sides under the load [mm]: 2 P / E* of a line contact, in axisymmetry under the
 /// force per length of the circle through its peak; P / (E* a) of a contact round the axis.
 double approach_of(const Problem& problem, std::size_t c, const Pressed& p) {
@@ -36,8 +29,8 @@ double approach_of(const Problem& problem, std::size_t c, const Pressed& p) {
   return p.force / (std::numbers::pi * p.peak_mm * modulus);
 }
 
-std::string touching(const Pressed& p, const State& state) {
-  return text("%.3g mm of it touch at cycle %g", p.length_mm, state.cycle);
+std::string nodes_touching(const Pressed& p, const State& state) {
+  return base::formatted("%.3g mm of it touch at cycle %g", p.length_mm, state.cycle);
 }
 
 /// Largest motion that a support imposes [mm].
@@ -69,12 +62,13 @@ void warn_of_limit(const scene::Scene& scene, const scene::Limit& limit, const C
   });
   if (watched) return;
   const char* what = limit.depth_mm ? "deep" : "much";
-  warn(state, observer,
-       {"limit_side", "limit " + limit.name,
-        text("It watches the %s side; the %s side wears %.3g times as %s. Set side = \"%s\", or a limit for each side.",
-             limit.side.c_str(), primary ? "secondary" : "primary", other / own, what,
-             primary ? "secondary" : "primary"),
-        other / own});
+  warn(
+      state, observer,
+      {"limit_side", "limit " + limit.name,
+       base::formatted(
+           "It watches the %s side; the %s side wears %.3g times as %s. Set side = \"%s\", or a limit for each side.",
+           limit.side.c_str(), primary ? "secondary" : "primary", other / own, what, primary ? "secondary" : "primary"),
+       other / own});
 }
 
 void warn_of_ledger(const ContactSummary& contact, State& state, const Observer& observer) {
@@ -84,10 +78,11 @@ void warn_of_ledger(const ContactSummary& contact, State& state, const Observer&
   if (error <= open_book || contact.secondary.worn_area + contact.primary.worn_area <= rounding) return;
   warn(state, observer,
        {"ledger", "contact " + contact.name,
-        text("The volume that its bodies have lost and coefficient x work differ by %.2g %%; they should agree to "
-             "rounding. "
-             "Please report this scene.",
-             100.0 * error),
+        base::formatted(
+            "The volume that its bodies have lost and coefficient x work differ by %.2g %%; they should agree to "
+            "rounding. "
+            "Please report this scene.",
+            100.0 * error),
         error});
 }
 
@@ -109,24 +104,26 @@ double wanted_across(const Problem& problem, const contact::ContactOptions& cont
 void warn_of_resolution(std::vector<Warning>& warnings, const std::string& contact, double across, double wanted,
                         double length_mm, const std::string& how) {
   if (across >= wanted) return;
-  warn(warnings, {"resolution", "contact " + contact,
-                  text("%.2g elements lie across the contact (%s): its pressure and what wears first are those of the "
-                       "mesh. Make elements "
-                       "there %.2g mm long or shorter, for at least %g across.",
-                       across, how.c_str(), length_mm / fewest_across, fewest_across),
-                  fewest_across / across});
+  warn(warnings,
+       {"resolution", "contact " + contact,
+        base::formatted("%.2g elements lie across the contact (%s): its pressure and what wears first are those of the "
+                        "mesh. Make elements "
+                        "there %.2g mm long or shorter, for at least %g across.",
+                        across, how.c_str(), length_mm / fewest_across, fewest_across),
+        fewest_across / across});
 }
 
 void warn_of_facets(std::vector<Warning>& warnings, const std::string& contact, double sagitta_mm, double approach_mm,
                     double size_mm) {
   const double share = sagitta_mm / approach_mm;
   if (share < facet_share) return;
-  warn(warnings, {"facets", "contact " + contact,
-                  text("Straight facets leave the curved sides by %.2g mm, where the load presses these together by "
-                       "some %.2g mm (2 P / E*): the "
-                       "pressure peaks at the corners of facets. Use order = 2, or elements of %.2g mm.",
-                       sagitta_mm, approach_mm, size_mm * std::sqrt(facet_share / share)),
-                  share});
+  warn(warnings,
+       {"facets", "contact " + contact,
+        base::formatted("Straight facets leave the curved sides by %.2g mm, where the load presses these together by "
+                        "some %.2g mm (2 P / E*): the "
+                        "pressure peaks at the corners of facets. Use order = 2, or elements of %.2g mm.",
+                        sagitta_mm, approach_mm, size_mm * std::sqrt(facet_share / share)),
+        share});
 }
 
 void warn_of_block(const Problem& problem, State& state, const Observer& observer) {
@@ -137,20 +134,22 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
     std::vector<Warning> found;
     if (!p.bounded)
       warn_of_resolution(found, name, p.across, wanted_across(problem, problem.contacts[c].options), p.length_mm,
-                         touching(p, state));
+                         nodes_touching(p, state));
     if (!p.cut.empty())
-      found.push_back({"boundary_end", "contact " + name,
-                       text("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
-                            "would touch there does not, "
-                            "and the pressure rises at the end. Name the edges beyond it as well.",
-                            p.cut.c_str(), state.cycle)});
+      found.push_back(
+          {"boundary_end", "contact " + name,
+           base::formatted("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
+                           "would touch there does not, "
+                           "and the pressure rises at the end. Name the edges beyond it as well.",
+                           p.cut.c_str(), state.cycle)});
     if (p.beside_zone > 0.0)
-      found.push_back({"fine_zone", "contact " + name,
-                       text("At cycle %g most of the load is carried beside the fine zone, on elements %.3g times as "
-                            "long as it asks for. Set "
-                            "fine_zone.centre_mm and half_width_mm to where the sides touch.",
-                            state.cycle, p.beside_zone),
-                       p.beside_zone});
+      found.push_back(
+          {"fine_zone", "contact " + name,
+           base::formatted("At cycle %g most of the load is carried beside the fine zone, on elements %.3g times as "
+                           "long as it asks for. Set "
+                           "fine_zone.centre_mm and half_width_mm to where the sides touch.",
+                           state.cycle, p.beside_zone),
+           p.beside_zone});
     if (p.facets_mm > 0.0 && p.across >= fewest_across)
       warn_of_facets(found, name, p.facets_mm, approach_of(problem, c, p), p.size_mm);
     for (auto& warning : found) warn(state, observer, std::move(warning));
@@ -174,17 +173,18 @@ void warn_of_run(const Problem& problem, State& state, const Summary& summary, c
     std::vector<Warning> found;
     if (watch.pressed.force > 0.0 && !watch.pressed.bounded)
       warn_of_resolution(found, options.name, watch.pressed.across, fewest_across, watch.pressed.length_mm,
-                         touching(watch.pressed, state));
+                         nodes_touching(watch.pressed, state));
     for (auto& warning : found) warn(state, observer, std::move(warning));
     if (!options.wear.wears() || !has_worn(scene, state)) continue;
     const bool sticks = options.friction > 0.0 && !options.imposed && watch.slipped_most <= edge_nodes;
     if (sticks || state.solution.contacts[c].law_work == 0.0)
       warn(state, observer,
            {"no_slip", "contact " + options.name,
-            text("It should wear, but at most %d of its nodes slipped in a step that wears, while supports move by up "
-                 "to %.3g "
-                 "mm. Check the stroke (mm), that both sides are held along it, and the coefficient of friction.",
-                 watch.slipped_most, largest_motion(scene))});
+            base::formatted(
+                "It should wear, but at most %d of its nodes slipped in a step that wears, while supports move by up "
+                "to %.3g "
+                "mm. Check the stroke (mm), that both sides are held along it, and the coefficient of friction.",
+                watch.slipped_most, largest_motion(scene))});
   }
   for (const auto& limit : scene.limits)
     for (const auto& contact : summary.contacts)
@@ -195,10 +195,11 @@ void warn_of_remesh(State& state, const Observer& observer, const RemeshRecord& 
   if (record.pressure_jump <= remesh_jump) return;
   warn(state, observer,
        {"remesh", "body " + record.body,
-        text("The fresh mesh at cycle %g changed the pressure by %.0f %% in the mean: pressures after it are those of "
-             "the mesh, "
-             "until wear has levelled them. More elements across the contact make the change smaller.",
-             record.cycle, 100.0 * record.pressure_jump),
+        base::formatted(
+            "The fresh mesh at cycle %g changed the pressure by %.0f %% in the mean: pressures after it are those of "
+            "the mesh, "
+            "until wear has levelled them. More elements across the contact make the change smaller.",
+            record.cycle, 100.0 * record.pressure_jump),
         record.pressure_jump});
 }
 

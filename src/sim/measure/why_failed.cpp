@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "body/operator.hpp"
 #include "mesh/measure.hpp"
 #include "scene/histories.hpp"
@@ -19,13 +19,6 @@ namespace {
 
 constexpr double crushed = 0.3;  ///< mean strain
 constexpr int too_few = 2;       ///< nodes in contact
-
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[480];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
 
 /// One contact in the last good state.
 struct Seen {
@@ -76,7 +69,7 @@ std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
   const double traction = c.pressure() * (law.kind == wear::LawKind::energy ? c.state.friction : 1.0);
   const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_of_play(c, *attempt.step);
   if (depth <= c.facet()) return {};
-  return text(
+  return base::formatted(
       "contact %s would wear by some %.2g mm in a block of %g cycle%s, more than its elements of %.3g mm are long; "
       "check its wear "
       "coefficients, or write a smaller jump",
@@ -87,7 +80,7 @@ std::string waits_in_the_gap(const Seen& c) {
   const double own = deepest(c.setup.secondary, c.state.removed_secondary),
                other = deepest(c.setup.primary, c.state.removed_primary);
   if (c.problem.scene.shape || own + other <= 0.5 * c.setup.search) return {};
-  return text(
+  return base::formatted(
       "wear of %.3g mm waits in the gap of contact %s, as shape = \"off\" asks, and facets are paired no farther than "
       "search_mm = %.3g; "
       "write shape = \"on\", or a longer search_mm",
@@ -104,7 +97,7 @@ std::string out_of_reach(const Seen& c, const solver::System& system, const Stat
       gap = std::min(gap, (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm());
     }
   if (gap <= c.setup.search) return {};
-  return text(
+  return base::formatted(
       "the sides of contact %s are %.4g mm apart, and facets are paired no farther than search_mm = %.4g; write "
       "search_mm = %.2g",
       c.name(), gap, c.setup.search, 1.5 * gap);
@@ -114,7 +107,7 @@ std::string few_nodes(const Seen& c) {
   const auto touching = std::count_if(c.state.status.begin(), c.state.status.end(),
                                       [](auto s) { return s != contact::ContactStatus::inactive; });
   if (touching == 0 || touching > too_few) return {};
-  return text(
+  return base::formatted(
       "only %d node%s of contact %s touch%s, on elements of %.3g mm: too coarse to carry its load; make them shorter "
       "there, "
       "with a fine_zone",
@@ -127,7 +120,7 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
     if (auto why = why_crushed(problem, b); !why.empty()) return why;
     const double strain = distortion_of(problem, last, system, b).strain;
     if (strain > crushed)
-      return text(
+      return base::formatted(
           "body %s is strained by %.2g %% on average already: more than it can bear; check loads, motions and E_MPa",
           problem.inputs[b].name.c_str(), 100.0 * strain);
   }

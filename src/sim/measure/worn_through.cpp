@@ -1,11 +1,11 @@
 #include "sim/measure/worn_through.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 
 #include "adapt/shape/unworn.hpp"
+#include "base/formatted.hpp"
 
 namespace reye::sim {
 
@@ -67,14 +67,12 @@ std::optional<Thinnest> thinnest(const Problem& problem, const std::vector<body:
 }
 
 std::string in_words(const Problem& problem, const Thinnest& thinnest, double cycle) {
-  char text[400];
-  std::snprintf(text, sizeof text,
-                "body %s is worn by %.3g mm of the %.3g mm that it measured at cycle 0, %.2g mm are left (cycle %g); "
-                "end the run before with a limit "
-                "with stop = true, or check the wear coefficients",
-                problem.inputs[thinnest.body].name.c_str(), thinnest.worn_mm, thinnest.worn_mm + thinnest.left_mm,
-                thinnest.left_mm, cycle);
-  return text;
+  return base::formatted(
+      "body %s is worn by %.3g mm of the %.3g mm that it measured at cycle 0, %.2g mm are left (cycle %g); "
+      "end the run before with a limit "
+      "with stop = true, or check the wear coefficients",
+      problem.inputs[thinnest.body].name.c_str(), thinnest.worn_mm, thinnest.worn_mm + thinnest.left_mm,
+      thinnest.left_mm, cycle);
 }
 
 std::string worn_through(const Problem& problem, const State& last) {

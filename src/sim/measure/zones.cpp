@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
 
+#include "base/formatted.hpp"
 #include "cad/part/zone.hpp"
 
 namespace reye::sim {
@@ -151,13 +151,10 @@ std::string leaves_zone(const Problem& problem, const State& state, int body, co
   if (!shape.drawing) return {};
   for (const auto& zone : shape.drawing->zones)
     if (excess(problem, state, body, zone, shape) > 0.0) {
-      char text[200];
-      std::snprintf(
-          text, sizeof text,
+      return base::formatted(
           "contact %s comes within %g elements of an end of its fine zone round (%.4g, %.4g), %.4g mm from the centre",
           zone.contact.c_str(), margin_elements, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0,
           zone.half_width_mm);
-      return text;
     }
   return {};
 }

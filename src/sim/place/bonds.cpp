@@ -1,8 +1,8 @@
 #include "sim/place/bonds.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "body/turning.hpp"
 #include "contact/interface.hpp"
 
@@ -31,13 +31,11 @@ std::string why_unbonded(const contact::Setup& setup) {
   }
   if (!bonded) return "no facet of the secondary side lies on a primary one";
   if (worst < 0) return {};
-  char text[240];
   const Vec2& x = setup.secondary.X[worst];
-  std::snprintf(text, sizeof text,
-                "its sides are %.3g mm apart at (%.4g, %.4g) mm, where facets are %.3g mm long; a bond joins what "
-                "lies on one another: draw the sides so, or make it a contact",
-                largest, x.x(), x.y(), setup.length[worst]);
-  return text;
+  return base::formatted(
+      "its sides are %.3g mm apart at (%.4g, %.4g) mm, where facets are %.3g mm long; a bond joins what "
+      "lies on one another: draw the sides so, or make it a contact",
+      largest, x.x(), x.y(), setup.length[worst]);
 }
 
 bool keeps_direction(const Problem& p, int b) {

@@ -9,11 +9,11 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double touching = 0.05;  ///< of a facet
-constexpr double pressing = 0.05;  ///< of the motion of a node, along its normal
+constexpr double near_enough = 0.05;  ///< of a facet
+constexpr double pressing = 0.05;     ///< of the motion of a node, along its normal
 
 /// The facets of one side on one body.
-std::vector<std::array<Vec2, 2>> facets_of(const Problem& problem, const contact::BoundaryRef& ref) {
+std::vector<std::array<Vec2, 2>> facet_ends(const Problem& problem, const contact::BoundaryRef& ref) {
   std::vector<std::array<Vec2, 2>> facets;
   const auto& mesh = problem.shapes[ref.body]->mesh;
   for (const auto& chain : mesh.boundaries.at(ref.boundary))
@@ -30,13 +30,13 @@ double distance(const Vec2& x, const std::array<Vec2, 2>& facet) {
 void look(const Problem& problem, const contact::BoundaryRef& own, const contact::BoundaryRef& other,
           const std::string& motion, double& most, double& least) {
   const Vec2 centre = problem.inputs[own.body].centre;
-  const auto opposite = facets_of(problem, other);
-  for (const auto& facet : facets_of(problem, own)) {
+  const auto opposite = facet_ends(problem, other);
+  for (const auto& facet : facet_ends(problem, own)) {
     const double length = (facet[1] - facet[0]).norm();
     const Vec2 normal = mesh::outward_normal(facet[0], facet[1]);
     for (const Vec2& x : facet) {
       const bool touches = std::any_of(opposite.begin(), opposite.end(), [&](const auto& f) {
-        return (f[1] - f[0]).dot(facet[1] - facet[0]) < 0.0 && distance(x, f) <= touching * length;
+        return (f[1] - f[0]).dot(facet[1] - facet[0]) < 0.0 && distance(x, f) <= near_enough * length;
       });
       if (!touches) continue;
       const Vec2 arm = x - centre;

@@ -1,11 +1,11 @@
 #include "sim/place/place.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/formatted.hpp"
 #include "body/resultant.hpp"
 #include "cad/build/geometry.hpp"
 #include "mortar/inset.hpp"
@@ -32,8 +32,6 @@ namespace reye::sim {
 namespace {
 
 using base::Issue;
-
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 void place_supports(Problem& p, Resolver& resolve) {
   for (const auto& support : p.scene.supports) {
@@ -81,14 +79,14 @@ double pair_modulus(const Problem& p, const contact::BoundaryRef& secondary,
 
 /// The sides of a contact or a bond, whose key in the scene is given.
 void check_sides(const Problem& p, const PlacedContact& contact, const std::string& key, std::vector<Issue>& issues) {
-  const auto name = [&](int b) { return quoted(p.scene.geometry.bodies[b].name); };
+  const auto name = [&](int b) { return base::quoted(p.scene.geometry.bodies[b].name); };
   if (p.rigid[contact.secondary.body])
-    issues.push_back({key + ".secondary", quoted(contact.options.secondary),
+    issues.push_back({key + ".secondary", base::quoted(contact.options.secondary),
                       "lies on the rigid body " + name(contact.secondary.body) +
                           "; the secondary side must belong to a deformable body"});
   for (const auto& ref : contact.primary) {
     if (ref.body == contact.secondary.body)
-      issues.push_back({key + ".primary", quoted(ref.boundary),
+      issues.push_back({key + ".primary", base::quoted(ref.boundary),
                         "lies on the same body as the secondary side (" + name(ref.body) + ")"});
     if (p.rigid[ref.body] && contact.options.wear.primary > 0.0)
       issues.push_back(
@@ -140,17 +138,13 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
           facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
       if (facet)
         issues.push_back(
-            {"contact." + contact.options.name + ".secondary", quoted(contact.options.secondary),
-             "lies on the rigid edge of support " + quoted(support.name) + "; its nodes must be free to move"});
+            {"contact." + contact.options.name + ".secondary", base::quoted(contact.options.secondary),
+             "lies on the rigid edge of support " + base::quoted(support.name) + "; its nodes must be free to move"});
     }
   }
 }
 
-std::string shown(double x) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.4g", x);
-  return digits;
-}
+std::string shown(double x) { return base::formatted("%.4g", x); }
 
 void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
   mortar::Integrator integrator;
@@ -197,7 +191,7 @@ void refuse_endless_steps(const scene::Scene& scene) {
   std::vector<Issue> issues;
   for (const auto& step : scene.steps)
     if (const double count = increments_of(scene, step); count > most)
-      issues.push_back({key_of_step(scene, step.name), quoted(step.name),
+      issues.push_back({key_of_step(scene, step.name), base::quoted(step.name),
                         "its rotations take " + shown(count) +
                             " increments of at most 0.3 rad; at most 1e6 are played. " + "Angles are in rad"});
   refuse(issues);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "body/turning.hpp"
 #include "material/parameters.hpp"
 #include "scene/choose_elements.hpp"
@@ -18,13 +18,6 @@
 namespace reye::sim {
 
 namespace {
-
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  std::string line(512, '\0');
-  line.resize(static_cast<std::size_t>(std::snprintf(line.data(), line.size(), format, args...)));
-  return line;
-}
 
 const char* cell_name(mesh::CellKind kind) {
   switch (kind) {
@@ -55,10 +48,11 @@ void tell_kinematics(const Problem& p, int b, Plan& plan) {
   if (!failure.empty() && largest.error() <= small_strain_bound)
     plan.lines.push_back(start + "the trial at small strain failed: " + failure);
   else
-    plan.lines.push_back(start + text("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation "
-                                      "%.2g %%), bound %g %%",
-                                      100.0 * largest.error(), finite ? " or more" : "", 100.0 * largest.strain,
-                                      100.0 * largest.rotation, 100.0 * small_strain_bound));
+    plan.lines.push_back(start +
+                         base::formatted("the estimated error of small strain is %.2g %%%s (strain %.2g %% + rotation "
+                                         "%.2g %%), bound %g %%",
+                                         100.0 * largest.error(), finite ? " or more" : "", 100.0 * largest.strain,
+                                         100.0 * largest.rotation, 100.0 * small_strain_bound));
 }
 
 /// Whether wear moves the boundary of a body.
@@ -87,9 +81,10 @@ void tell_turning(const Problem& p, const body::LinearBody& linear, int b, Plan&
   const auto& mesh = p.shapes[b]->mesh;
   if (linear.turning()) {
     const auto pivot = body::pivot_of(mesh, p.inputs[b]);
-    plan.lines.push_back(text("  turns by any angle about (%.6g, %.6g) mm, ", pivot->centre.x(), pivot->centre.y()) +
-                         (pivot->support >= 0 ? "where support " + p.inputs[b].supports[pivot->support].name + " is"
-                                              : "guided by contact alone"));
+    plan.lines.push_back(
+        base::formatted("  turns by any angle about (%.6g, %.6g) mm, ", pivot->centre.x(), pivot->centre.y()) +
+        (pivot->support >= 0 ? "where support " + p.inputs[b].supports[pivot->support].name + " is"
+                             : "guided by contact alone"));
   } else if (const std::string support = body::keeps_direction(mesh, p.inputs[b]); !support.empty()) {
     plan.lines.push_back("  its rotation is taken as small: support " + support +
                          " acts along a fixed direction; kinematics = \"finite\" lets it turn");
@@ -100,15 +95,16 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
   const auto& name = p.inputs[b].name;
   const auto& mesh = p.shapes[b]->mesh;
   if (p.rigid[b]) {
-    plan.lines.push_back(text("body %s: rigid, outline of %d nodes, 3 dofs", name.c_str(), mesh.node_count()));
+    plan.lines.push_back(
+        base::formatted("body %s: rigid, outline of %d nodes, 3 dofs", name.c_str(), mesh.node_count()));
     plan.skipped.push_back("body " + name + " is rigid: no elements, no stiffness");
     return;
   }
   if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b])) {
     const bool finite = p.inputs[b].kinematics == base::Kinematics::finite;
-    plan.lines.push_back(text("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration", name.c_str(),
-                              law_name(p.inputs[b].material), finite ? "finite" : "small", mesh.cell_count(),
-                              cell_name(mesh.kind), body->full_dofs(), body->dofs()));
+    plan.lines.push_back(base::formatted("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration",
+                                         name.c_str(), law_name(p.inputs[b].material), finite ? "finite" : "small",
+                                         mesh.cell_count(), cell_name(mesh.kind), body->full_dofs(), body->dofs()));
     if (finite && !can_renew(p, b))
       plan.skipped.push_back(
           "body " + name +
@@ -121,8 +117,9 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
     return;
   }
   const auto& linear = std::get<body::LinearBody>(system.bodies[b]);
-  plan.lines.push_back(text("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d", name.c_str(),
-                            mesh.cell_count(), cell_name(mesh.kind), linear.full_dofs(), linear.dofs()));
+  plan.lines.push_back(base::formatted("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d",
+                                       name.c_str(), mesh.cell_count(), cell_name(mesh.kind), linear.full_dofs(),
+                                       linear.dofs()));
   tell_turning(p, linear, b, plan);
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
@@ -130,23 +127,24 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
 
 std::string friction_of(const contact::ContactOptions& o) {
   const auto& table = o.friction_over_cycles;
-  if (table.empty()) return text("friction %g", o.friction);
-  return text("friction from %g at cycle %g to %g at cycle %g (%d values)", table.front()[1], table.front()[0],
-              table.back()[1], table.back()[0], static_cast<int>(table.size()));
+  if (table.empty()) return base::formatted("friction %g", o.friction);
+  return base::formatted("friction from %g at cycle %g to %g at cycle %g (%d values)", table.front()[1],
+                         table.front()[0], table.back()[1], table.back()[0], static_cast<int>(table.size()));
 }
 
 std::string wear_of(const wear::Law& law) {
   if (law.kind == wear::LawKind::none) return "no wear";
   std::string words = law.kind == wear::LawKind::energy ? "wear by dissipated energy" : "wear by Archard's law";
-  if (law.threshold > 0.0) words += text(" beyond %g mJ/mm^2", law.threshold);
-  if (law.pressure_exponent != 0.0) words += text(" x (pressure / %g MPa)^%g", law.pressure_ref, law.pressure_exponent);
-  if (law.speed_exponent != 0.0) words += text(" x (speed / %g mm/s)^%g", law.speed_ref, law.speed_exponent);
+  if (law.threshold > 0.0) words += base::formatted(" beyond %g mJ/mm^2", law.threshold);
+  if (law.pressure_exponent != 0.0)
+    words += base::formatted(" x (pressure / %g MPa)^%g", law.pressure_ref, law.pressure_exponent);
+  if (law.speed_exponent != 0.0) words += base::formatted(" x (speed / %g mm/s)^%g", law.speed_ref, law.speed_exponent);
   return words;
 }
 
 std::string blocks_of(const scene::Step& step) {
-  if (step.jump_tolerance == 0.0) return text("of %g", step.jump);
-  return text("chosen for an error of %g %%, the first of %g", 100.0 * step.jump_tolerance, step.jump);
+  if (step.jump_tolerance == 0.0) return base::formatted("of %g", step.jump);
+  return base::formatted("chosen for an error of %g %%, the first of %g", 100.0 * step.jump_tolerance, step.jump);
 }
 
 /// Whether some of its nodes lie on linear bodies, where those out of reach need not be iterated on.
@@ -160,9 +158,9 @@ bool condenses(const Problem& p, const contact::Setup& setup) {
 
 void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
-  plan.lines.push_back(text("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
-                            setup.secondary_count(), o.secondary.c_str(), setup.primary_count(), friction_of(o).c_str(),
-                            wear_of(o.wear).c_str()));
+  plan.lines.push_back(base::formatted("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
+                                       setup.secondary_count(), o.secondary.c_str(), setup.primary_count(),
+                                       friction_of(o).c_str(), wear_of(o.wear).c_str()));
   if (o.friction == 0.0)
     plan.skipped.push_back("contact " + o.name + " is frictionless: no node sticks, its shear is zero");
   else if (o.out_of_plane)
@@ -183,8 +181,9 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
 
 void tell_bond(const contact::Setup& setup, Plan& plan) {
   const auto& o = setup.options;
-  plan.lines.push_back(text("bond %s: %d secondary nodes on %s, %d primary nodes, neither opens nor slips",
-                            o.name.c_str(), setup.secondary_count(), o.secondary.c_str(), setup.primary_count()));
+  plan.lines.push_back(base::formatted("bond %s: %d secondary nodes on %s, %d primary nodes, neither opens nor slips",
+                                       o.name.c_str(), setup.secondary_count(), o.secondary.c_str(),
+                                       setup.primary_count()));
 }
 
 void tell_remeshing(const Problem& p, Plan& plan) {
@@ -208,11 +207,11 @@ void tell_output(const Problem& p, Plan& plan) {
   };
   if (cycles > 0.0 && std::any_of(p.scene.steps.begin(), p.scene.steps.end(), passes))
     plan.skipped.push_back(
-        text("frames every %g cycles come at the ends of blocks: a block under a tolerance ends at such a "
-             "cycle where one is near and passes over others, a fixed one ends where it ends",
-             cycles));
+        base::formatted("frames every %g cycles come at the ends of blocks: a block under a tolerance ends at such a "
+                        "cycle where one is near and passes over others, a fixed one ends where it ends",
+                        cycles));
   if (const int n = p.scene.output.history_every_blocks; n > 1)
-    plan.skipped.push_back(text("history: rows of every %dth block of a step, of its first and last", n));
+    plan.skipped.push_back(base::formatted("history: rows of every %dth block of a step, of its first and last", n));
 }
 
 }  // namespace
@@ -234,20 +233,21 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   for (const auto& step : p.scene.steps) {
     const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
     if (step.cycles > 0.0)
-      plan.lines.push_back(text("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s", step.name.c_str(),
-                                step.cycles, blocks_of(step).c_str(), increments, step.wear ? "" : ", no wear"));
+      plan.lines.push_back(base::formatted("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s",
+                                           step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments,
+                                           step.wear ? "" : ", no wear"));
     else
       plan.lines.push_back(
-          text("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
+          base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
   }
   tell_remeshing(p, plan);
   tell_output(p, plan);
   for (const auto& limit : p.scene.limits)
     if (limit.wear_factor)
-      plan.lines.push_back(
-          text("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
-               "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
-               limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
+      plan.lines.push_back(base::formatted(
+          "limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
+          "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
+          limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
   return plan;
 }
 

@@ -1,8 +1,8 @@
 #include "sim/place/points.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "fem/places.hpp"
 #include "mesh/place.hpp"
 #include "sim/problem/warnings.hpp"
@@ -55,13 +55,6 @@ std::vector<Point> probed_points(const Problem& problem) {
   return points;
 }
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[300];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
-
 }  // namespace
 
 std::vector<base::Issue> points_outside(const Problem& problem) {
@@ -74,10 +67,11 @@ std::vector<base::Issue> points_outside(const Problem& problem) {
     const auto place = mesh::place_of(problem.shapes[point.body]->mesh, point.at);
     if (place.inside || place.distance <= tolerance * place.facet) continue;
     issues.push_back(
-        {point.key, text("[%.6g, %.6g]", point.at.x(), point.at.y()),
-         text("lies outside of body %s, whose nearest place is (%.6g, %.6g), %.4g mm away; put the point on the body",
-              problem.inputs[point.body].name.c_str(), place.nearest.x() + 0.0, place.nearest.y() + 0.0,
-              place.distance)});
+        {point.key, base::formatted("[%.6g, %.6g]", point.at.x(), point.at.y()),
+         base::formatted(
+             "lies outside of body %s, whose nearest place is (%.6g, %.6g), %.4g mm away; put the point on the body",
+             problem.inputs[point.body].name.c_str(), place.nearest.x() + 0.0, place.nearest.y() + 0.0,
+             place.distance)});
   }
   return issues;
 }
@@ -91,7 +85,7 @@ void warn_of_points(Problem& problem) {
     warn(
         problem.warnings,
         {"point", point.kind + " " + point.name,
-         text(
+         base::formatted(
              "Its point (%.6g, %.6g) mm is no node of the mesh of body %s: it acts on the nearest one, %.3g mm away at "
              "(%.6g, %.6g) mm. Make the mesh finer there, or give it a node at the point.",
              point.at.x(), point.at.y(), problem.inputs[point.body].name.c_str(), away, mesh.X[node].x(),

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "mesh/arc.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -54,12 +54,11 @@ void warn_of_profiles(Problem& problem) {
       for (const auto& chain : mesh::arc_chains(mesh, boundary.name)) {
         const auto [off, longest] = off_the_facets(profile, chain.arc);
         if (off <= missed * heights) continue;
-        char text[300];
-        std::snprintf(text, sizeof text,
-                      "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is "
-                      "finer than the "
-                      "mesh. Make elements there shorter, or smooth the profile.",
-                      profile.file.c_str(), heights, longest, off);
+        const std::string text = base::formatted(
+            "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is "
+            "finer than the "
+            "mesh. Make elements there shorter, or smooth the profile.",
+            profile.file.c_str(), heights, longest, off);
         warn(problem.warnings, {"profile", "boundary " + boundary.name, text, off / heights});
       }
     }

@@ -1,12 +1,9 @@
 #include "sim/place/resolver.hpp"
+#include "base/formatted.hpp"
 
 namespace reye::sim {
 
-namespace {
-
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
-
-}  // namespace
+namespace {}  // namespace
 
 contact::BoundaryRef Resolver::boundary(const std::string& name, const std::string& key) {
   std::vector<contact::BoundaryRef> found;
@@ -18,7 +15,7 @@ contact::BoundaryRef Resolver::boundary(const std::string& name, const std::stri
       known += (known.empty() ? "" : ", ") + full;
     }
   if (found.size() == 1) return found.front();
-  issues.push_back({key, quoted(name),
+  issues.push_back({key, base::quoted(name),
                     found.empty()
                         ? "no boundary has this name; there are " + (known.empty() ? "none" : known) + cut_off(name)
                         : "more than one body has a boundary of this name; write body.name"});
@@ -46,7 +43,7 @@ std::string Resolver::cut_off(const std::string& name) const {
       if (own == name || facts.name + "." + own == name)
         return "; its curve lies at x < 0, which is cut away, and its mirror image does not have this name: the "
                "half x >= 0 of body " +
-               quoted(facts.name) + " is taken";
+               base::quoted(facts.name) + " is taken";
   return {};
 }
 

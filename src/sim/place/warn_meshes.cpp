@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
+#include "base/formatted.hpp"
 #include "scene/histories.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/measure/roundness.hpp"
@@ -16,21 +16,14 @@ namespace reye::sim {
 
 namespace {
 
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, args...);
-  return line;
-}
-
 /// Distance of a point from the nearest facet (its chord) and the nearer node of that.
-struct Nearest {
+struct NearestFacet {
   double distance = std::numeric_limits<double>::infinity();
   int node = -1;
 };
 
-Nearest nearest(const mortar::Surface& surface, const Vec2& X) {
-  Nearest best;
+NearestFacet nearest_facet(const mortar::Surface& surface, const Vec2& X) {
+  NearestFacet best;
   for (const auto& [a, b, mid] : surface.facets) {
     const Vec2 d = surface.X[b] - surface.X[a];
     const double t = std::clamp((X - surface.X[a]).dot(d) / d.squaredNorm(), 0.0, 1.0);
@@ -46,16 +39,17 @@ double away(const contact::Setup& setup, int secondary, const Vec2& from) {
 
 /// Where the two sides are nearest on the drawing, or one lies deepest in the other.
 struct Touch {
-  std::vector<Nearest> gap;  ///< per secondary node
+  std::vector<NearestFacet> gap;  ///< per secondary node
   int secondary = 0, primary = 0;
   double least() const { return gap[secondary].distance; }
 };
 
 Touch touch_of(const contact::Setup& setup, const DrawnGap& drawn) {
   Touch touch;
-  for (const Vec2& X : setup.secondary.X) touch.gap.push_back(nearest(setup.primary, X));
-  const auto least = std::min_element(touch.gap.begin(), touch.gap.end(),
-                                      [](const Nearest& a, const Nearest& b) { return a.distance < b.distance; });
+  for (const Vec2& X : setup.secondary.X) touch.gap.push_back(nearest_facet(setup.primary, X));
+  const auto least =
+      std::min_element(touch.gap.begin(), touch.gap.end(),
+                       [](const NearestFacet& a, const NearestFacet& b) { return a.distance < b.distance; });
   touch.secondary = static_cast<int>(least - touch.gap.begin());
   if (drawn.let_in)
     for (int j = 0; j < setup.secondary_count(); ++j)
@@ -111,9 +105,10 @@ void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& to
   const double h = spacing(setup.secondary, touch.secondary);
   warn(problem.warnings,
        {"fine_zone", "contact " + setup.options.name,
-        text("The sides come nearest at (%.4g, %.4g), where elements are %.3g mm long; the fine zone of %.3g mm lies "
-             "beside it, round (%.4g, %.4g). Set fine_zone.centre_mm to where they touch.",
-             X.x() + 0.0, X.y() + 0.0, h, zone->size_mm, zone->centre_mm.x() + 0.0, zone->centre_mm.y() + 0.0),
+        base::formatted(
+            "The sides come nearest at (%.4g, %.4g), where elements are %.3g mm long; the fine zone of %.3g mm lies "
+            "beside it, round (%.4g, %.4g). Set fine_zone.centre_mm to where they touch.",
+            X.x() + 0.0, X.y() + 0.0, h, zone->size_mm, zone->centre_mm.x() + 0.0, zone->centre_mm.y() + 0.0),
         h / zone->size_mm});
 }
 
@@ -159,7 +154,7 @@ void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& to
   const bool primary_rigid = problem.rigid[contact.primary.front().body];
   const double longer = std::max(h, primary_rigid ? 0.0 : spacing(setup.primary, touch.primary));
   warn_of_resolution(problem.warnings, setup.options.name, length / longer, wanted_across(problem, setup.options),
-                     length, text("by Hertz, %.3g mm of contact under the full load", length));
+                     length, base::formatted("by Hertz, %.3g mm of contact under the full load", length));
 }
 
 }  // namespace

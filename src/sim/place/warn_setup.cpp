@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
+#include "base/formatted.hpp"
 #include "body/conflicts.hpp"
 #include "scene/histories.hpp"
 #include "sim/problem/drive.hpp"
@@ -57,12 +57,12 @@ bool slides_evenly(const contact::ContactOptions& contact) {
          std::any_of(contact.imposed_turn.begin(), contact.imposed_turn.end(), even);
 }
 
-bool wears(const contact::ContactOptions& contact) { return contact.wear.wears(); }
+bool any_wear(const contact::ContactOptions& contact) { return contact.wear.wears(); }
 
 }  // namespace
 
 void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
-  const bool wear = std::any_of(scene.contacts.begin(), scene.contacts.end(), wears);
+  const bool wear = std::any_of(scene.contacts.begin(), scene.contacts.end(), any_wear);
   const bool evenly = std::any_of(scene.contacts.begin(), scene.contacts.end(), slides_evenly);
   const bool counted =
       std::any_of(scene.steps.begin(), scene.steps.end(), [](const auto& s) { return s.cycles > 0.0; });
@@ -88,9 +88,7 @@ void warn_of_steps(const scene::Scene& scene, std::vector<Warning>& warnings) {
     for (const auto& name : step.play) most = std::max(most, strokes(scene.histories.at(name)));
     if (const auto ends = static_cast<int>(increment_ends(scene, step).size());
         wear && step.wear && most > 0 && ends <= most) {
-      char text[240];
-      std::snprintf(
-          text, sizeof text,
+      const std::string text = base::formatted(
           "A cycle of %d stroke%s has %d increment%s: slip and wear are counted at the ends of strokes alone; "
           "write increments = %d or more.",
           most, most == 1 ? "" : "s", ends, ends == 1 ? "" : "s", 8 * most);

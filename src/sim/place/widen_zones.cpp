@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/errors.hpp"
+#include "base/formatted.hpp"
 #include "body/turning.hpp"
 #include "cad/build/turned_zone.hpp"
 #include "scene/histories.hpp"
@@ -78,16 +78,12 @@ std::vector<std::string> widened_zones(const Problem& p, int body) {
   for (const auto& zone : p.shapes[body]->drawing->zones) {
     const auto* asked = asked_for(p, zone);
     if (!zone.turns || !asked) continue;
-    char text[200];
-    std::snprintf(
-        text, sizeof text,
+    lines.push_back(base::formatted(
         "  fine zone of contact %s round (%.4g, %.4g): as far as the body turns under it, elements of %.3g mm",
-        zone.contact.c_str(), asked->centre_mm.x() + 0.0, asked->centre_mm.y() + 0.0, zone.size_mm);
-    lines.emplace_back(text);
+        zone.contact.c_str(), asked->centre_mm.x() + 0.0, asked->centre_mm.y() + 0.0, zone.size_mm));
     if (zone.size_mm <= asked->size_mm) continue;
-    std::snprintf(text, sizeof text, " instead of %.3g mm, so that no more than %g nodes are retained", asked->size_mm,
-                  most_nodes);
-    lines.back() += text;
+    lines.back() +=
+        base::formatted(" instead of %.3g mm, so that no more than %g nodes are retained", asked->size_mm, most_nodes);
   }
   return lines;
 }

@@ -102,18 +102,6 @@ double sum_at(const base::Parts& parts, const std::map<std::string, double>& fac
   return sum;
 }
 
-const body::Motion& motion(const body::Support& support, int which) {
-  return which == 0 ? support.x : which == 1 ? support.y : support.rotation;
-}
-
-const std::vector<body::SupportColumn>& columns(const body::Operator& op) {
-  return std::visit([](const auto& b) -> const std::vector<body::SupportColumn>& { return b.support_columns(); }, op);
-}
-
-const std::vector<body::LoadColumn>& loads(const body::Operator& op) {
-  return std::visit([](const auto& b) -> const std::vector<body::LoadColumn>& { return b.loads(); }, op);
-}
-
 /// The imposed slip between two moments of a step: parts without history evenly, where `evenly` says so.
 double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
                     double to, bool evenly) {
@@ -162,15 +150,15 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
                              double to, double jump) {
   solver::Controls controls;
   for (int b = 0; b < problem.body_count(); ++b) {
-    for (const auto& column : columns(system.bodies[b])) {
-      const auto& m = motion(problem.inputs[b].supports[column.support], column.motion);
+    for (const auto& column : body::support_columns(system.bodies[b])) {
+      const auto& m = body::motion_of(problem.inputs[b].supports[column.support], column.motion);
       const int global = system.offset[b] + column.column;
       if (m.drive == Drive::fixed) controls.prescribed.emplace_back(global, 0.0);
       if (m.drive == Drive::moved) controls.prescribed.emplace_back(global, sum_at(m.parts, factors));
       if (m.drive == Drive::loaded) controls.forces.emplace_back(global, sum_at(m.parts, factors));
       if (m.stiffness > 0.0) controls.springs.push_back({global, m.stiffness});
     }
-    const auto& list = loads(system.bodies[b]);
+    const auto& list = body::loads(system.bodies[b]);
     Vector f(static_cast<Eigen::Index>(list.size()));
     for (std::size_t i = 0; i < list.size(); ++i) f[static_cast<Eigen::Index>(i)] = of(factors, list[i].history);
     controls.load_factors.push_back(std::move(f));
@@ -197,7 +185,7 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
   if (state.renewed_at.empty()) return;
   std::map<int, double> from;
   for (int b = 0; b < problem.body_count(); ++b)
-    for (const auto& column : columns(system.bodies[b]))
+    for (const auto& column : body::support_columns(system.bodies[b]))
       from[system.offset[b] + column.column] = state.renewed_at[problem.support_of[b][column.support]][column.motion];
   for (auto& [column, value] : controls.prescribed) value -= from.at(column);
   for (auto& spring : controls.springs) spring.rest -= from.at(spring.column);
@@ -209,7 +197,7 @@ std::vector<std::optional<double>> support_moments(const Problem& problem, const
   for (std::size_t s = 0; s < moments.size(); ++s)
     if (problem.scene.analysis != base::Analysis::axisymmetric && problem.supports[s].support.rigid) moments[s] = 0.0;
   for (int b = 0; b < problem.body_count(); ++b)
-    for (const auto& column : columns(system.bodies[b]))
+    for (const auto& column : body::support_columns(system.bodies[b]))
       if (auto& moment = moments[problem.support_of[b][column.support]]; moment && column.motion == 2)
         *moment += reactions[system.offset[b] + column.column];
   return moments;
@@ -218,7 +206,7 @@ std::vector<std::optional<double>> support_moments(const Problem& problem, const
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {
   std::vector<Vec2> forces(problem.supports.size(), Vec2::Zero());
   for (int b = 0; b < problem.body_count(); ++b)
-    for (const auto& column : columns(system.bodies[b]))
+    for (const auto& column : body::support_columns(system.bodies[b]))
       forces[problem.support_of[b][column.support]] += reactions[system.offset[b] + column.column] * column.direction;
   return forces;
 }

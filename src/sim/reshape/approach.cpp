@@ -12,9 +12,8 @@ using body::Drive;
 /// q-space image of a unit translation of body b along d.
 Vector translation(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
   const auto& op = system.bodies[b];
-  const int dofs = std::visit([](const auto& o) { return o.dofs(); }, op);
-  Vector t = Vector::Zero(dofs);
-  const Vector zero = Vector::Zero(dofs);
+  Vector t = Vector::Zero(body::dofs(op));
+  const Vector zero = Vector::Zero(t.size());
   if (problem.rigid[b]) {
     t.head<2>() = d;
     return t;
@@ -51,14 +50,8 @@ double peak_factor(const Problem& problem, const scene::Step& step, const std::s
   return peak;
 }
 
-const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
-  return std::visit(
-      [](const auto& o) -> const auto& { return o.support_columns(); }, op);
-}
-
 const body::Motion& motion_of(const Problem& problem, int b, const body::SupportColumn& column) {
-  const auto& s = problem.inputs[b].supports[column.support];
-  return column.motion == 0 ? s.x : column.motion == 1 ? s.y : s.rotation;
+  return body::motion_of(problem.inputs[b].supports[column.support], column.motion);
 }
 
 /// Force that drives body b along d: loaded support motions and loads at their peaks in a step.
@@ -66,12 +59,11 @@ double driving_force(const Problem& problem, const scene::Step& step, const solv
                      const Vec2& d) {
   double force = 0.0;
   const auto& op = system.bodies[b];
-  for (const auto& column : support_columns(op))
+  for (const auto& column : body::support_columns(op))
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
       for (const auto& part : m.parts)
         force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
-  const auto& loads = std::visit(
-      [](const auto& o) -> const auto& { return o.loads(); }, op);
+  const auto& loads = body::loads(op);
   Vector factors(static_cast<Eigen::Index>(loads.size()));
   for (std::size_t i = 0; i < loads.size(); ++i)
     factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
@@ -121,7 +113,7 @@ std::optional<double> free_way(const Problem& problem, const solver::System& sys
 }  // namespace
 
 bool held_along(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
-  for (const auto& column : support_columns(system.bodies[b])) {
+  for (const auto& column : body::support_columns(system.bodies[b])) {
     if (std::abs(column.direction.dot(d)) > 1e-6 && holds(motion_of(problem, b, column))) return true;
   }
   return false;

@@ -211,14 +211,14 @@ void keep_open(Gaps& c) {
   }
 }
 
-bool any(const Values& v) {
+bool any_moved(const Values& v) {
   return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
 }
 
 void close(Gaps& c) {
   bring_together(c);
-  if (any(c.secondary.room)) close_by_secondary(c);
-  if (any(c.primary.room)) close_by_primary(c);
+  if (any_moved(c.secondary.room)) close_by_secondary(c);
+  if (any_moved(c.primary.room)) close_by_primary(c);
   free_motion(c);
   fade_out(c.setup.secondary, c.secondary);
   fade_out(c.setup.primary, c.primary);

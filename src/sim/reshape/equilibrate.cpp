@@ -1,7 +1,6 @@
 #include "sim/reshape/equilibrate.hpp"
 
-#include <cstdio>
-
+#include "base/formatted.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/scene_line.hpp"
@@ -73,11 +72,7 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
   return cache.newton.solve(system, state.solution, controls);
 }
 
-std::string cycle_in_words(double cycle) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", cycle);
-  return text;
-}
+std::string cycle_in_words(double cycle) { return base::formatted("%.9g", cycle); }
 
 }  // namespace
 

@@ -22,14 +22,14 @@ bool any(const Values& v) {
 /// Whether the wear of a contact was in its gap when its pressures were found: explicit wear changes them after that.
 bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wear.wears() && contact.implicit_wear; }
 
-double sum(const Values& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+double sum_of(const Values& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 /// Subtracts the moves from the losses of the nodes; the body keeps its content, so that the sum of losses stays.
 void take_off(const SideShift& side, const mortar::Surface& surface, Values& removed) {
-  const double before = sum(removed);
+  const double before = sum_of(removed);
   for (std::size_t k = 0; k < removed.size(); ++k)
     if (side.by[k] != 0.0) removed[k] = std::max(0.0, removed[k] - side.by[k] * surface.area[k]);
-  if (const double after = sum(removed); after > 0.0)
+  if (const double after = sum_of(removed); after > 0.0)
     for (double& v : removed) v *= before / after;
 }
 

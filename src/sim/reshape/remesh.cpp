@@ -22,11 +22,6 @@ namespace {
 
 bool in_contact(const Problem& problem, int body) { return !problem.inputs[body].contact_boundaries.empty(); }
 
-const std::vector<body::SupportColumn>& support_columns(const body::Operator& op) {
-  return std::visit(
-      [](const auto& o) -> const auto& { return o.support_columns(); }, op);
-}
-
 /// A body as it was before its remesh.
 struct Displaced {
   body::ShapePtr on;  ///< X that all of this is counted on
@@ -80,7 +75,7 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
                          const body::ShapePtr& current) {
   const auto& interior = state.solution.interiors[b];
   const Vector q = system.part(state.solution.q.high, b);
-  Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), support_columns(system.bodies[b]), {},
+  Displaced body{state.shapes[b], {}, q, turned_by(system.bodies[b], q), body::support_columns(system.bodies[b]), {},
                  interior.F0};
   const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
   if (nonlinear) body.elastic = nonlinear->elastic_states(interior, q);
@@ -98,7 +93,7 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
 std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
                          const adapt::GaussOptions& gauss, Vector& q, body::Interior& interior, double& projection) {
   const mesh::Mesh& old = before.on->mesh;
-  for (const auto& now : support_columns(op))
+  for (const auto& now : body::support_columns(op))
     for (const auto& then : before.supports)
       if (then.support == now.support && then.motion == now.motion) q[now.column] = before.q[then.column];
   base::Points u;
@@ -236,7 +231,7 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   std::size_t r = 0;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (const auto found = displaced.find(b); found != displaced.end()) {
-      parts[b] = Vector::Zero(std::visit([](const auto& o) { return o.dofs(); }, system.bodies[b]));
+      parts[b] = Vector::Zero(body::dofs(system.bodies[b]));
       const auto& fresh = next.shapes[b]->mesh;
       const adapt::GaussOptions gauss{problem.scene.remesh.state_transfer, problem.scene.analysis};
       const std::string failure = start_values(found->second, fresh, system.bodies[b], gauss, parts[b],

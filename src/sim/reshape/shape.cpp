@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "adapt/shape/shape_step.hpp"
 #include "base/errors.hpp"
+#include "base/formatted.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/measure/shared_wear.hpp"
 #include "sim/measure/warn_contact.hpp"
@@ -109,9 +109,7 @@ void tell(const Observer& observer, const std::vector<RemeshRecord>& records) {
   for (const auto& r : records) {
     if (observer.remesh) observer.remesh(r);
     if (!observer.log) continue;
-    char text[400];
-    std::snprintf(
-        text, sizeof text,
+    const std::string text = base::formatted(
         "body %s remeshed at cycle %g: %d -> %d nodes, poorest scaled Jacobian %.3f -> %.3f; pressure changed by "
         "%.2g, force by %.2g, strain energy by %.2g; a node lay %.2g mm outside; %.2f s, of which %.2f s meshing; ",
         r.body.c_str(), r.cycle, r.nodes_before, r.nodes_after, r.scaled_jacobian_before, r.scaled_jacobian_after,

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/errors.hpp"
+#include "base/formatted.hpp"
 #include "sim/march/march.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/study/decide.hpp"
@@ -16,17 +16,11 @@ namespace {
 
 /// Elements per half width of a fine zone: of the first and the last pilot, and the most that are chosen.
 constexpr double first_elements = 16.0, last_elements = 128.0, most_elements = 400.0;
-constexpr double reach = 4.0;  ///< times the elements of a pilot, up to which the order of its error is extrapolated
+constexpr double pilot_reach =
+    4.0;  ///< times the elements of a pilot, up to which the order of its error is extrapolated
 /// The share of the accuracy that the error of the mesh may take by the estimate: the cycle jump has half of it, and
 /// the true error may be 1.8 times as large as the estimate (`results/mesh_error`).
 constexpr double share = 0.4;
-
-template <class... Args>
-std::string text(const char* format, Args... args) {
-  std::string line(512, '\0');
-  line.resize(static_cast<std::size_t>(std::snprintf(line.data(), line.size(), format, args...)));
-  return line;
-}
 
 bool sized(const cad::FineZone& zone) { return zone.size_mm > 0.0; }
 
@@ -52,7 +46,8 @@ DiscretisationError played(scene::Scene scene) {
 }
 
 [[noreturn]] void refuse(const scene::Scene& scene, const std::string& rule) {
-  throw base::InputError({{"accuracy", text("%g", scene.accuracy), rule + "; give the fine zones their size_mm"}});
+  throw base::InputError(
+      {{"accuracy", base::formatted("%g", scene.accuracy), rule + "; give the fine zones their size_mm"}});
 }
 
 struct Pilot {
@@ -64,7 +59,7 @@ struct Pilot {
 /// Whether the elements that a pilot asks for are near enough to its own, or too many in any case.
 bool reaches(const Pilot& pilot) {
   const bool hopeless = pilot.suited > 2.0 * most_elements;
-  return pilot.elements > 0.0 && (hopeless || pilot.suited <= reach * pilot.elements);
+  return pilot.elements > 0.0 && (hopeless || pilot.suited <= pilot_reach * pilot.elements);
 }
 
 /// The coarsest pilot whose extrapolation reaches the elements it asks for, or the finest that gives an error.
@@ -79,9 +74,9 @@ Pilot piloted(const scene::Scene& scene) {
     best = {n, error, n * std::max(1.0, finer)};
   }
   if (best.elements > 0.0) return best;
-  refuse(scene,
-         text("a pilot run on %g elements per half width of the fine zones gives no error estimate: ", last_elements) +
-             reason);
+  refuse(scene, base::formatted("a pilot run on %g elements per half width of the fine zones gives no error estimate: ",
+                                last_elements) +
+                    reason);
 }
 
 /// The sizes chosen, as a scene would give them.
@@ -90,7 +85,8 @@ std::string sizes(const scene::Scene& asked, const scene::Scene& chosen) {
   for (std::size_t z = 0; z < asked.geometry.fine_zones.size(); ++z)
     if (const auto& zone = chosen.geometry.fine_zones[z]; !sized(asked.geometry.fine_zones[z]))
       list += (list.empty() ? "" : ", ") + zone.contact +
-              text(" %.3g mm round (%.4g, %.4g)", zone.size_mm, zone.centre_mm.x() + 0.0, zone.centre_mm.y() + 0.0);
+              base::formatted(" %.3g mm round (%.4g, %.4g)", zone.size_mm, zone.centre_mm.x() + 0.0,
+                              zone.centre_mm.y() + 0.0);
   return list;
 }
 
@@ -103,17 +99,18 @@ std::vector<std::string> choose_sizes(scene::Scene& scene, Cache& cache) {
   const double start = cpu_seconds();
   const Pilot pilot = piloted(scene);
   const scene::Scene chosen = with_elements(scene, pilot.suited);
-  const auto told = text(
+  const auto told = base::formatted(
                         "with %g elements per half width of the fine zones the estimated error is %.2g %% and falls "
                         "with size^%g; ",
                         pilot.elements, 100.0 * *pilot.error.surface, pilot.error.order) +
-                    text("%.0f elements suit the accuracy: ", pilot.suited) + sizes(scene, chosen);
-  if (pilot.suited > most_elements) refuse(scene, told + text("; more than %g are not chosen", most_elements));
+                    base::formatted("%.0f elements suit the accuracy: ", pilot.suited) + sizes(scene, chosen);
+  if (pilot.suited > most_elements)
+    refuse(scene, told + base::formatted("; more than %g are not chosen", most_elements));
   scene = chosen;
   const double seconds = cpu_seconds() - start;
   cache.cpu_s += seconds;
-  return {text("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
-          text("    the pilot run took %.2g s of processor time; it is repeated at each restart", seconds)};
+  return {base::formatted("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
+          base::formatted("    the pilot run took %.2g s of processor time; it is repeated at each restart", seconds)};
 }
 
 }  // namespace reye::sim

@@ -142,7 +142,7 @@ bool same_meshes(const Problem& a, const Problem& b) {
 }
 
 /// Whether some secondary side that touches has fewer elements than an estimate needs (`results/mesh_error`).
-bool too_few(const std::vector<SurfaceRecord>& surfaces, const State& state) {
+bool few_nodes(const std::vector<SurfaceRecord>& surfaces, const State& state) {
   constexpr int fewest = 4;
   for (const auto& s : surfaces) {
     const auto loaded = std::count_if(s.pressure_MPa.begin(), s.pressure_MPa.end(), [](double p) { return p > 0.0; });
@@ -191,7 +191,7 @@ DiscretisationError compared(const Problem& problem, const State& state, Cache& 
   const Summary summary = march(coarse, end, aside(observer), of_coarse);
   if (summary.status != RunStatus::done) return none(summary.status, "the companion run: " + summary.reason);
   const auto surfaces = surfaces_of(coarse, end, of_coarse);
-  if (too_few(surfaces, end))
+  if (few_nodes(surfaces, end))
     return none(RunStatus::done, "fewer than four elements touch where they are twice as long");
   const auto fine = surfaces_of(problem, state, cache);
   const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);

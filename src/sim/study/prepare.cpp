@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/errors.hpp"
+#include "base/formatted.hpp"
 #include "scene/read.hpp"
 #include "sim/study/accuracy.hpp"
 #include "sim/study/decide.hpp"
@@ -13,15 +14,13 @@ namespace {
 
 using base::Issue;
 
-std::string quoted(const std::string& name) { return '"' + name + '"'; }
-
 /// Geometry files by their path from the scene, which is how the user wrote them.
 std::vector<Issue> as_written(const scene::Scene& scene, std::vector<Issue> issues) {
   const auto folder = std::filesystem::absolute(scene.path).parent_path();
   for (auto& issue : issues)
     for (const auto& file : scene.geometry.files)
-      if (issue.value == quoted(file))
-        issue.value = quoted(std::filesystem::path(file).lexically_proximate(folder).string());
+      if (issue.value == base::quoted(file))
+        issue.value = base::quoted(std::filesystem::path(file).lexically_proximate(folder).string());
   return issues;
 }
 

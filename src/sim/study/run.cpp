@@ -3,8 +3,8 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <cstdio>
 
+#include "base/formatted.hpp"
 #include "sim/march/march.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/study/discretisation.hpp"
@@ -21,12 +21,9 @@ double peak_rss_MB() {
 
 std::string in_words(const DiscretisationError& error) {
   if (!error.surface) return "no estimate of the mesh's error: " + error.reason;
-  char text[120];
-  std::snprintf(text, sizeof text, "estimated error of the mesh %.3g %%", 100.0 * *error.surface);
-  std::string words = text;
+  std::string words = base::formatted("estimated error of the mesh %.3g %%", 100.0 * *error.surface);
   if (!error.peak_pressure) return words;
-  std::snprintf(text, sizeof text, ", of the peak pressure %.3g %%", 100.0 * *error.peak_pressure);
-  return words + text;
+  return words + base::formatted(", of the peak pressure %.3g %%", 100.0 * *error.peak_pressure);
 }
 
 /// The error of the mesh; a run interrupted here resumes with the estimate.

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+namespace reye::base {
+
+/// What printf would print, at its full length; arguments are checked against `format` at compile time.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+/// A name between double quotes.
+inline std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+}  // namespace reye::base
