@@ -95,14 +95,16 @@ double plain_value(double x, int) { return x; }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__)
-/// Compiled twice, for any processor and for vectors of four doubles; the program chooses at run time. Without fused
-/// operations both give the same bits.
-#define REYE_WIDE __attribute__((flatten, target_clones("avx2", "default")))
-#else
-#define REYE_WIDE
-#endif
+/// For vectors of four doubles, where the processor has them. Without fused operations both give the same bits.
+__attribute__((flatten, target("avx2"))) void integrate_wide(Workspace<base::Dual<16>>& w) { integrate(w); }
 
-REYE_WIDE void integrate_duals(Workspace<base::Dual<16>>& w) { integrate(w); }
+void integrate_duals(Workspace<base::Dual<16>>& w) {
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  wide ? integrate_wide(w) : integrate(w);
+}
+#else
+void integrate_duals(Workspace<base::Dual<16>>& w) { integrate(w); }
+#endif
 
 /// Distance of a curve from its chord.
 double sag(const Points& x, const Facet& f) {
