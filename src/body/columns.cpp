@@ -55,7 +55,7 @@ class Numbering {
         input_(input),
         retained_(retained),
         edges_(curved_edges(mesh, input.contact_boundaries)),
-        points_(with_control_points(mesh.X, edges_)),
+        points_(mesh::control_points(edges_, mesh.X)),
         constraints_(mesh.X.size()),
         first_group_(input.supports.size(), 0) {
     for (const Support& support : input.supports) places_.push_back(place_support(mesh, support));
@@ -209,7 +209,7 @@ class Numbering {
   const Mesh& mesh_;
   const BodyInput& input_;
   const std::vector<int>& retained_;
-  std::vector<CurvedEdge> edges_;
+  std::vector<mesh::Facet> edges_;
   base::Points points_;  ///< of nodes, control points in place of mid nodes on contact boundaries
   std::vector<SupportPlace> places_;
   std::vector<Constraint> constraints_;

@@ -4,20 +4,15 @@
 
 namespace reye::body {
 
-std::vector<CurvedEdge> curved_edges(const mesh::Mesh& mesh, const std::vector<std::string>& boundaries) {
+std::vector<mesh::Facet> curved_edges(const mesh::Mesh& mesh, const std::vector<std::string>& boundaries) {
   if (mesh::order(mesh.kind) == 1) return {};
   std::set<int> seen;
-  std::vector<CurvedEdge> edges;
+  std::vector<mesh::Facet> edges;
   for (const auto& name : boundaries)
     for (const auto& chain : mesh.boundaries.at(name))
       for (std::size_t i = 0; i + 2 < chain.size(); i += 2)
         if (seen.insert(chain[i + 1]).second) edges.push_back({chain[i], chain[i + 2], chain[i + 1]});
   return edges;
-}
-
-base::Points with_control_points(base::Points values, const std::vector<CurvedEdge>& edges) {
-  for (const auto& [a, b, mid] : edges) values[mid] = 2.0 * values[mid] - 0.5 * (values[a] + values[b]);
-  return values;
 }
 
 }  // namespace reye::body

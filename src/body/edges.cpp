@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "fem/places.hpp"
+#include "mesh/facet.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::body {
@@ -40,7 +41,7 @@ Vec2 centroid(const Mesh& mesh, const Boundary& boundary) {
   double total = 0.0;
   if (mesh::order(mesh.kind) == 2) {
     for_each_quadratic_facet(mesh, boundary, [&](const mesh::QuadraticEdge& edge, const auto&) {
-      for (const auto& [xi, weight] : mesh::edge_rule()) {
+      for (const auto& [xi, weight] : mesh::gauss5) {
         const double ds = weight * edge.tangent(xi).norm();
         sum += ds * edge.at(xi);
         total += ds;

@@ -175,7 +175,7 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) cons
   std::vector<char> held(static_cast<size_t>(unknowns.size()), 0);
   for (const auto& support : columns.supports) held[impl_->interior() + support.column] = 1;
   std::vector<Term> free;
-  const base::Points seen = with_control_points(u, columns.curved_edges);
+  const base::Points seen = mesh::control_points(columns.curved_edges, u);
   std::vector<const std::vector<Term>*> own;  // of mid nodes in contact: of their control points
   for (const auto& terms : columns.terms) own.push_back(&terms);
   for (size_t k = 0; k < contact_nodes().size(); ++k) own[contact_nodes()[k]] = &columns.seen[k].terms;

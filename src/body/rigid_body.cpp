@@ -50,7 +50,7 @@ struct RigidBody::Impl {
       for (int node : mesh::nodes_of(fem::boundary_of(shape->mesh, name, "body." + input.name + ".contact")))
         if (std::find(contact_nodes.begin(), contact_nodes.end(), node) == contact_nodes.end())
           contact_nodes.push_back(node);
-    const auto points = with_control_points(shape->mesh.X, curved_edges(shape->mesh, input.contact_boundaries));
+    const auto points = mesh::control_points(curved_edges(shape->mesh, input.contact_boundaries), shape->mesh.X);
     for (int node : contact_nodes) contact_X.push_back(points[node]);
     for_each_load(input, [&](const auto& load) {
       names.push_back({load.name, load.history});

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "fem/places.hpp"
 #include "mesh/arc.hpp"
+#include "mesh/facet.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::fem {
@@ -63,7 +64,7 @@ std::array<EdgePoint, 5> edge_points(const LoadedEdge& edge) {
   std::array<EdgePoint, 5> points;
   const double half = 0.5 * (edge.to - edge.from);
   int k = 0;
-  for (const auto& [point, share] : mesh::edge_rule()) {
+  for (const auto& [point, share] : mesh::gauss5) {
     const double xi = 0.5 * (edge.from + edge.to) + half * point;
     EdgePoint& p = points[k++];
     p.weight = half * share;

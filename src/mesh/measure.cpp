@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "mesh/facet.hpp"
 #include "mesh/quadratic_edge.hpp"
 
 namespace reye::mesh {
@@ -33,7 +34,7 @@ std::vector<double> steps(const Points& X, const Chain& chain, int order) {
 /// int N_j ds of the three nodes of a quadratic edge.
 Eigen::Vector3d shares(const QuadraticEdge& edge) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const auto& [xi, weight] : edge_rule()) sum += weight * edge.tangent(xi).norm() * QuadraticEdge::shape(xi);
+  for (const auto& [xi, weight] : gauss5) sum += weight * edge.tangent(xi).norm() * QuadraticEdge::shape(xi);
   return sum;
 }
 

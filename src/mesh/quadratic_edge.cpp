@@ -5,16 +5,6 @@
 
 namespace reye::mesh {
 
-std::span<const std::array<double, 2>> edge_rule() {
-  static const double inner = std::sqrt(5.0 - 2.0 * std::sqrt(10.0 / 7.0)) / 3.0,
-                      outer = std::sqrt(5.0 + 2.0 * std::sqrt(10.0 / 7.0)) / 3.0,
-                      w_inner = (322.0 + 13.0 * std::sqrt(70.0)) / 900.0,
-                      w_outer = (322.0 - 13.0 * std::sqrt(70.0)) / 900.0;
-  static const std::array<std::array<double, 2>, 5> rule{
-      {{-outer, w_outer}, {-inner, w_inner}, {0.0, 128.0 / 225.0}, {inner, w_inner}, {outer, w_outer}}};
-  return rule;
-}
-
 Vec2 QuadraticEdge::at(double xi) const {
   return mid + 0.5 * xi * (last - first) + 0.5 * xi * xi * (first + last - 2.0 * mid);
 }

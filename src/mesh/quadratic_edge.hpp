@@ -1,15 +1,10 @@
 #pragma once
-#include <array>
-#include <span>
 
 #include "base/linalg.hpp"
 
 namespace reye::mesh {
 
 using base::Vec2;
-
-/// xi and weight of the five Gauss points on [-1, 1] (degree 9), for integrals along an edge without a closed form.
-std::span<const std::array<double, 2>> edge_rule();
 
 /// An edge of second order, x(xi) = mid + xi p + xi^2/2 q with p = (last - first)/2, q = first + last - 2 mid,
 /// xi from -1 (first) to 1 (last).

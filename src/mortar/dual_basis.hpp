@@ -112,14 +112,14 @@ DualBasis<T> dual_basis_of_three(const FacetInput<T>& in, const std::vector<Quad
 template <class T>
 DualBasis<T> dual_basis(const FacetInput<T>& in, const std::vector<Quadrature<T>>& points) {
   if (points.empty()) return {};
-  return in.count == 2 ? dual_basis_of_two(in, points) : dual_basis_of_three(in, points);
+  return in.count() == 2 ? dual_basis_of_two(in, points) : dual_basis_of_three(in, points);
 }
 
 /// psi_j at a quadrature point.
 template <class T>
 std::array<T, 3> dual_functions(const FacetInput<T>& in, const DualBasis<T>& basis, const Quadrature<T>& q) {
   std::array<T, 3> psi{};
-  if (in.count == 2) {
+  if (in.count() == 2) {
     for (int j = 0; j < 2; ++j) psi[j] = basis.A[j][0] * q.N[0] + basis.A[j][1] * q.N[1];
     return psi;
   }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "base/dual.hpp"
-#include "mortar/shape_functions.hpp"
 #include "mortar/surface.hpp"
 
 /// One secondary facet with the primary facets opposite, for any scalar: double gives values, base::Dual exact
@@ -13,6 +12,7 @@ namespace reye::mortar {
 
 using base::Kinematics;
 using base::value;
+using mesh::FacetKind;
 
 /// A pair of scalars in the plane.
 template <class T>
@@ -57,7 +57,7 @@ Pair<T> averaged(const Pair<T>& n1, const Pair<T>& n2) {
 /// `xm`; `pairs` are primary facets in these numbers.
 template <class T>
 struct FacetInput {
-  int count = 2;                            ///< nodes of the facet: 2, or 3 with its control point last
+  FacetKind kind = FacetKind::line2;        ///< of a curve the control point comes last
   std::array<Pair<T>, 3> x, n;              ///< positions, and the normal field: n(xi) = sum N_j n_j
   std::array<Pair<double>, 3> X, x_before;  ///< on X; at the start of the increment
   std::array<bool, 3> cut{};                ///< the node carries no multiplier
@@ -67,6 +67,8 @@ struct FacetInput {
   Analysis analysis = Analysis::plane_strain;
   Kinematics measure = Kinematics::small;  ///< integrals over length on X (small) or on x (finite)
   double search = 0.0;                     ///< pairs farther apart than this do not meet
+
+  int count() const { return mesh::node_count(kind); }
 };
 
 /// One quadrature point of a segment.

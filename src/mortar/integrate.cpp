@@ -59,10 +59,10 @@ int load_secondary(const Placement& p, const FacetRecord& record, FacetInput<T>&
   std::array<Pair<T>, places> x;
   for (std::size_t i = 0; i < places; ++i)
     if (nodes[i] >= 0) x[i] = scalars<T>(p.xs[nodes[i]], dof, make);
-  in.count = record.count;
+  in.kind = mesh::kind_of(s.facets[record.facet]);
   in.x = {x[first], x[last], x[control]};
   in.n = normals_of(nodes, x);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(in.count); ++j) {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(in.count()); ++j) {
     const int node = s.facets[record.facet][j];
     in.X[j] = pair_of(s.X[node]);
     in.x_before[j] = pair_of(p.xs_before[node]);
@@ -140,7 +140,7 @@ void Integrator::list_opposites(const Placement& p) {
 /// Finds the primary facets that may lie opposite: near, and not wholly on one side of the facet's two rays.
 bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   record.facet = facet;
-  record.count = p.secondary->facets[facet][2] < 0 ? 2 : 3;
+  record.count = mesh::node_count(mesh::kind_of(p.secondary->facets[facet]));
   record.primaries.clear();
   record.pairs.clear();
   record.slope.clear();

@@ -34,26 +34,26 @@ template <class T, class S>
 T length_element(const FacetInput<T>& in, const std::array<Pair<S>, 3>& p, const Quadrature<T>& q, double factor) {
   using std::sqrt;
   T r = p[0].x * q.N[0] + p[1].x * q.N[1];
-  if (in.count == 2) {
+  if (in.kind == FacetKind::line2) {
     const Pair<S> t = (p[1] - p[0]) * 0.5;
     return base::out_of_plane(in.analysis, r) * (sqrt(dot(t, t)) * factor);
   }
   r += p[2].x * q.N[2];
-  const auto d = bernstein_slopes(q.xi);
+  const auto d = mesh::facet_slopes(FacetKind::line3, q.xi);
   const Pair<T> t{p[0].x * d[0] + p[1].x * d[1] + p[2].x * d[2], p[0].y * d[0] + p[1].y * d[1] + p[2].y * d[2]};
   return base::out_of_plane(in.analysis, r) * (sqrt(dot(t, t)) * factor);
 }
 
 /// The points of one segment [lo, hi] by a rule on [-1, 1].
 template <class T, std::size_t n>
-void place_segment(Workspace<T>& w, int pair, const T& lo, const T& hi, const Rule<n>& rule) {
+void place_segment(Workspace<T>& w, int pair, const T& lo, const T& hi, const std::array<mesh::RulePoint, n>& rule) {
   const auto& in = w.in;
-  for (std::size_t g = 0; g < n; ++g) {
-    const T xi = 0.5 * (1.0 - rule.xi[g]) * lo + 0.5 * (1.0 + rule.xi[g]) * hi;
+  for (const auto& [at, weight] : rule) {
+    const T xi = 0.5 * (1.0 - at) * lo + 0.5 * (1.0 + at) * hi;
     auto q = project(in, pair, xi);
-    q.weight = length_element(in, in.X, q, 0.5 * rule.weight[g]) * (hi - lo);
+    q.weight = length_element(in, in.X, q, 0.5 * weight) * (hi - lo);
     q.weight_on_X = value(q.weight);
-    if (in.measure == Kinematics::finite) q.weight = length_element(in, in.x, q, 0.5 * rule.weight[g]) * (hi - lo);
+    if (in.measure == Kinematics::finite) q.weight = length_element(in, in.x, q, 0.5 * weight) * (hi - lo);
     w.points.push_back(std::move(q));
   }
 }
@@ -71,10 +71,10 @@ void place_points(Workspace<T>& w) {
     if (value(hi) - value(lo) < 1e-12) continue;
     const auto middle = project(in, pair, T(0.5 * (lo + hi)));
     if (std::abs(value(middle.gap)) > in.search) continue;
-    if (in.count == 2 && in.pairs[pair][2] < 0)
-      place_segment(w, pair, lo, hi, gauss3);
+    if (in.kind == FacetKind::line2 && in.pairs[pair][2] < 0)
+      place_segment(w, pair, lo, hi, mesh::gauss3);
     else
-      place_segment(w, pair, lo, hi, gauss5);
+      place_segment(w, pair, lo, hi, mesh::gauss5);
     covered += 0.5 * (value(hi) - value(lo));
   }
   if (covered < least_cover) w.points.clear();
@@ -90,7 +90,7 @@ void relative_motion(Workspace<T>& w, int j) {
   };
   const Pair<T> dx = moved(in.x[j], in.x_before[j]);
   out.offset[j] = out.drift[j] = {};
-  for (int k = 0; k < in.count; ++k) {
+  for (int k = 0; k < in.count(); ++k) {
     if (k == j || !in.cut[k]) continue;
     out.offset[j] = out.offset[j] + (in.x[k] - in.x[j]) * out.off[j][k];
     out.drift[j] = out.drift[j] + (moved(in.x[k], in.x_before[k]) - dx) * out.off[j][k];
@@ -115,7 +115,7 @@ void clear(FacetIntegrals<T>& out, int count, std::size_t primaries) {
 /// Weight by which node j spreads the primary's wear: N_j, and half of N of a control point that has no multiplier.
 template <class T>
 T spreading_weight(const FacetInput<T>& in, const Quadrature<T>& q, int j) {
-  return in.count == 3 && in.cut[2] ? q.N[j] + 0.5 * q.N[2] : q.N[j];
+  return in.kind == FacetKind::line3 && in.cut[2] ? q.N[j] + 0.5 * q.N[2] : q.N[j];
 }
 
 /// All integrals of the facet described by w.in, into w.out.
@@ -125,15 +125,15 @@ void integrate(Workspace<T>& w) {
   auto& out = w.out;
   place_points(w);
   const auto basis = dual_basis(in, w.points);
-  clear(out, in.count, in.xm.size());
+  clear(out, in.count(), in.xm.size());
   for (const auto& q : w.points) {
     const auto& [a, b, c] = in.pairs[q.pair];
     const auto psi = dual_functions(in, basis, q);
-    for (int j = 0; j < in.count; ++j) {
+    for (int j = 0; j < in.count(); ++j) {
       const T carried = psi[j] * q.weight, spread = q.weight * spreading_weight(in, q, j);
       out.on_X[j] += q.weight_on_X * value(q.N[j]);
       out.D[j] += carried;
-      for (int k = 0; k < in.count; ++k)
+      for (int k = 0; k < in.count(); ++k)
         if (in.cut[k] && k != j) out.off[j][k] += carried * q.N[k];
       out.gap[j] += carried * q.gap;
       const auto add = [&](int node, const T& Nm) {
@@ -145,8 +145,8 @@ void integrate(Workspace<T>& w) {
       if (c >= 0) add(c, q.Nm[2]);
     }
   }
-  for (int j = 0; j < in.count; ++j) {
-    for (int k = 0; k < in.count; ++k) out.D[j] -= out.off[j][k];  // row sums of M: forces balance to round-off
+  for (int j = 0; j < in.count(); ++j) {
+    for (int k = 0; k < in.count(); ++k) out.D[j] -= out.off[j][k];  // row sums of M: forces balance to round-off
     relative_motion(w, j);
   }
 }

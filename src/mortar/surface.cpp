@@ -2,37 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <unordered_map>
-
-#include "mortar/shape_functions.hpp"
 
 namespace reye::mortar {
 
 namespace {
-
-constexpr double corner_angle = 50.0 * std::numbers::pi / 180.0;
-
-/// int N_j over a straight facet for both its nodes; in axisymmetry int N_j 2 pi r.
-std::array<double, 3> straight_shares(const Vec2& a, const Vec2& b, Analysis analysis) {
-  const double length = (b - a).norm();
-  if (analysis != Analysis::axisymmetric) return {0.5 * length, 0.5 * length, 0.0};
-  const double c = 2.0 * std::numbers::pi * length / 6.0;
-  return {c * (2.0 * a.x() + b.x()), c * (a.x() + 2.0 * b.x()), 0.0};
-}
-
-/// Nodal shares of the length of a curve, by the rule that the integrals of the contact use.
-std::array<double, 3> curved_shares(const Vec2& a, const Vec2& b, const Vec2& c, Analysis analysis) {
-  std::array<double, 3> shares{};
-  for (std::size_t g = 0; g < gauss5.xi.size(); ++g) {
-    const auto N = shape_functions(3, gauss5.xi[g]), d = bernstein_slopes(gauss5.xi[g]);
-    const double length = (d[0] * a + d[1] * b + d[2] * c).norm();
-    const double r = N[0] * a.x() + N[1] * b.x() + N[2] * c.x();
-    const double weight = gauss5.weight[g] * length * base::out_of_plane(analysis, r);
-    for (std::size_t j = 0; j < 3; ++j) shares[j] += weight * N[j];
-  }
-  return shares;
-}
 
 void find_corners(Surface& s) {
   s.corner.assign(s.X.size(), 0);
@@ -40,7 +14,7 @@ void find_corners(Surface& s) {
     if (s.before[j] < 0 || s.after[j] < 0 || s.is_control_point(j)) continue;
     const Vec2 t1 = (s.X[j] - s.X[s.beside(s.before[j], 1)]).normalized();
     const Vec2 t2 = (s.X[s.beside(s.after[j], 0)] - s.X[j]).normalized();
-    s.corner[j] = std::acos(std::clamp(t1.dot(t2), -1.0, 1.0)) > corner_angle;
+    s.corner[j] = std::acos(std::clamp(t1.dot(t2), -1.0, 1.0)) > mesh::smooth_angle;
   }
 }
 
@@ -52,8 +26,7 @@ void add_facet(Surface& s, const Facet& facet, Analysis analysis) {
     s.X[c] = 2.0 * s.X[c] - 0.5 * (s.X[a] + s.X[b]);
   }
   s.facets.push_back(facet);
-  const auto share =
-      c < 0 ? straight_shares(s.X[a], s.X[b], analysis) : curved_shares(s.X[a], s.X[b], s.X[c], analysis);
+  const auto share = mesh::nodal_shares(mesh::kind_of(facet), {s.X[a], s.X[b], s.X[c < 0 ? a : c]}, analysis);
   for (std::size_t j = 0; j < 3; ++j)
     if (facet[j] >= 0) s.area[facet[j]] += share[j];
 }

@@ -4,6 +4,7 @@
 
 #include "base/analysis.hpp"
 #include "base/linalg.hpp"
+#include "mesh/facet.hpp"
 #include "mesh/mesh.hpp"
 
 namespace reye::mortar {
@@ -12,8 +13,7 @@ using base::Analysis;
 using base::Points;
 using base::Vec2;
 
-/// First node, last node and, on a facet of second order, the control point between them (else -1).
-using Facet = std::array<int, 3>;
+using mesh::Facet;
 
 /// One side of a contact as a line on X: straight facets, or quadratic Bezier curves x = (1-t)^2 a + 2t(1-t) c + t^2 b
 /// with nodes a, b and a control point c = 2 x(1/2) - (a + b) / 2. All nodal quantities are coefficients of the

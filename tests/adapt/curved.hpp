@@ -2,7 +2,9 @@
 #include <functional>
 
 #include "adapt/shape/shape_step.hpp"
+#include "mesh/facet.hpp"
 #include "mesh/quadratic_edge.hpp"
+
 #include "support/meshes.hpp"
 
 /// Losses of boundaries made of quadratic edges, and what bodies with such outlines contain.
@@ -24,7 +26,7 @@ inline WornBoundary worn_by(const Mesh& m, const std::string& boundary, const De
   for (const auto& chain : m.boundaries.at(boundary))
     for (std::size_t i = 0; i + 2 < chain.size(); i += 2) {
       const auto edge = edge_at(m, chain, i);
-      for (const auto& [xi, weight] : mesh::edge_rule()) {
+      for (const auto& [xi, weight] : mesh::gauss5) {
         const double t = 0.5 * (1.0 + xi);
         const double ds = weight * edge.tangent(xi).norm() * base::out_of_plane(analysis, edge.at(xi).x());
         length[chain[i]] += (1.0 - t) * (1.0 - t) * ds;

@@ -40,7 +40,7 @@ body::BodyInput input_of() {
 Points seen(const mesh::Mesh& m, const body::BodyInput& in, const std::vector<Vec2>& u) {
   Points x = m.X;
   for (std::size_t k = 0; k < x.size(); ++k) x[k] += u[k];
-  return body::with_control_points(x, body::curved_edges(m, in.contact_boundaries));
+  return mesh::control_points(body::curved_edges(m, in.contact_boundaries), x);
 }
 
 template <class Body>

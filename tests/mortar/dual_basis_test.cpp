@@ -27,8 +27,8 @@ mortar::Workspace<double> facet_under(double a, double b, Analysis analysis = An
 double biorthogonality_error(const mortar::Workspace<double>& w) {
   const auto basis = mortar::dual_basis(w.in, w.points);
   double error = 0.0;
-  for (int j = 0; j < w.in.count; ++j)
-    for (int k = 0; k < w.in.count; ++k) {
+  for (int j = 0; j < w.in.count(); ++j)
+    for (int k = 0; k < w.in.count(); ++k) {
       if (w.in.cut[j] || w.in.cut[k]) continue;
       double sum = 0.0;
       for (const auto& q : w.points)

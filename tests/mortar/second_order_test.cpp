@@ -69,7 +69,7 @@ TEST(second_order, nodal_areas) {
 /// A workspace with one curved facet below three primary nodes that reach from x = a to x = b.
 mortar::Workspace<double> facet_under(double a, double b) {
   mortar::Workspace<double> w;
-  w.in.count = 3;
+  w.in.kind = mesh::FacetKind::line3;
   w.in.x = {mortar::Pair<double>{2, 0}, mortar::Pair<double>{1, 0}, mortar::Pair<double>{1.45, 0.1}};
   w.in.X = w.in.x_before = w.in.x;
   w.in.n = {mortar::Pair<double>{0.1, 1.0}, mortar::Pair<double>{-0.2, 0.98}, mortar::Pair<double>{0.0, 1.0}};

@@ -63,9 +63,9 @@ bool folded(const Point& p, const Point& q, const Point& r) {
 
 bool clash(const base::Points& X, const Facet& f, const Facet& g) {
   const auto at = [&](int node) { return point(X[node]); };
-  if (f.b == g.a) return folded(at(f.a), at(f.b), at(g.b));
-  if (g.b == f.a) return folded(at(g.a), at(g.b), at(f.b));
-  return CGAL::do_intersect(Kernel::Segment_2(at(f.a), at(f.b)), Kernel::Segment_2(at(g.a), at(g.b)));
+  if (f[1] == g[0]) return folded(at(f[0]), at(f[1]), at(g[1]));
+  if (g[1] == f[0]) return folded(at(g[0]), at(g[1]), at(f[1]));
+  return CGAL::do_intersect(Kernel::Segment_2(at(f[0]), at(f[1])), Kernel::Segment_2(at(g[0]), at(g[1])));
 }
 
 using SegmentNodes = std::array<int, 2>;
@@ -132,7 +132,7 @@ std::optional<Crossing> find_crossing(const mesh::Mesh& mesh) {
   const auto [X, facets, between] = pieces_of(mesh);
   std::vector<Box> boxes;
   for (int i = 0; i < static_cast<int>(facets.size()); ++i)
-    boxes.emplace_back(point(X[facets[i].a]).bbox() + point(X[facets[i].b]).bbox(), i);
+    boxes.emplace_back(point(X[facets[i][0]]).bbox() + point(X[facets[i][1]]).bbox(), i);
   std::optional<std::pair<int, int>> first;  // the smallest pair, so that the answer does not depend on box order
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
     const std::pair pair{std::min(x.info(), y.info()), std::max(x.info(), y.info())};
@@ -141,7 +141,7 @@ std::optional<Crossing> find_crossing(const mesh::Mesh& mesh) {
   });
   if (!first) return std::nullopt;
   const auto &f = between[first->first], &g = between[first->second];
-  return Crossing{{f.a, f.b}, {g.a, g.b}, 0.5 * (mesh.X[f.a] + mesh.X[f.b])};
+  return Crossing{{f[0], f[1]}, {g[0], g[1]}, 0.5 * (mesh.X[f[0]] + mesh.X[f[1]])};
 }
 
 }  // namespace reye::adapt

@@ -98,13 +98,13 @@ void move_part(const Motion& m, int parts, MovedOutline& moved) {
   for (const auto& worn : m.nodes)
     if (!m.outline.middle[worn.node]) moved.X[worn.node] += theta * step[worn.node];
   for (const auto& facet : m.facets)
-    if (facet.c >= 0) moved.X[facet.c] += theta * step[facet.c];
+    if (facet[2] >= 0) moved.X[facet[2]] += theta * step[facet[2]];
 }
 
 MovedOutline move_in(const Motion& m, const Points& X, int parts) {
-  MovedOutline moved{control_points(m.facets, X), 1.0, parts, {}};
+  MovedOutline moved{mesh::control_points(m.facets, X), 1.0, parts, {}};
   for (int part = 0; part < parts && moved.failure.empty(); ++part) move_part(m, parts, moved);
-  moved.X = middle_nodes(m.facets, std::move(moved.X));
+  moved.X = mesh::middle_nodes(m.facets, std::move(moved.X));
   return moved;
 }
 

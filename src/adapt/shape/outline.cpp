@@ -48,9 +48,8 @@ double ratio(double volume, double length) { return volume > 0.0 ? volume / leng
 
 /// The share of the end `node` of a facet in its length.
 double share(Analysis analysis, const Points& P, const Facet& facet, int node) {
-  const int other = facet.a == node ? facet.b : facet.a;
-  if (facet.c < 0) return nodal_length(analysis, P[node], P[other]);
-  return nodal_lengths(analysis, {P[node], P[other], P[facet.c]})[0];
+  const int other = facet[0] == node ? facet[1] : facet[0];
+  return mesh::nodal_shares(mesh::kind_of(facet), {P[node], P[other], P[std::max(facet[2], 0)]}, analysis)[0];
 }
 
 }  // namespace
@@ -91,7 +90,7 @@ std::vector<Facet> touched_facets(const Outline& outline, const std::vector<Worn
   std::set<int> starts;
   for (const auto& worn : nodes) {
     if (!outline.middle[worn.node]) starts.insert(worn.node);
-    starts.insert(outline.middle[worn.node] ? outline.before[worn.node] : outline.facet_before(worn.node).a);
+    starts.insert(outline.middle[worn.node] ? outline.before[worn.node] : outline.facet_before(worn.node)[0]);
   }
   std::vector<Facet> facets;
   for (int a : starts) facets.push_back(outline.facet_after(a));
@@ -99,13 +98,12 @@ std::vector<Facet> touched_facets(const Outline& outline, const std::vector<Worn
 }
 
 Vec2 nodal_step(Analysis analysis, const Points& P, const Outline& outline, const WornNode& worn) {
-  constexpr double corner = 50.0 * std::numbers::pi / 180.0;
   const Vec2 &x = P[worn.node], &p = P[outline.before[worn.node]], &q = P[outline.after[worn.node]];
   const std::array<Vec2, 2> t{unit(x - p), unit(q - x)};
   const std::array<Vec2, 2> n{base::right_of(t[0]), base::right_of(t[1])};
   const std::array<double, 2> A{share(analysis, P, outline.facet_before(worn.node), worn.node),
                                 share(analysis, P, outline.facet_after(worn.node), worn.node)};
-  if (std::abs(std::atan2(base::cross(t[0], t[1]), t[0].dot(t[1]))) > corner) {
+  if (std::abs(std::atan2(base::cross(t[0], t[1]), t[0].dot(t[1]))) > mesh::smooth_angle) {
     const double W = ratio(worn.both, A[0] + A[1]);
     return corner_step(n, {W + ratio(worn.before, A[0]), W + ratio(worn.after, A[1])});
   }
@@ -120,7 +118,7 @@ Vec2 control_step(Analysis analysis, const std::array<Vec2, 3>& facet, const std
   const auto& [a, b, c] = facet;
   const Vec2 t = unit(b - a), n = base::right_of(t);
   const std::array<Vec2, 2> end_normal{base::right_of(unit(c - a)), base::right_of(unit(b - c))};
-  const double W = ratio(volume, nodal_lengths(analysis, facet)[2]);
+  const double W = ratio(volume, mesh::nodal_shares(mesh::FacetKind::line3, facet, analysis)[2]);
   return (-W + 0.5 * ends[0].dot(end_normal[0] - n) + 0.5 * ends[1].dot(end_normal[1] - n)) * n +
          0.5 * t.dot(ends[0] + ends[1]) * t;
 }

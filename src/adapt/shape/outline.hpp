@@ -16,7 +16,9 @@ struct Outline {
   std::vector<char> middle;
   bool holds(int node) const { return after[node] >= 0; }
   /// The facet that starts at a vertex, and the one that ends there.
-  Facet facet_after(int a) const { return middle[after[a]] ? Facet{a, after[after[a]], after[a]} : Facet{a, after[a]}; }
+  Facet facet_after(int a) const {
+    return middle[after[a]] ? Facet{a, after[after[a]], after[a]} : Facet{a, after[a], -1};
+  }
   Facet facet_before(int b) const { return facet_after(middle[before[b]] ? before[before[b]] : before[b]); }
 };
 

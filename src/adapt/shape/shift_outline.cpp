@@ -26,8 +26,8 @@ struct Steps {
 /// Direction of a vertex that belongs to the boundary with the facet before it, the one after it or both.
 Vec2 outwards(const Points& P, const Outline& outline, int node, bool before, bool after) {
   const Facet first = outline.facet_before(node), second = outline.facet_after(node);
-  const Vec2 in = (P[node] - P[first.c >= 0 ? first.c : first.a]).normalized();
-  const Vec2 out = (P[second.c >= 0 ? second.c : second.b] - P[node]).normalized();
+  const Vec2 in = (P[node] - P[first[2] >= 0 ? first[2] : first[0]]).normalized();
+  const Vec2 out = (P[second[2] >= 0 ? second[2] : second[1]] - P[node]).normalized();
   if (before && after) return (base::right_of(in) + base::right_of(out)).normalized();
   const Vec2 normal = base::right_of(before ? in : out), side = before ? out : in;
   const double turning = std::abs(std::atan2(base::cross(in, out), in.dot(out))), along = side.dot(normal);
@@ -56,7 +56,7 @@ std::set<int> moving(const mesh::Mesh& mesh, const std::vector<OutlineShift>& sh
 Steps steps_of(const mesh::Mesh& mesh, const Outline& outline, const std::vector<OutlineShift>& shifts) {
   Steps steps{Points(mesh.X.size(), Vec2::Zero()), Points(mesh.X.size(), Vec2::Zero()),
               facets_at(outline, moving(mesh, shifts))};
-  const Points P = control_points(steps.facets, mesh.X);
+  const Points P = mesh::control_points(steps.facets, mesh.X);
   for (const auto& shift : shifts) {
     const auto& boundary = mesh.boundaries.at(shift.boundary);
     std::map<int, std::array<bool, 2>> sides;
@@ -106,7 +106,7 @@ ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analys
   const mesh::Mesh& mesh = shape->mesh;
   const Outline outline = outline_of(mesh);
   const Steps steps = steps_of(mesh, outline, shifts);
-  Points P = control_points(steps.facets, mesh.X);
+  Points P = mesh::control_points(steps.facets, mesh.X);
   const double times = balance(analysis, P, steps);
   if (!std::isfinite(times)) {
     result.failure = "no shift of the free outline restores the volume of the body";
@@ -114,7 +114,7 @@ ShapeStepResult shift_outline(const body::ShapePtr& shape, base::Analysis analys
   }
   for (std::size_t j = 0; j < P.size(); ++j) P[j] += steps.by[j] + times * steps.free[j];
   auto next = std::make_shared<body::Shape>(*shape);
-  next->mesh.X = middle_nodes(steps.facets, std::move(P));
+  next->mesh.X = mesh::middle_nodes(steps.facets, std::move(P));
   result.removed = strip_between(analysis, mesh.X, next->mesh.X, steps.facets);
   if (find_crossing(next->mesh)) {
     result.failure = "the shifted outline crosses itself";

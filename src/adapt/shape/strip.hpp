@@ -4,6 +4,7 @@
 
 #include "base/analysis.hpp"
 #include "base/linalg.hpp"
+#include "mesh/facet.hpp"
 
 namespace reye::adapt {
 
@@ -11,17 +12,7 @@ using base::Analysis;
 using base::Points;
 using base::Vec2;
 
-/// A facet of the outline, body on the left of a -> b; in second order the Bezier curve with control point c.
-struct Facet {
-  int a = -1, b = -1, c = -1;
-};
-
-/// Nodes at their places, but the middle node of each quadratic facet at its control point 2 x_c - (x_a + x_b) / 2.
-/// The map is linear: it takes displacements, too.
-Points control_points(const std::vector<Facet>& facets, Points X);
-
-/// Middle nodes from control points: x_c = (x_a + x_b) / 4 + p_c / 2.
-Points middle_nodes(const std::vector<Facet>& facets, Points P);
+using mesh::Facet;
 
 /// Volume the body loses when the ends of a facet move by da and db: that of the signed quadrilateral
 /// (a, b, b + db, a + da), turned about the axis in axisymmetry. Exact; summed from the displacements, so that
@@ -43,13 +34,5 @@ double strip_between(Analysis analysis, const Points& before, const Points& afte
 /// round-off; NaN when there is none.
 double exact_factor(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
                     double volume);
-
-/// Integral of the linear shape function of a's node over the facet a -> b: half its length, in axisymmetry
-/// with the weight 2 pi r.   (README, 2)
-double nodal_length(Analysis analysis, const Vec2& a, const Vec2& b);
-
-/// Integrals of the Bernstein functions of a, b and control point c over the curve, in axisymmetry with the weight
-/// 2 pi r.   (README, 2)
-std::array<double, 3> nodal_lengths(Analysis analysis, const std::array<Vec2, 3>& facet);
 
 }  // namespace reye::adapt
