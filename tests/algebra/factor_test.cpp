@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "base/errors.hpp"
 
 namespace {
@@ -15,6 +15,8 @@ using namespace reye;
 using base::Matrix;
 using base::SparseMatrix;
 using base::Vector;
+using support::dense_schur;
+using support::wave;
 
 /// Springs between neighbours of an nx times ny grid, two motions per node with a cross coupling; held to the
 /// ground with stiffness `ground`. Without ground any common translation is free.
@@ -42,16 +44,6 @@ SparseMatrix grid(int nx, int ny, double ground, double softness = 1.0) {
   K.setFromTriplets(t.begin(), t.end());
   return K;
 }
-
-Matrix dense_schur(const SparseMatrix& K, int c) {
-  const Matrix D = K;
-  const int i = static_cast<int>(D.rows()) - c;
-  if (i == 0) return D;
-  return D.bottomRightCorner(c, c) -
-         D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).llt().solve(D.topRightCorner(i, c));
-}
-
-Vector wave(int n) { return Vector::LinSpaced(n, 0.0, 9.0).array().sin() + 0.3; }
 
 // The Schur complement must equal the dense computation to 1e-12, held or floating, whatever the split.
 TEST(schur, equals_dense) {
@@ -123,7 +115,7 @@ TEST(schur, refactor_equals_fresh) {
     f.refactor(K);
     const algebra::SchurFactor fresh(K, 16);
     EXPECT_EQ((f.schur() - fresh.schur()).norm(), 0.0);
-    const Vector load = wave(static_cast<int>(K.rows()));
+    const Vector load = wave(K.rows());
     EXPECT_EQ((f.condense(load) - fresh.condense(load)).norm(), 0.0);
   }
 }
@@ -154,7 +146,7 @@ TEST(schur, recovers_after_failure) {
 TEST(cholesky, solves_and_refuses) {
   const SparseMatrix K = grid(12, 9, 1.0);
   Matrix b(K.rows(), 3);
-  for (int j = 0; j < 3; ++j) b.col(j) = (j + 1.0) * wave(static_cast<int>(K.rows())).array().pow(j + 1);
+  for (int j = 0; j < 3; ++j) b.col(j) = (j + 1.0) * wave(K.rows()).array().pow(j + 1);
   EXPECT_LT((K * algebra::Cholesky(K).solve(b) - b).norm(), 1e-12 * b.norm());
   EXPECT_THROW(algebra::Cholesky(grid(12, 9, 0.0)), base::SolveError);
 }

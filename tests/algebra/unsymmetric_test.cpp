@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <vector>
 
+#include "algebra/dense.hpp"
 #include "algebra/factor.hpp"
 #include "base/errors.hpp"
 
@@ -16,10 +16,12 @@ using algebra::UnsymmetricSchur;
 using base::Matrix;
 using base::SparseMatrix;
 using base::Vector;
+using support::dense_schur;
+using support::wave;
 
 /// Springs between neighbours of an nx times ny grid of nodes with two motions; `drift` makes what a node exerts on
 /// its right neighbour differ from what it takes, so that K is unsymmetric. Columns still sum to `ground`.
-SparseMatrix grid(int nx, int ny, double ground, double drift) {
+SparseMatrix drifting_grid(int nx, int ny, double ground, double drift) {
   std::vector<base::Triplet> t;
   const auto couple = [&](int a, int b, double k) {
     const double cross[2][2] = {{2.0, 0.4}, {-0.3, 1.0}};
@@ -44,21 +46,11 @@ SparseMatrix grid(int nx, int ny, double ground, double drift) {
   return K;
 }
 
-Matrix dense_schur(const SparseMatrix& K, int c) {
-  const Matrix D = K;
-  const int i = static_cast<int>(D.rows()) - c;
-  if (i == 0) return D;
-  return D.bottomRightCorner(c, c) -
-         D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).partialPivLu().solve(D.topRightCorner(i, c));
-}
-
-Vector wave(Eigen::Index n) { return Vector::LinSpaced(n, 0.0, 9.0).array().sin() + 0.3; }
-
 // The Schur complement of an unsymmetric matrix must equal the dense computation, held or floating, at any split.
 TEST(unsymmetric, equals_dense) {
   for (double ground : {0.0, 5.0})
     for (int retained : {2, 7, 30, 150, 199, 200}) {
-      const SparseMatrix K = grid(10, 10, ground, 0.3);
+      const SparseMatrix K = drifting_grid(10, 10, ground, 0.3);
       const UnsymmetricSchur f(K, retained);
       EXPECT_LT((f.schur() - dense_schur(K, retained)).norm(), 1e-12 * K.norm()) << retained << " " << ground;
     }
@@ -66,7 +58,7 @@ TEST(unsymmetric, equals_dense) {
 
 // Of a symmetric matrix it must be what the Cholesky factor gives.
 TEST(unsymmetric, agrees_with_cholesky) {
-  SparseMatrix K = grid(20, 15, 1.0, 0.0);
+  SparseMatrix K = drifting_grid(20, 15, 1.0, 0.0);
   K = 0.5 * (K + SparseMatrix(K.transpose()));
   const UnsymmetricSchur f(K, 40);
   const algebra::SchurFactor g(K, 40);
@@ -76,7 +68,7 @@ TEST(unsymmetric, agrees_with_cholesky) {
 // Condensed equations plus recovery must give the direct solution.
 TEST(unsymmetric, condense_and_recover_equal_direct_solution) {
   for (int retained : {0, 1, 20, 200}) {
-    const SparseMatrix K = grid(10, 10, 2.0, 0.4);
+    const SparseMatrix K = drifting_grid(10, 10, 2.0, 0.4);
     const UnsymmetricSchur f(K, retained);
     const Vector load = wave(200);
     Matrix S = f.schur();
@@ -88,8 +80,9 @@ TEST(unsymmetric, condense_and_recover_equal_direct_solution) {
 // Refactoring must give what a new factorisation gives, with the same pattern and with another one, and an indefinite
 // matrix must be no obstacle.
 TEST(unsymmetric, refactor_equals_fresh) {
-  UnsymmetricSchur f(grid(9, 8, 0.0, 0.2), 16);
-  for (const SparseMatrix& K : {grid(9, 8, 0.0, -0.5), grid(9, 8, -150.0, 0.2), grid(12, 7, 1.0, 0.2)}) {
+  UnsymmetricSchur f(drifting_grid(9, 8, 0.0, 0.2), 16);
+  for (const SparseMatrix& K :
+       {drifting_grid(9, 8, 0.0, -0.5), drifting_grid(9, 8, -150.0, 0.2), drifting_grid(12, 7, 1.0, 0.2)}) {
     f.refactor(K);
     EXPECT_LT((f.schur() - dense_schur(K, 16)).norm(), 1e-11 * K.norm());
     const Vector load = wave(K.rows());
@@ -99,7 +92,7 @@ TEST(unsymmetric, refactor_equals_fresh) {
 
 // A singular interior, a value that is not finite and an impossible split must be SolveErrors.
 TEST(unsymmetric, failures_are_solve_errors) {
-  SparseMatrix K = grid(6, 6, 0.0, 0.3);
+  SparseMatrix K = drifting_grid(6, 6, 0.0, 0.3);
   EXPECT_THROW(UnsymmetricSchur(K, 0), base::SolveError);  // both translations free inside
   EXPECT_THROW(UnsymmetricSchur(K, 73), base::SolveError);
   K.coeffRef(5, 5) = std::nan("");

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fem/stiffness.hpp"
+#include "membrane.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 
@@ -15,7 +16,9 @@ using body::Drive;
 using mesh::CellKind;
 using support::fixed_edge;
 
-constexpr double E = 1000.0, inner = 1.0, outer = 2.0, pressure = 10.0;
+struct Tube {
+  static constexpr double E = 1000.0, inner = 1.0, outer = 2.0, pressure = 10.0;  ///< MPa and mm
+};
 
 body::Support roller(const std::string& edge, bool along_x) {
   auto s = fixed_edge(edge, edge);
@@ -25,38 +28,40 @@ body::Support roller(const std::string& edge, bool along_x) {
 
 /// Lame, plane strain: u_r = (1 + nu)/E * p a^2/(b^2 - a^2) * ((1 - 2 nu) r + b^2/r).
 double lame(double nu, double r) {
-  const double c = (1 + nu) / E * pressure * inner * inner / (outer * outer - inner * inner);
-  return c * ((1 - 2 * nu) * r + outer * outer / r);
+  constexpr double a2 = Tube::inner * Tube::inner, b2 = Tube::outer * Tube::outer;
+  const double c = (1 + nu) / Tube::E * Tube::pressure * a2 / (b2 - a2);
+  return c * ((1 - 2 * nu) * r + b2 / r);
 }
 
 /// Largest relative error of the radial displacement at all nodes.
 double ring_error(CellKind kind, double nu, bool b_bar, int n) {
-  const auto m = support::ring({.inner = inner, .outer = outer, .across = n, .around = 2 * n, .kind = kind});
-  auto in = support::elastic(E, nu);
+  const auto m =
+      support::ring({.inner = Tube::inner, .outer = Tube::outer, .across = n, .around = 2 * n, .kind = kind});
+  auto in = support::elastic(Tube::E, nu);
   in.b_bar = b_bar;
   in.supports = {roller("bottom", true), roller("top", false)};
-  in.boundary_loads = {{"p", "left", pressure, {0, 0}, {}, ""}};
+  in.boundary_loads = {{"p", "left", Tube::pressure, {0, 0}, {}, ""}};
   const body::LinearBody b(body::make_shape(m), in);
   const auto s = support::solve_linear(b, in);
   const auto u = b.recover(s.q, s.factors);
   double error = 0.0;
   for (int k = 0; k < m.node_count(); ++k)
     error = std::max(error, std::abs(u[k].dot(m.X[k].normalized()) - lame(nu, m.X[k].norm())));
-  return error / lame(nu, inner);
+  return error / lame(nu, Tube::inner);
 }
 
 double tube_error(CellKind kind, double nu, int n) {
-  const auto m =
-      support::rectangle({.corner = {inner, 0}, .size = {outer - inner, 0.5}, .nx = n, .ny = 2, .kind = kind});
-  auto in = support::elastic(E, nu, Analysis::axisymmetric);
+  const auto m = support::rectangle(
+      {.corner = {Tube::inner, 0}, .size = {Tube::outer - Tube::inner, 0.5}, .nx = n, .ny = 2, .kind = kind});
+  auto in = support::elastic(Tube::E, nu, Analysis::axisymmetric);
   in.supports = {roller("bottom", true), roller("top", true)};
-  in.boundary_loads = {{"p", "left", pressure, {0, 0}, {}, ""}};
+  in.boundary_loads = {{"p", "left", Tube::pressure, {0, 0}, {}, ""}};
   const body::LinearBody b(body::make_shape(m), in);
   const auto s = support::solve_linear(b, in);
   const auto u = b.recover(s.q, s.factors);
   double error = 0.0;
   for (int k = 0; k < m.node_count(); ++k) error = std::max(error, std::abs(u[k].x() - lame(nu, m.X[k].x())));
-  return error / lame(nu, inner);
+  return error / lame(nu, Tube::inner);
 }
 
 // The thick cylinder in plane strain must converge to Lame's solution at rate 2.
@@ -89,10 +94,7 @@ TEST(elasticity, b_bar_keeps_its_rate_when_nearly_incompressible) {
 
 /// Vertical displacement of the upper corner of Cook's membrane, plane strain, nu = 0.4999.
 double cook_tip(bool b_bar, int n) {
-  const auto m = support::mapped(support::rectangle({.nx = n, .ny = n}), [](const Vec2& p) {
-    const double x = 48 * p.x(), low = 44 * p.x(), high = 44 + 16 * p.x();
-    return Vec2{x, low + p.y() * (high - low)};
-  });
+  const auto m = support::cook_membrane(n);
   auto in = support::elastic(250.0, 0.4999);
   in.b_bar = b_bar;
   in.supports = {fixed_edge("wall", "left")};
@@ -111,7 +113,7 @@ TEST(elasticity, b_bar_does_not_lock) {
 
 // A slender beam under an end load must bend as beam theory says, with reactions in balance.
 TEST(elasticity, beam_bends_as_theory_says) {
-  const double length = 20.0, height = 1.0, force = 1.0;
+  const double E = 1000.0, length = 20.0, height = 1.0, force = 1.0;
   const auto m = support::rectangle({.size = {length, height}, .nx = 160, .ny = 8});
   auto in = support::elastic(E, 0.0, Analysis::plane_stress);
   in.supports = {fixed_edge("wall", "left")};

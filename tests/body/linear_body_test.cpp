@@ -21,10 +21,10 @@ using support::fixed_edge;
 using support::moved;
 using support::rectangle;
 
-constexpr double E = 210e3;
+constexpr double steel_modulus = 210e3;
 
 body::BodyInput steel(base::Analysis analysis = base::Analysis::plane_strain) {
-  return support::elastic(E, 0.3, analysis);
+  return support::elastic(steel_modulus, 0.3, analysis);
 }
 
 double largest(const base::Points& u) {
@@ -156,7 +156,7 @@ TEST(linear_body, edge_normal_rollers_on_a_turned_body) {
   const auto s = support::solve_linear(b, in);
   const auto u = b.recover(s.q, s.factors);
   const auto stress = fem::nodal_stress(m, in.material, in.analysis, in.b_bar, u);
-  const double c = std::cos(angle), d = std::sin(angle), sigma = E * stretch;
+  const double c = std::cos(angle), d = std::sin(angle), sigma = steel_modulus * stretch;
   for (const auto& t : stress) {
     EXPECT_NEAR(t[0], sigma * d * d, 1e-10 * sigma);
     EXPECT_NEAR(t[1], sigma * c * c, 1e-10 * sigma);

@@ -9,6 +9,7 @@
 #include "body/operator.hpp"
 #include "fem/finite.hpp"
 #include "fem/follower.hpp"
+#include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 
@@ -24,11 +25,10 @@ using body::Drive;
 using body::NonlinearBody;
 using support::fixed_edge;
 using support::made_of;
+using support::metal;
 using support::moved;
 using support::rectangle;
-
-const material::Material rubber = material::NeoHookean{300.0, 0.4, material::Volumetric::log_squared};
-const material::Material metal = material::HenckyJ2{300.0, 0.3, material::LinearHardening{2.0, 30.0}};
+using support::rubber;
 
 body::Support rigid_edge(const std::string& name, const std::string& edge, body::Motion x, body::Motion y,
                          body::Motion turn) {
@@ -42,7 +42,7 @@ body::Support rigid_edge(const std::string& name, const std::string& edge, body:
   return s;
 }
 
-double largest(const base::Points& a, const base::Points& b) {
+double largest_difference(const base::Points& a, const base::Points& b) {
   double m = 0.0;
   for (size_t k = 0; k < a.size(); ++k) m = std::max(m, (a[k] - b[k]).norm());
   return m;
@@ -87,7 +87,7 @@ TEST(nonlinear_body, small_elastic_equals_linear_body) {
   const auto expected = support::solve_linear(linear, in);
   const auto s = support::solve_nonlinear(b, in);
   EXPECT_LT((s.q - expected.q).norm(), 1e-10 * expected.q.norm());
-  EXPECT_LT(largest(b.recover(s.q, s.state.y), linear.recover(expected.q, expected.factors)), 1e-10);
+  EXPECT_LT(largest_difference(b.recover(s.q, s.state.y), linear.recover(expected.q, expected.factors)), 1e-10);
   const Vector r = linear.residual(expected.q, expected.factors);
   EXPECT_LT((b.retained_residual(b.start(), s.state.y, s.q, s.factors) - r).norm(), 1e-10 * r.norm());
   for (size_t k = 0; k < b.contact_nodes().size(); ++k)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "body/operator.hpp"
+#include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 
@@ -15,10 +16,9 @@ using base::Vector;
 using body::Drive;
 using body::NonlinearBody;
 using support::fixed_edge;
+using support::metal;
 using support::moved;
-
-const material::Material rubber = material::NeoHookean{300.0, 0.4, material::Volumetric::log_squared};
-const material::Material metal = material::HenckyJ2{300.0, 0.3, material::LinearHardening{2.0, 30.0}};
+using support::rubber;
 
 /// A block on a foot, its right side moved and turned as a rigid line.
 body::BodyInput bent(const material::Material& m, Analysis analysis, bool cure) {

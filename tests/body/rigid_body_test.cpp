@@ -23,7 +23,7 @@ body::Support line(const std::string& edge) {
   return s;
 }
 
-body::BodyInput input() {
+body::BodyInput rigid_input() {
   auto in = support::elastic(1.0, 0.3);
   in.contact_boundaries = {"bottom"};
   in.supports = {line("top")};
@@ -32,10 +32,10 @@ body::BodyInput input() {
   return in;
 }
 
-mesh::Mesh block() { return rectangle({.corner = {1, 2}, .size = {3, 2}, .nx = 3, .ny = 2}); }
+mesh::Mesh rigid_block() { return rectangle({.corner = {1, 2}, .size = {3, 2}, .nx = 3, .ny = 2}); }
 
 /// Error of central differences with step h against the terms of all positions, at q.
-double position_error(const body::RigidBody& b, const Vector& q, double h) {
+double rigid_position_error(const body::RigidBody& b, const Vector& q, double h) {
   double error = 0.0;
   for (int k = 0; k < static_cast<int>(b.contact_nodes().size()); ++k) {
     const auto p = b.position(k, q);
@@ -52,18 +52,18 @@ double position_error(const body::RigidBody& b, const Vector& q, double h) {
 
 // The derivatives of positions must agree with central differences at rate 2, at a large rotation.
 TEST(rigid_body, position_derivatives_have_rate_two) {
-  auto in = input();
+  auto in = rigid_input();
   in.supports[0].angle_deg = 25.0;
-  const body::RigidBody b(body::make_shape(block()), in);
+  const body::RigidBody b(body::make_shape(rigid_block()), in);
   const Vector q = Vector{{0.3, -0.2, 0.8}};
-  const double coarse = position_error(b, q, 1e-2), fine = position_error(b, q, 5e-3);
+  const double coarse = rigid_position_error(b, q, 1e-2), fine = rigid_position_error(b, q, 5e-3);
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.02);
 }
 
 // Distances must be kept whatever the motion, and the centre of the supported edge must move by the translation.
 TEST(rigid_body, motion_is_rigid) {
-  const auto m = block();
-  const body::RigidBody b(body::make_shape(m), input());
+  const auto m = rigid_block();
+  const body::RigidBody b(body::make_shape(m), rigid_input());
   const auto u = b.recover(Vector{{0.3, -0.2, 2.1}}, {});
   for (int i = 0; i < m.node_count(); ++i)
     EXPECT_NEAR((m.X[i] + u[i] - m.X[0] - u[0]).norm(), (m.X[i] - m.X[0]).norm(), 1e-14);
@@ -73,10 +73,10 @@ TEST(rigid_body, motion_is_rigid) {
 
 // The tangent with load factors must be the derivative of the residual, at rate 2.
 TEST(rigid_body, dead_load_tangent_has_rate_two) {
-  auto in = input();
+  auto in = rigid_input();
   in.boundary_loads = {{"p", "right", 4.0, {1.0, 2.0}, {{0.2, 1.1}}, ""}};
   in.body_forces = {{"g", "", {0.4, -1.0}, ""}};
-  const body::RigidBody b(body::make_shape(block()), in);
+  const body::RigidBody b(body::make_shape(rigid_block()), in);
   const Vector q{{0.1, 0.2, 0.7}}, factors{{1.5, 0.5}};
   const auto error = [&](double h) {
     Vector plus = q, minus = q;
@@ -90,7 +90,7 @@ TEST(rigid_body, dead_load_tangent_has_rate_two) {
 
 // The geometric part must be the change of the contact moment with the rotation, at rate 2.
 TEST(rigid_body, geometric_part_has_rate_two) {
-  const body::RigidBody b(body::make_shape(block()), input());
+  const body::RigidBody b(body::make_shape(rigid_block()), rigid_input());
   const std::vector<Vec2> forces{{1, 2}, {-3, 1}, {0.5, 4}, {2, -1}};
   const auto moment = [&](const Vector& q) {
     double sum = 0.0;
@@ -107,8 +107,8 @@ TEST(rigid_body, geometric_part_has_rate_two) {
 
 // Loads must enter with their exact resultant and moment, with cells or from the outline alone.
 TEST(rigid_body, loads_have_exact_resultants) {
-  auto m = block();
-  auto in = input();
+  auto m = rigid_block();
+  auto in = rigid_input();
   in.body_forces = {{"g", "", {0.5, -2.0}, ""}};
   in.point_loads = {{"f", "", {4.0, 2.0}, {0.0, 7.0}, ""}};
   for (bool outline_only : {false, true}) {
@@ -123,32 +123,32 @@ TEST(rigid_body, loads_have_exact_resultants) {
 
 // Supports must find their columns; a node-wise edge holds the rotation unless it only slides along itself.
 TEST(rigid_body, supports_map_to_its_motions) {
-  auto in = input();
-  const body::RigidBody loaded_head(body::make_shape(block()), in);
+  auto in = rigid_input();
+  const body::RigidBody loaded_head(body::make_shape(rigid_block()), in);
   ASSERT_EQ(loaded_head.support_columns().size(), 3u);
   in.supports = {fixed_edge("clamp", "top")};
-  const body::RigidBody clamped(body::make_shape(block()), in);
+  const body::RigidBody clamped(body::make_shape(rigid_block()), in);
   EXPECT_EQ(clamped.support_columns().size(), 2u);
   EXPECT_EQ(clamped.tangent(Vector::Zero(3))(2, 2), 1.0);
   in.supports[0].y.drive = Drive::free;
-  const body::RigidBody sliding(body::make_shape(block()), in);
+  const body::RigidBody sliding(body::make_shape(rigid_block()), in);
   EXPECT_EQ(sliding.tangent(Vector::Zero(3))(2, 2), 0.0);
 }
 
 // Supports of one rigid body with different axes must be an input error.
 TEST(rigid_body, mixed_axes_are_refused) {
-  auto in = input();
+  auto in = rigid_input();
   in.supports.push_back(line("left"));
   in.supports[1].angle_deg = 10.0;
   in.supports[1].x.drive = Drive::fixed;
-  EXPECT_THROW(body::RigidBody(body::make_shape(block()), in), base::InputError);
+  EXPECT_THROW(body::RigidBody(body::make_shape(rigid_block()), in), base::InputError);
 }
 
 // In axisymmetry only the motion along the axis must remain.
 TEST(rigid_body, axisymmetric_moves_along_the_axis) {
-  auto in = input();
+  auto in = rigid_input();
   in.analysis = base::Analysis::axisymmetric;
-  const body::RigidBody b(body::make_shape(block()), in);
+  const body::RigidBody b(body::make_shape(rigid_block()), in);
   const auto p = b.position(0, Vector{{5.0, 0.25, 1.0}});
   ASSERT_EQ(p.count, 1);
   EXPECT_EQ(p.terms[0].column, 1);

@@ -6,18 +6,13 @@ namespace {
 using namespace reye;
 using namespace reye::cad;
 
-std::string refusal_of(const std::string& file) {
-  GeometryOptions options;
-  options.files = {data("broken/" + file)};
-  options.bodies = {body_at("body", 2, -0.5)};
-  return issues_of(options);
-}
+std::string refusal_of_broken(const std::string& file) { return refusal_of_file(data("broken/" + file), 2, -0.5); }
 
 // Files that make gmsh or OpenCASCADE crash, or want all memory, must be refused by name like any other.
 TEST(broken, files_that_crash_their_readers) {
   for (const char* file : {"cut300.brep", "cut900.brep", "map_of_none.msh", "tag_of_none.msh", "enormous_count.msh",
                            "line_32.step", "line_62.step", "line_68.step", "reference_of_none.step"}) {
-    const std::string told = refusal_of(file);
+    const std::string told = refusal_of_broken(file);
     EXPECT_TRUE(told.starts_with("geometry = \"" + data(std::string("broken/") + file) + "\": "))
         << file << ": " << told;
   }
@@ -38,7 +33,7 @@ TEST(broken, vtu) {
       {"bytes_12.vtu", ""},
   };
   for (const auto& [file, rule] : files) {
-    const std::string told = refusal_of(file);
+    const std::string told = refusal_of_broken(file);
     EXPECT_TRUE(told.starts_with("geometry = ")) << file;
     EXPECT_NE(told.find(rule), std::string::npos) << file << ": " << told;
   }
@@ -51,7 +46,7 @@ TEST(broken, node_beyond_32_bits) {
   const auto at = text.find("connectivity");
   const auto first = text.find_first_of("0123456789", text.find('>', at));
   text.replace(first, text.find_first_of(" \n", first) - first, "4294967296");
-  EXPECT_TRUE(refusal_of(temporary_file("far_node.vtu", text)).starts_with("geometry = "));
+  EXPECT_TRUE(refusal_of_broken(temporary_file("far_node.vtu", text)).starts_with("geometry = "));
 }
 
 // One bad file among sound ones must be reported alone, with what is wrong with it.

@@ -27,8 +27,6 @@ INSTANTIATE_TEST_SUITE_P(cad, PointVertices,
                          testing::Values(std::pair(CellKind::tri3, 1), std::pair(CellKind::quad4, 1),
                                          std::pair(CellKind::quad4, 2)));
 
-}  // namespace
-
 // Points of loads and supports must be vertices of every mesh of their body, on the outline and inside, on other sizes
 // too.
 TEST_P(PointVertices, are_vertices_of_every_mesh) {
@@ -43,3 +41,5 @@ TEST_P(PointVertices, are_vertices_of_every_mesh) {
     EXPECT_GT(mesh::poorest_cell(mesh).scaled_jacobian, 0.2) << far;
   }
 }
+
+}  // namespace

@@ -11,11 +11,9 @@ namespace {
 using namespace reye;
 using namespace reye::cad;
 
-/// Punch [-1, 1] x [0, 2] on a block [-3, 3] x [-2, 0], the block's face with a profile.
-GeometryOptions blocks(Profile profile) {
-  GeometryOptions options;
-  options.files = {data("named.step")};
-  options.bodies = {body("punch"), body("block")};
+/// The block's face has a profile.
+GeometryOptions with_profile(Profile profile) {
+  GeometryOptions options = punch_on_block();
   options.boundaries = {boundary("face", "block")};
   options.boundaries[0].nearest_mm = Vec2(0, 0);
   profile.file = "scan.csv";
@@ -77,7 +75,7 @@ TEST(profile, height_curve) {
 // Nodes of a straight face must lie at the heights of the profile, zero outside of its range, with arc length from the
 // end of smaller x although the body's outline runs the other way; the area must follow.
 TEST(profile, on_a_straight_face) {
-  const Geometry geometry = build(blocks({"", {2.0, 2.5, 3.0, 3.5}, {0.0, -0.1, -0.05, 0.0}}));
+  const Geometry geometry = build(with_profile({"", {2.0, 2.5, 3.0, 3.5}, {0.0, -0.1, -0.05, 0.0}}));
   const HeightCurve expected({0.0, 2.0, 2.5, 3.0, 3.5, 6.0}, {0.0, 0.0, -0.1, -0.05, 0.0, 0.0});
   const mesh::Mesh& block = geometry.bodies[1];
   double area = 12.0;
@@ -94,7 +92,7 @@ TEST(profile, on_a_straight_face) {
 
 // A profile of zeros must change nothing but the kind of the edge.
 TEST(profile, of_zeros) {
-  GeometryOptions options = blocks({"", {0.0, 6.0}, {0.0, 0.0}});
+  GeometryOptions options = with_profile({"", {0.0, 6.0}, {0.0, 0.0}});
   const Geometry with = build(options);
   options.boundaries[0].profile.reset();
   const Geometry without = build(options);
@@ -143,7 +141,7 @@ TEST(profile, fine_zone_in_a_scar) {
 
 // A profile that does not fit its boundary must be refused with what is wrong.
 TEST(profile, refusals) {
-  const auto refusal = [](Profile profile) { return issues_of(blocks(std::move(profile))); };
+  const auto refusal = [](Profile profile) { return issues_of(with_profile(std::move(profile))); };
   const std::string key = "boundary.face.profile = \"scan.csv\": ";
   EXPECT_EQ(refusal({"", {0, 7}, {0, 0}}), key + "reaches to arc length 7 mm; the boundary is 6 mm long");
   EXPECT_EQ(refusal({"", {1, 2}, {0.1, 0}}),
@@ -156,14 +154,14 @@ TEST(profile, refusals) {
             key + "makes the outline cross itself near ");
   EXPECT_EQ(refusal({"", {0, 6}, {-2.5, -2.5}}),
             key + "the height at the end [3, 0] of the boundary takes all of the next edge, line [3, -2] to [3, 0]");
-  EXPECT_NEAR(build(blocks({"", {0, 6}, {-0.5, -0.5}})).facts[1].area_mm2, 9.0, 1e-9);
+  EXPECT_NEAR(build(with_profile({"", {0, 6}, {-0.5, -0.5}})).facts[1].area_mm2, 9.0, 1e-9);
 }
 
 // A boundary that no profile can lie on must be refused: in pieces, with a corner, closed, of a mesh, taken twice.
 TEST(profile, boundaries_that_cannot_have_one) {
   const Profile zero{"scan.csv", {0, 1}, {0, 0}};
   const std::string key = "boundary.face.profile = \"scan.csv\": ";
-  GeometryOptions options = blocks(zero);
+  GeometryOptions options = with_profile(zero);
   options.boundaries[0].nearest_mm.reset();
   EXPECT_EQ(issues_of(options), key + "needs a boundary with two ends; this one goes all round");
   options.boundaries[0].box_mm = {2.9, -2.1, 3.1, 0.1};

@@ -5,20 +5,6 @@ namespace {
 using namespace reye;
 using namespace reye::cad;
 
-std::string refusal_of_file(const std::string& path) {
-  GeometryOptions options;
-  options.files = {path};
-  options.bodies = {body_at("body", 0.5, 0.5)};
-  return issues_of(options);
-}
-
-GeometryOptions blocks() {
-  GeometryOptions options;
-  options.files = {data("named.step")};
-  options.bodies = {body("punch"), body("block")};
-  return options;
-}
-
 // Files that are missing, empty, no file, of unknown format or without a face must be refused with the reason.
 TEST(refusals, files) {
   EXPECT_EQ(refusal_of_file("/nowhere/x.step"), "geometry = \"/nowhere/x.step\": there is no such file");
@@ -72,7 +58,7 @@ TEST(refusals, several_files_at_once) {
 
 // For bodies that match nothing the message must list what there is; all of them together.
 TEST(refusals, bodies_that_match_nothing) {
-  GeometryOptions options = blocks();
+  GeometryOptions options = punch_on_block();
   options.bodies = {body("pnuch"), body_at("base", 0, 9), body("third")};
   options.bodies[2].label = "bolck";
   const std::string there = "; there are: 'punch' in [-1, 0, 1, 2], 'block' in [-3, -2, 3, 0]";
@@ -83,7 +69,7 @@ TEST(refusals, bodies_that_match_nothing) {
 
 // A point inside two overlapping faces, a name that two faces bear, and a face chosen twice must be refused.
 TEST(refusals, bodies_that_match_two) {
-  GeometryOptions options = blocks();
+  GeometryOptions options = punch_on_block();
   options.files.push_back(data("named.step"));
   options.bodies = {body("punch"), body_at("base", 0, -1)};
   EXPECT_EQ(issues_of(options),
@@ -91,7 +77,7 @@ TEST(refusals, bodies_that_match_two) {
             "'punch' in [-1, 0, 1, 2], 'punch' in [-1, 0, 1, 2]\n"
             "body.base.at = [0, -1]: the point lies in more than one face: "
             "'block' in [-3, -2, 3, 0], 'block' in [-3, -2, 3, 0]");
-  options = blocks();
+  options = punch_on_block();
   options.bodies = {body("punch"), body_at("other", 0, 1)};
   EXPECT_EQ(issues_of(options),
             "body.other.at = [0, 1]: selects the same face as body 'punch': 'punch' in [-1, 0, 1, 2]");
@@ -99,7 +85,7 @@ TEST(refusals, bodies_that_match_two) {
 
 // For boundaries that match nothing the message must list the edges of their body, each selector by its own key.
 TEST(refusals, boundaries_that_match_nothing) {
-  GeometryOptions options = blocks();
+  GeometryOptions options = punch_on_block();
   options.boundaries = {boundary("a", "punch"), boundary("b", "punch"), boundary("c", "none")};
   options.boundaries[0].box_mm = {5, 5, 6, 6};
   options.boundaries[1].type = "circle";
@@ -113,7 +99,7 @@ TEST(refusals, boundaries_that_match_nothing) {
 
 // The nearest edge must be one; a point as near to two edges must be refused.
 TEST(refusals, nearest_edge_is_one) {
-  GeometryOptions options = blocks();
+  GeometryOptions options = punch_on_block();
   options.boundaries = {boundary("a", "punch")};
   options.boundaries[0].nearest_mm = Vec2(3, 3);
   EXPECT_EQ(issues_of(options),
@@ -135,7 +121,7 @@ TEST(refusals, negative_radius) {
 
 // A mesh of millions of nodes must be refused before it is made.
 TEST(refusals, enormous_mesh) {
-  GeometryOptions options = blocks();
+  GeometryOptions options = punch_on_block();
   options.fine_zones = {{{"punch"}, {0, 0}, 0.5, 0.5, 1e-5, 0.0}};
   EXPECT_NE(issues_of(options).find("body.punch: would need about"), std::string::npos);
 }

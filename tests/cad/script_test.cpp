@@ -7,15 +7,8 @@ using namespace reye::cad;
 
 const std::string rectangle = "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\n";
 
-std::string refusal_of(const std::string& file) {
-  GeometryOptions options;
-  options.files = {file};
-  options.bodies = {body_at("body", 0.5, 0.5)};
-  return issues_of(options);
-}
-
 std::string refusal_of_script(const std::string& text) {
-  return refusal_of(temporary_file("script.geo", rectangle + text));
+  return refusal_of_file(temporary_file("script.geo", rectangle + text));
 }
 
 // A script that acts on anything but the model must be refused with its line, the word and the remedy, however it is
@@ -46,7 +39,7 @@ TEST(script, harmful_commands) {
     EXPECT_NE(told.find("--trust-geometry"), std::string::npos) << command << ": " << told;
   }
   const std::string path = temporary_file("named.geo", rectangle + "SystemCall \"touch harm\";\n");
-  EXPECT_EQ(refusal_of(path),
+  EXPECT_EQ(refusal_of_file(path),
             "geometry = \"" + path +
                 "\": line 3: SystemCall is neither a command that Reye lets a script use nor a variable that "
                 "it sets; take it out, or run with --trust-geometry if you trust the file");
@@ -111,12 +104,12 @@ TEST(script, includes) {
 // A file must begin as files of its format do, whatever gmsh would make of it.
 TEST(script, by_another_name) {
   for (const char* name : {"a.step", "a.stp", "a.brep", "a.iges", "a.igs", "a.msh", "a.vtu"}) {
-    const std::string told = refusal_of(temporary_file(name, rectangle + "SystemCall \"touch harm\";\n"));
+    const std::string told = refusal_of_file(temporary_file(name, rectangle + "SystemCall \"touch harm\";\n"));
     EXPECT_NE(told.find("is not a"), std::string::npos) << told;
   }
   const std::string mesh =
       temporary_file("post.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PostFormat\n$EndPostFormat\n");
-  EXPECT_NE(refusal_of(mesh).find("line 4: $PostFormat is not a section of a mesh"), std::string::npos);
+  EXPECT_NE(refusal_of_file(mesh).find("line 4: $PostFormat is not a section of a mesh"), std::string::npos);
 }
 
 }  // namespace

@@ -8,8 +8,7 @@ namespace {
 using namespace reye;
 using namespace reye::cad;
 
-constexpr double pi = std::numbers::pi;
-constexpr double block_area = 72.0 - pi, pad_area = 18.0 * pi;
+constexpr double block_area = 72.0 - std::numbers::pi, pad_area = 18.0 * std::numbers::pi;
 
 /// The half cylinder on the block with a hole, cut by a plane.
 GeometryOptions cut(const Vec3& point, const Vec3& normal) {
@@ -47,7 +46,7 @@ TEST(section, circles_remain) {
 
 // An oblique section must have the areas over the cosine, laid into x-y with its own lengths.
 TEST(section, oblique) {
-  const double angle = pi / 6.0;
+  const double angle = std::numbers::pi / 6.0;
   const Geometry geometry = build(cut({0, 0, 4}, {0, -std::sin(angle), std::cos(angle)}));
   EXPECT_NEAR(geometry.facts[0].area_mm2, pad_area / std::cos(angle), 1e-6) << "an ellipse";
   EXPECT_NEAR(geometry.facts[1].area_mm2, block_area / std::cos(angle), 1e-6);

@@ -36,6 +36,14 @@ inline BoundaryOptions boundary(const std::string& name, const std::string& of) 
   return options;
 }
 
+/// Punch [-1, 1] x [0, 2] on a block [-3, 3] x [-2, 0].
+inline GeometryOptions punch_on_block() {
+  GeometryOptions options;
+  options.files = {data("named.step")};
+  options.bodies = {body("punch"), body("block")};
+  return options;
+}
+
 /// Half disc R = 6 on a block [-6, 6] x [-6, 0] with its usual boundaries.
 inline GeometryOptions cylinder_on_flat(mesh::CellKind kind, double far_size, double fine_size) {
   GeometryOptions options;
@@ -60,6 +68,14 @@ inline std::string issues_of(const GeometryOptions& options) {
   } catch (const base::InputError& error) {
     return error.what();
   }
+}
+
+/// What a file is refused with whose only body lies at (x, y); "" if it is accepted.
+inline std::string refusal_of_file(const std::string& path, double x = 0.5, double y = 0.5) {
+  GeometryOptions options;
+  options.files = {path};
+  options.bodies = {body_at("body", x, y)};
+  return issues_of(options);
 }
 
 /// A file in the folder of this test.

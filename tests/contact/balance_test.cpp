@@ -11,14 +11,8 @@ using contact::ContactStatus;
 using support::ContactCase;
 using support::ContactOptions;
 using support::FacingOptions;
+using support::frictional;
 using wear::LawKind;
-
-ContactOptions frictional(double friction, wear::Law law = {}) {
-  ContactOptions o;
-  o.friction = friction;
-  o.wear = law;
-  return o;
-}
 
 /// Straight sides that touch, non-matching, turned by `angle`.
 FacingOptions closed(double from, double to, double angle) {

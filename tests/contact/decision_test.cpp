@@ -9,6 +9,7 @@ using base::Vec2;
 using contact::ContactStatus;
 using support::ContactCase;
 using support::FacingOptions;
+using support::frictional;
 using wear::LawKind;
 
 /// Straight touching sides; the gap between them may be opened.
@@ -17,12 +18,6 @@ ContactCase flat(const support::ContactOptions& options, double gap = 0.0) {
   o.bend = o.strain = 0.0;
   o.gap = gap;
   return support::case_of(support::facing(o), options);
-}
-
-support::ContactOptions frictional(double friction) {
-  support::ContactOptions o;
-  o.friction = friction;
-  return o;
 }
 
 int count(const support::Interface& face, ContactStatus status) {

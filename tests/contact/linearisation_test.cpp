@@ -12,6 +12,7 @@ using contact::ContactStatus;
 using support::ContactCase;
 using support::ContactOptions;
 using support::FacingOptions;
+using support::frictional;
 using wear::LawKind;
 
 /// Checks that rows and forces of the case agree with central differences, and that the error falls at rate 2.
@@ -42,13 +43,6 @@ FacingOptions state(unsigned seed, bool partly) {
     o.from = 0.12;
     o.to = 0.83;
   }
-  return o;
-}
-
-ContactOptions frictional(double friction, wear::Law law = {}) {
-  ContactOptions o;
-  o.friction = friction;
-  o.wear = law;
   return o;
 }
 

@@ -6,6 +6,7 @@
 #include "fem/element.hpp"
 #include "fem/stiffness.hpp"
 #include "material/stress.hpp"
+#include "steel.hpp"
 #include "support/meshes.hpp"
 
 namespace {
@@ -14,10 +15,9 @@ using namespace reye;
 using base::Analysis;
 using base::Points;
 using base::Vec2;
+using fem_tests::Steel;
+using fem_tests::steel;
 using mesh::CellKind;
-
-constexpr double E = 1000.0, nu = 0.3;
-const material::Material steel = material::LinearElastic{E, nu};
 
 Vec2 linear(const Vec2& x) { return {0.01 * x[0] - 0.02 * x[1], 0.005 * x[0] + 0.03 * x[1]}; }
 Vec2 waves(const Vec2& x) {
@@ -82,9 +82,9 @@ TEST(RecoveredError, UniformStress) {
 
 // The energy of a uniform stress must be that of its strain, int eps : C : eps.
 TEST(RecoveredError, Energy) {
-  const double l = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
   const double trace = 0.01 + 0.03, shear = -0.02 + 0.005;
-  const double expected = l * trace * trace + 2 * mu * (0.01 * 0.01 + 0.03 * 0.03) + mu * shear * shear;
+  const double expected =
+      Steel::lambda * trace * trace + 2 * Steel::mu * (0.01 * 0.01 + 0.03 * 0.03) + Steel::mu * shear * shear;
   const auto m = square(CellKind::quad4, 3, 0.5);
   const auto found = fem::recovered_error(m, steel, Analysis::plane_strain, false, at_nodes(m, linear));
   EXPECT_NEAR(found.energy, expected, 1e-12 * expected);

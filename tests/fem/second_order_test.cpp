@@ -9,9 +9,11 @@
 #include "fem/assemble_loads.hpp"
 #include "fem/element.hpp"
 #include "fem/stiffness.hpp"
+#include "finite_support.hpp"
 #include "material/stress.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quadratic_edge.hpp"
+#include "steel.hpp"
 #include "support/meshes.hpp"
 
 namespace {
@@ -20,18 +22,12 @@ using namespace reye;
 using base::Analysis;
 using base::Vec2;
 using base::Vector;
+using fem_tests::nodal;
+using fem_tests::Steel;
+using fem_tests::steel;
 using mesh::CellKind;
 using mesh::Mesh;
 using FieldOf = std::function<Vec2(const Vec2&)>;
-
-constexpr double E = 1000.0, nu = 0.3, mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
-const material::Material steel = material::LinearElastic{E, nu};
-
-Vector at_nodes(const Mesh& m, const FieldOf& u) {
-  Vector values(2 * m.node_count());
-  for (int k = 0; k < m.node_count(); ++k) values.segment<2>(2 * k) = u(m.X[k]);
-  return values;
-}
 
 std::vector<bool> on_outline(const Mesh& m) {
   std::vector<bool> held(m.X.size(), false);
@@ -63,12 +59,12 @@ Vec2 quadratic(const Vec2& x) {
 // A quadratic displacement must be in balance with its constant body force, to round-off.
 TEST(second_order, quadratic_field_is_exact) {
   // div u = 2 x - y/2 + 3 x + y, Laplace u = (2 + 4, -2 + 1).
-  const Vec2 b = -(lambda + mu) * Vec2(5.0, 0.5) - mu * Vec2(6.0, -1.0);
+  const Vec2 b = -(Steel::lambda + Steel::mu) * Vec2(5.0, 0.5) - Steel::mu * Vec2(6.0, -1.0);
   for (CellKind kind : {CellKind::tri6, CellKind::quad8}) {
     const Mesh m = straight(kind);
     const auto K = fem::stiffness(m, steel, Analysis::plane_strain, false);
     const Vector f = fem::load_vector(m, Analysis::plane_strain, fem::BodyForce{"b", "", b, ""});
-    const Vector Ku = K * at_nodes(m, quadratic);
+    const Vector Ku = K * nodal(m, quadratic);
     EXPECT_LT(inner_size(m, Ku - f), 1e-12 * Ku.cwiseAbs().maxCoeff());
     EXPECT_GT(inner_size(m, f), 1.0);
   }
@@ -98,14 +94,14 @@ TEST(second_order, patch_of_curved_cells) {
     for (auto analysis : {Analysis::plane_strain, Analysis::plane_stress}) {
       const Mesh m = support::ring({1.0, 2.0, 1.3, 3, 4, kind});
       const auto K = fem::stiffness(m, steel, analysis, false);
-      const Vector Ku = K * at_nodes(m, [&](const Vec2& x) { return Vec2(G * x); });
+      const Vector Ku = K * nodal(m, [&](const Vec2& x) { return Vec2(G * x); });
       EXPECT_LT(inner_size(m, Ku), 1e-12 * Ku.cwiseAbs().maxCoeff());
       const double stretch = 1e-3;
       const double pressure = -material::stress(steel, analysis, material::Voigt<double>{stretch, stretch, 0, 0})[0];
       Vector f = Vector::Zero(2 * m.node_count());
       for (const auto& [name, boundary] : m.boundaries)
         f += fem::load_vector(m, analysis, {name, name, pressure, {0, 0}, {}, ""});
-      const Vector swollen = K * at_nodes(m, [&](const Vec2& x) { return Vec2(stretch * x); });
+      const Vector swollen = K * nodal(m, [&](const Vec2& x) { return Vec2(stretch * x); });
       EXPECT_LT((swollen - f).norm(), 1e-12 * f.norm());
     }
 }
@@ -151,7 +147,8 @@ Manufactured plane() {
           [](const Vec2& x) {
             const double s = sin(x[0]), c = cos(x[0]);
             const Vec2 grad_div(-s * cos(x[1]) - 2 * s * cos(2 * x[1]), -c * sin(x[1]) - 4 * c * sin(2 * x[1]));
-            return Vec2(-(lambda + mu) * grad_div - mu * Vec2(-2 * s * cos(x[1]), -5 * c * sin(2 * x[1])));
+            return Vec2(-(Steel::lambda + Steel::mu) * grad_div -
+                        Steel::mu * Vec2(-2 * s * cos(x[1]), -5 * c * sin(2 * x[1])));
           },
           [](const Vec2& x) {
             return material::Voigt<double>{cos(x[0]) * cos(x[1]), 2 * cos(x[0]) * cos(2 * x[1]),
@@ -166,7 +163,7 @@ Manufactured ring() {
           [](const Vec2& x) {
             const double r = x[0], s = sin(x[1]), c = cos(x[1]);
             const Vec2 laplace((3 - r * r) * c, s / r - r * s);  // the radial one with - u_r / r^2
-            return Vec2(-(lambda + mu) * Vec2(4 * c, -4 * r * s) - mu * laplace);
+            return Vec2(-(Steel::lambda + Steel::mu) * Vec2(4 * c, -4 * r * s) - Steel::mu * laplace);
           },
           [](const Vec2& x) {
             const double r = x[0], s = sin(x[1]), c = cos(x[1]);
@@ -186,7 +183,7 @@ Vector solved(const Mesh& m, const Manufactured& exact) {
         f.segment<2>(2 * m.cells[cell][a]) += p.N[a] * p.volume * exact.b(x);
     }
   const auto held = on_outline(m);
-  Vector u = at_nodes(m, exact.u);
+  Vector u = nodal(m, exact.u);
   std::vector<int> number(2 * m.node_count(), -1);
   int count = 0;
   for (int k = 0; k < 2 * m.node_count(); ++k)
@@ -271,7 +268,7 @@ Vector held_at(base::SparseMatrix K, const Vector& f, const std::vector<int>& do
 
 // A slender cantilever of one layer of cells must bend as Timoshenko's beam.
 TEST(second_order, cantilever) {
-  const double timoshenko = 1000.0 / 3 * 12 / E + 1.2 * 10 / mu;
+  const double timoshenko = 1000.0 / 3 * 12 / Steel::E + 1.2 * 10 / Steel::mu;
   for (CellKind kind : {CellKind::tri6, CellKind::quad8}) {
     const Mesh m = support::rectangle({.size = {10, 1}, .nx = 10, .ny = 1, .kind = kind});
     const auto K = fem::stiffness(m, steel, Analysis::plane_stress, false);
@@ -288,7 +285,7 @@ TEST(second_order, cantilever) {
 TEST(second_order, pipe) {
   const Mesh m = support::ring({1.0, 2.0, std::numbers::pi / 2, 3, 4, CellKind::quad8});
   for (double poisson : {0.3, 0.4999}) {
-    const auto K = fem::stiffness(m, material::LinearElastic{E, poisson}, Analysis::plane_strain, false);
+    const auto K = fem::stiffness(m, material::LinearElastic{Steel::E, poisson}, Analysis::plane_strain, false);
     std::vector<int> held;
     for (int node : m.boundaries.at("bottom").front()) held.push_back(2 * node + 1);
     for (int node : m.boundaries.at("top").front()) held.push_back(2 * node);
@@ -296,7 +293,8 @@ TEST(second_order, pipe) {
     const Vector u = held_at(K, fem::load_vector(m, Analysis::plane_strain, pressure), held);
     for (const char* edge : {"left", "right"})
       for (int node : m.boundaries.at(edge).front()) {
-        const double r = m.X[node].norm(), exact = (1 + poisson) / E * 3.0 / 3.0 * ((1 - 2 * poisson) * r + 4.0 / r);
+        const double r = m.X[node].norm(),
+                     exact = (1 + poisson) / Steel::E * 3.0 / 3.0 * ((1 - 2 * poisson) * r + 4.0 / r);
         EXPECT_NEAR(u.segment<2>(2 * node).dot(m.X[node]) / r / exact, 1.0, 2e-3) << poisson;
       }
   }

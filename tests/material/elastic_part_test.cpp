@@ -1,14 +1,15 @@
 #include <gtest/gtest.h>
 
 #include "material/energy.hpp"
+#include "material/laws.hpp"
 
 namespace {
 
 using namespace reye::material;
 using reye::base::Analysis;
+using reye::material::test::analyses;
 
 const HenckyJ2 steel{200e3, 0.3, LinearHardening{250.0, 1000.0}};
-constexpr std::array analyses{Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress};
 
 double largest_difference(const Symmetric<double>& a, const Symmetric<double>& b) {
   double most = 0.0;

@@ -8,8 +8,6 @@ using namespace reye::material;
 using namespace reye::material::test;
 using base::Analysis;
 
-constexpr Analysis analyses[] = {Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress};
-
 class Invariance : public testing::TestWithParam<Named> {
  protected:
   const Material& material_ = GetParam().material;

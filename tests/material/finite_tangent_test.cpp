@@ -8,7 +8,6 @@ using namespace reye::material;
 using namespace reye::material::test;
 using base::Analysis;
 
-constexpr Analysis analyses[] = {Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress};
 const Gradient<double> directions[] = {{0.3, -0.4, 0.8, 0.5, -0.6}, {-0.2, 0.9, 0.1, -0.7, 0.4}};
 
 class Tangent : public testing::TestWithParam<Named> {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -65,6 +66,8 @@ inline double equivalent(const Voigt<double>& stress) {
   const Tensor s = tensor(stress) - tensor(stress).trace() / 3 * Tensor::Identity();
   return std::sqrt(1.5) * s.norm();
 }
+
+constexpr std::array analyses{base::Analysis::plane_strain, base::Analysis::axisymmetric, base::Analysis::plane_stress};
 
 /// Plastic loading in two steps that share no axes: a state with history, its F and a next F.
 struct Loaded {

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
+#include "straight.hpp"
 #include "support/surfaces.hpp"
 
 namespace {
@@ -13,6 +14,7 @@ using base::Matrix;
 using base::Vec2;
 using base::Vector;
 using support::FacingOptions;
+using support::straight;
 
 /// Exact for cubics: hats times hats times 2 pi r.
 template <class F>
@@ -77,16 +79,6 @@ Exact exact(const support::Facing& f) {
     }
   }
   return e;
-}
-
-FacingOptions straight(int secondary, int primary, double from = 0.0, double to = 1.0) {
-  FacingOptions o;
-  o.secondary = secondary;
-  o.primary = primary;
-  o.bend = o.jitter = o.gap = o.strain = 0.0;
-  o.from = from;
-  o.to = to;
-  return o;
 }
 
 void expect_exact(const FacingOptions& o) {

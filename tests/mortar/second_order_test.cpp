@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "straight.hpp"
 #include "support/surfaces.hpp"
 
 namespace {
@@ -28,14 +29,9 @@ FacingOptions curved(unsigned seed) {
 }
 
 /// Straight facets of second order that touch.
-FacingOptions straight(int secondary, int primary) {
-  FacingOptions o;
-  o.secondary = secondary;
-  o.primary = primary;
+FacingOptions straight_of_order_two(int secondary, int primary) {
+  FacingOptions o = support::straight(secondary, primary);
   o.secondary_order = o.primary_order = 2;
-  o.bend = o.jitter = o.gap = o.strain = 0.0;
-  o.from = 0.0;
-  o.to = 1.0;
   return o;
 }
 
@@ -67,7 +63,7 @@ TEST(second_order, nodal_areas) {
 }
 
 /// A workspace with one curved facet below three primary nodes that reach from x = a to x = b.
-mortar::Workspace<double> facet_under(double a, double b) {
+mortar::Workspace<double> curved_facet_under(double a, double b) {
   mortar::Workspace<double> w;
   w.in.kind = mesh::FacetKind::line3;
   w.in.x = {mortar::Pair<double>{2, 0}, mortar::Pair<double>{1, 0}, mortar::Pair<double>{1.45, 0.1}};
@@ -80,18 +76,16 @@ mortar::Workspace<double> facet_under(double a, double b) {
   return w;
 }
 
-struct Cover {
-  double from, to;
-};
-constexpr Cover covers[] = {{0.5, 2.5}, {1.3, 2.5}, {0.5, 1.7}, {1.2, 1.6}, {1.48, 1.55}, {1.5, 1.51}, {1.9, 2.5}};
+constexpr std::pair<double, double> covered_parts[] = {{0.5, 2.5},   {1.3, 2.5},  {0.5, 1.7}, {1.2, 1.6},
+                                                       {1.48, 1.55}, {1.5, 1.51}, {1.9, 2.5}};
 
 // int psi_j N_k = delta_jk int N_j must hold between the nodes that carry multipliers, and these psi add up to one:
 // over whole and partly covered facets, for three, two and one of them.
 TEST(second_order, biorthogonal_on_the_covered_part) {
-  for (const auto& cover : covers)
+  for (const auto& [from, to] : covered_parts)
     for (const auto& cut :
          {std::array<bool, 3>{false, false, false}, {false, false, true}, {true, false, false}, {true, false, true}}) {
-      auto w = facet_under(cover.from, cover.to);
+      auto w = curved_facet_under(from, to);
       w.in.cut = cut;
       mortar::integrate(w);
       ASSERT_FALSE(w.points.empty());
@@ -100,7 +94,7 @@ TEST(second_order, biorthogonal_on_the_covered_part) {
       for (const auto& q : w.points) {
         length += q.weight;
         const auto psi = mortar::dual_functions(w.in, basis, q);
-        EXPECT_NEAR(psi[0] + psi[1] + psi[2], 1.0, 1e-9) << cover.from;
+        EXPECT_NEAR(psi[0] + psi[1] + psi[2], 1.0, 1e-9) << from;
       }
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k) {
@@ -108,7 +102,7 @@ TEST(second_order, biorthogonal_on_the_covered_part) {
           double sum = 0.0;
           for (const auto& q : w.points)
             sum += q.weight * (mortar::dual_functions(w.in, basis, q)[j] * q.N[k] - (j == k ? q.N[j] : 0.0));
-          EXPECT_LT(std::abs(sum), 1e-11 * length) << cover.from << " to " << cover.to << ": " << j << k;
+          EXPECT_LT(std::abs(sum), 1e-11 * length) << from << " to " << to << ": " << j << k;
         }
     }
 }
@@ -116,7 +110,7 @@ TEST(second_order, biorthogonal_on_the_covered_part) {
 // On a whole straight facet every node must have D = L / 3; with linear multipliers each end takes half of the control
 // point's share, too.
 TEST(second_order, known_on_a_whole_facet) {
-  const auto f = support::facing(straight(1, 1));
+  const auto f = support::facing(straight_of_order_two(1, 1));
   auto p = support::placed(f);
   const auto quadratic = support::integrals(p);
   for (double D : quadratic.D) EXPECT_NEAR(D, 2.0 / 3.0, 1e-13);
@@ -150,7 +144,7 @@ TEST(second_order, constant_pressure_passes_exactly) {
   for (const auto& [a, b] : {std::pair{2, 3}, {3, 2}, {7, 5}})
     for (const auto& [secondary, primary] : {std::pair{2, 2}, {2, 1}, {1, 2}})
       for (bool linear : {false, true}) {
-        auto o = straight(a, b);
+        auto o = straight_of_order_two(a, b);
         o.secondary_order = secondary;
         o.primary_order = primary;
         const auto f = support::facing(o);
@@ -210,7 +204,7 @@ TEST(second_order, gap_between_arcs) {
 // Over length on x the integrals must follow a stretch; what is covered of X must not.
 TEST(second_order, length_on_x_follows_a_stretch) {
   for (int order : {1, 2}) {
-    auto o = straight(4, 5);
+    auto o = straight_of_order_two(4, 5);
     o.secondary_order = o.primary_order = order;
     o.measure = base::Kinematics::finite;
     auto f = support::facing(o);

@@ -8,8 +8,11 @@ using namespace reye;
 using base::Vec2;
 using contact::ContactStatus;
 
-constexpr double E = 2e5, nu = 0.3, height = 10.0, press = 0.01, stroke = 1000.0;
-constexpr double modulus = E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+struct Column {
+  static constexpr double E = 2e5, nu = 0.3;                                           ///< E in MPa
+  static constexpr double height = 10.0, press = 0.01, stroke = 1000.0;                ///< [mm]
+  static constexpr double modulus = E * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));  ///< held sideways [MPa]
+};
 
 body::Support clamp() {
   auto s = support::fixed_edge("clamp", "bottom");
@@ -20,14 +23,14 @@ body::Support clamp() {
 /// A column between walls that hold it laterally, pressed on a rigid floor that slides; wear is Archard's.
 support::Assembly column(double k, double c0, double friction = 0.0) {
   support::Assembly a;
-  a.meshes = {support::rectangle({.corner = {0, 0}, .size = {3, height}, .nx = 3, .ny = 5}),
+  a.meshes = {support::rectangle({.corner = {0, 0}, .size = {3, Column::height}, .nx = 3, .ny = 5}),
               support::rectangle({.corner = {-1, -1}, .size = {5, 1}, .nx = 2, .ny = 1})};
-  a.inputs = {support::elastic(E, nu), support::elastic(E, nu)};
+  a.inputs = {support::elastic(Column::E, Column::nu), support::elastic(Column::E, Column::nu)};
   a.inputs[0].supports = {support::guide("left", "left", 'x'), support::guide("right", "right", 'x'),
-                          support::guide("head", "top", 'y', support::moved(-press))};
+                          support::guide("head", "top", 'y', support::moved(-Column::press))};
   a.inputs[1].supports = {clamp()};
   a.rigid = {0, 1};
-  a.modulus_MPa = E;
+  a.modulus_MPa = Column::E;
   contact::ContactOptions o;
   o.friction = friction;
   o.wear = {wear::LawKind::archard, k, 0.0};
@@ -40,13 +43,13 @@ support::Assembly column(double k, double c0, double friction = 0.0) {
 // One step of stroke must leave p0 / (1 + kappa) exactly, whatever kappa and the factors of the decision; the
 // corner nodes, held sideways by the walls, carry the same pressure.
 TEST(column, one_step_is_exact) {
-  const double p0 = modulus * press / height;
+  const double p0 = Column::modulus * Column::press / Column::height;
   for (double kappa : {0.0, 0.27, 2.7, 2.7e3})
     for (double c0 : {0.1, 1.0, 10.0}) {
-      const auto a = column(kappa * height / (modulus * stroke), c0);
+      const auto a = column(kappa * Column::height / (Column::modulus * Column::stroke), c0);
       const auto system = support::system_of(a);
       auto controls = support::controls_of(a, system);
-      controls.contacts[0].imposed_slip = stroke;
+      controls.contacts[0].imposed_slip = Column::stroke;
       const auto result = solver::Newton().solve(system, support::fresh(system), controls);
       ASSERT_TRUE(result.report.converged) << result.report.reason;
       for (int j = 0; j < 4; ++j) {
@@ -59,7 +62,8 @@ TEST(column, one_step_is_exact) {
 
 // Ten steps must follow the backward Euler sequence, p = p0 / (1 + kappa)^10, and remove k p s in each.
 TEST(column, ten_steps_follow_the_sequence) {
-  const double p0 = modulus * press / height, k = 1e-7, ds = 100.0, kappa = modulus / height * k * ds;
+  const double p0 = Column::modulus * Column::press / Column::height, k = 1e-7, ds = 100.0,
+               kappa = Column::modulus / Column::height * k * ds;
   const auto a = column(k, 1.0);
   const auto system = support::system_of(a);
   solver::Newton newton;

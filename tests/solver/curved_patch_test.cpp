@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "material/parameters.hpp"
+#include "elastic.hpp"
 #include "support/assembly.hpp"
 
 namespace {
@@ -10,9 +10,9 @@ namespace {
 using namespace reye;
 using base::Kinematics;
 using mesh::CellKind;
+using support::rubber;
 
-constexpr double E = 1000.0, nu = 0.3, inside = 60.0;  ///< pressure on the inner wall [MPa]
-const material::NeoHookean rubber{E, nu, material::Volumetric::log_squared};
+constexpr double inner_pressure = 60.0;  ///< [MPa]
 
 /// A quarter of a ring 1 < r < 2 in a ring 2 < r < 3, both under pressure from inside.
 struct Rings {
@@ -23,7 +23,7 @@ struct Rings {
 };
 
 /// Lame: the pressure at r = 2 in a ring 1 < r < 3.
-double lame_pressure() { return inside / (9.0 - 1.0) * (9.0 / 4.0 - 1.0); }
+double lame_pressure() { return inner_pressure / (9.0 - 1.0) * (9.0 / 4.0 - 1.0); }
 
 /// Pressure of the ring at finite strain: r(R) from P_r' = (P_h - P_r) / R by Runge-Kutta, shooting with the inner
 /// wall's stretch.
@@ -67,7 +67,7 @@ class FiniteRing {
   /// At R, from the inner wall on, where the pressure acts on the deformed wall.
   State end(double stretch, double R) const {
     constexpr int steps = 200;
-    State s{stretch, -inside * stretch};
+    State s{stretch, -inner_pressure * stretch};
     const double h = (R - 1.0) / steps;
     const auto moved = [](const State& a, double t, const State& d) { return State{a[0] + t * d[0], a[1] + t * d[1]}; };
     for (int k = 0; k < steps; ++k) {
@@ -89,12 +89,12 @@ support::Assembly assembly(const Rings& s, int n) {
   support::Assembly a;
   a.meshes = {support::ring({.inner = 1.0, .outer = 2.0, .across = n, .around = 2 * n, .kind = s.inner}),
               support::ring({.inner = 2.0, .outer = 3.0, .across = n, .around = 3 * n, .kind = s.outer})};
-  auto in = support::elastic(E, nu);
+  auto in = support::elastic(support::Elastic::E, support::Elastic::nu);
   in.kinematics = s.kinematics;
   if (s.kinematics == Kinematics::finite) in.material = rubber;
   in.supports = {support::guide("horizontal", "bottom", 'y'), support::guide("vertical", "top", 'x')};
   a.inputs = {in, in};
-  a.inputs[0].boundary_loads = {{"inside", "left", inside, {0.0, 0.0}, {}, ""}};
+  a.inputs[0].boundary_loads = {{"inside", "left", inner_pressure, {0.0, 0.0}, {}, ""}};
   contact::ContactOptions o;
   o.dual = s.dual;
   support::touch_either(a, o, s.inner_secondary, {0, "right"}, {1, "left"});
@@ -103,7 +103,7 @@ support::Assembly assembly(const Rings& s, int n) {
 
 /// Root of the mean square error of the pressure over the interface, in parts of the exact pressure. At finite strain a
 /// small load closes the contact first: about a deep overlap its gap is far from linear.
-double error(const Rings& s, int n) {
+double pressure_error(const Rings& s, int n) {
   const auto a = assembly(s, n);
   const auto system = support::system_of(a);
   solver::Newton newton;
@@ -128,7 +128,7 @@ double error(const Rings& s, int n) {
 /// The slope between two meshes must exceed `slope`, the error on the finer one stay below `largest`.
 void expect_rate(const Rings& s, double slope, double largest) {
   const int n = s.kinematics == Kinematics::small ? 6 : 4;
-  const double coarse = error(s, n), fine = error(s, 2 * n);
+  const double coarse = pressure_error(s, n), fine = pressure_error(s, 2 * n);
   const auto kind = [](CellKind k) { return std::to_string(static_cast<int>(k)); };
   SCOPED_TRACE(kind(s.inner) + " in " + kind(s.outer) + (s.inner_secondary ? ", inner" : ", outer") +
                " secondary, dual " + std::to_string(static_cast<int>(s.dual)) +

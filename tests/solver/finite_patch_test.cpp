@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "elastic.hpp"
 #include "fem/finite.hpp"
-#include "material/parameters.hpp"
 #include "support/assembly.hpp"
 
 namespace {
@@ -13,10 +13,9 @@ using namespace reye;
 using base::Vec2;
 using contact::ContactStatus;
 using mesh::CellKind;
+using support::Elastic;
+using support::rubber;
 using Tensor = Eigen::Matrix2d;
-
-constexpr double E = 1000.0, nu = 0.3;
-const material::NeoHookean rubber{E, nu, material::Volumetric::log_squared};
 
 /// Cauchy stress in the plane: J sigma = mu (F F^T - I) + lambda ln J I.
 Tensor cauchy(const Tensor& F) {
@@ -37,7 +36,7 @@ Tensor pressed(double height) {
 Tensor sheared(double width, double shear, double height) { return (Tensor() << width, shear, 0.0, height).finished(); }
 
 /// The lower block is [0, width] x [-1, 0], the upper one [a, b] x [0, 1]; both take on the same F.
-struct Patch {
+struct FinitePatch {
   Tensor F = pressed(0.85);
   double friction = 0.0;
   double a = 0.0, b = 2.0, width = 2.0;
@@ -54,44 +53,44 @@ struct Patch {
 };
 
 /// The dead traction P N on an edge with outward normal N on X.
-fem::BoundaryLoad load(const Patch& s, const std::string& edge, const Vec2& N) {
+fem::BoundaryLoad nominal_load(const FinitePatch& s, const std::string& edge, const Vec2& N) {
   fem::BoundaryLoad l;
   l.name = l.edge = edge;
   l.traction_MPa = s.turned(s.nominal() * N);
   return l;
 }
 
-body::BodyInput input_of(const Patch& s) {
-  auto in = support::elastic(E, nu);
+body::BodyInput input_of(const FinitePatch& s) {
+  auto in = support::elastic(Elastic::E, Elastic::nu);
   in.material = rubber;
   in.kinematics = base::Kinematics::finite;
-  in.boundary_loads = {load(s, "right", {1, 0}), load(s, "left", {-1, 0})};
+  in.boundary_loads = {nominal_load(s, "right", {1, 0}), nominal_load(s, "left", {-1, 0})};
   return in;
 }
 
-body::BodyInput lower_input(const Patch& s) {
+body::BodyInput lower_input(const FinitePatch& s) {
   auto in = input_of(s);
   in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed}, s.degrees()),
                  support::pin("pin", s.turned({0, -1}), {body::Drive::fixed}, s.degrees())};
-  in.boundary_loads.push_back(load(s, "bottom", {0, -1}));
+  in.boundary_loads.push_back(nominal_load(s, "bottom", {0, -1}));
   for (const auto& [from, to] : {std::pair{0.0, s.a}, {s.b, s.width}}) {
     if (to <= from) continue;
-    in.boundary_loads.push_back(load(s, "top", {0, 1}));
+    in.boundary_loads.push_back(nominal_load(s, "top", {0, 1}));
     in.boundary_loads.back().interval_mm = {from, to};
   }
   return in;
 }
 
 /// The pin holds nothing in the end: on the way there, or without friction, it keeps the upper block in its place.
-body::BodyInput upper_input(const Patch& s) {
+body::BodyInput upper_input(const FinitePatch& s) {
   auto in = input_of(s);
   const Vec2 corner(s.a, 1.0);
   in.supports = {support::pin("pin", s.turned(corner), support::moved(s.displacement(corner).x()), s.degrees())};
-  in.boundary_loads.push_back(load(s, "top", {0, 1}));
+  in.boundary_loads.push_back(nominal_load(s, "top", {0, 1}));
   return in;
 }
 
-support::Assembly assembly(const Patch& s) {
+support::Assembly assembly(const FinitePatch& s) {
   support::Assembly a;
   const auto block = [&](const Vec2& corner, double width, int nx, CellKind kind) {
     return support::turned(
@@ -108,7 +107,7 @@ support::Assembly assembly(const Patch& s) {
 }
 
 /// Displacement and stress of a body must be those of F at each node.
-void expect_homogeneous(const Patch& s, const body::BodyInput& in, const mesh::Mesh& mesh,
+void expect_homogeneous(const FinitePatch& s, const body::BodyInput& in, const mesh::Mesh& mesh,
                         const body::NonlinearBody& body, const base::Vector& q, const body::Interior& interior) {
   const auto u = body.recover(q, interior.y);
   base::Vector all(2 * static_cast<Eigen::Index>(u.size()));
@@ -128,7 +127,7 @@ void expect_homogeneous(const Patch& s, const body::BodyInput& in, const mesh::M
 
 /// Every active node must carry the Cauchy traction to 1e-10 of the pressure (in second order D falls with the cube of
 /// the covered share, and the rounding of its node's force counts A / D times); returns how many there are.
-int expect_patch(const Patch& s, ContactStatus status) {
+int expect_patch(const FinitePatch& s, ContactStatus status) {
   const auto a = assembly(s);
   const auto system = support::system_of(a);
   solver::Newton newton({.max_iterations = 30, .force_tolerance = 1e-12, .condition_tolerance = 1e-11});
@@ -157,7 +156,7 @@ int expect_patch(const Patch& s, ContactStatus status) {
 
 /// All four kinds of cells against each other, both kinds of multipliers on those of second order, both sides
 /// secondary, upright and turned; wholly and partly covered.
-void every_way(Patch s, ContactStatus status) {
+void every_pairing(FinitePatch s, ContactStatus status) {
   const std::pair<CellKind, CellKind> kinds[] = {{CellKind::quad4, CellKind::quad4}, {CellKind::tri3, CellKind::quad4},
                                                  {CellKind::quad8, CellKind::quad8}, {CellKind::quad8, CellKind::tri6},
                                                  {CellKind::tri6, CellKind::quad4},  {CellKind::tri3, CellKind::quad8}};
@@ -183,11 +182,11 @@ void every_way(Patch s, ContactStatus status) {
 
 // Blocks pressed to 85 % of their height must carry the closed form's stress everywhere, without friction and with.
 TEST(finite_patch, pressed) {
-  every_way({}, ContactStatus::slip);
-  every_way({.friction = 0.3}, ContactStatus::stick);
+  every_pairing({}, ContactStatus::slip);
+  every_pairing({.friction = 0.3}, ContactStatus::stick);
 }
 
 // Blocks pressed and sheared, held together by friction alone, must do so.
-TEST(finite_patch, sheared) { every_way({.F = sheared(1.04, 0.05, 0.88), .friction = 0.5}, ContactStatus::stick); }
+TEST(finite_patch, sheared) { every_pairing({.F = sheared(1.04, 0.05, 0.88), .friction = 0.5}, ContactStatus::stick); }
 
 }  // namespace

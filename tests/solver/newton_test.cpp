@@ -13,9 +13,8 @@ using namespace reye;
 using contact::ContactStatus;
 using support::Assembly;
 using support::BlocksOptions;
+using support::residual;
 using wear::LawKind;
-
-double error(const solver::Iteration& row) { return std::max(row.force, row.condition); }
 
 std::string text(const std::vector<solver::Iteration>& table) {
   std::ostringstream s;
@@ -31,7 +30,7 @@ void expect_quadratic_tail(const solver::SolveReport& report) {
   ASSERT_TRUE(report.converged) << report.reason << text(report.table);
   const auto& t = report.table;
   ASSERT_GE(t.size(), 3u);
-  const double last = error(t[t.size() - 1]), before = error(t[t.size() - 2]);
+  const double last = residual(t[t.size() - 1]), before = residual(t[t.size() - 2]);
   EXPECT_EQ(t[t.size() - 2].changes, 0) << text(t);
   EXPECT_LT(last, std::max(1e-12, std::pow(before, 1.9))) << text(t);
 }

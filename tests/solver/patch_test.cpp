@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "elastic.hpp"
 #include "support/assembly.hpp"
 #include "support/surfaces.hpp"
 
@@ -11,12 +12,14 @@ using namespace reye;
 using base::Vec2;
 using contact::ContactStatus;
 using support::Assembly;
-
-constexpr double E = 1000.0, nu = 0.3, p = 10.0;
-constexpr double lateral = nu * (1.0 + nu) * p / E;  ///< strain along the contact under pressure p, free sideways
+using support::Elastic;
 
 /// The lower block is [0, width] x [-1, 0], the upper one [a, b] x [0, 1].
 struct Patch {
+  static constexpr double E = Elastic::E, nu = Elastic::nu, G = E / (2.0 * (1.0 + nu));
+  static constexpr double p = 10.0;                           ///< [MPa]
+  static constexpr double lateral = nu * (1.0 + nu) * p / E;  ///< strain along the contact under p, free sideways
+
   int upper = 3, lower = 2;
   double a = 0.0, b = 2.0, width = 2.0;
   double shear = 0.0, friction = 0.0;
@@ -40,29 +43,27 @@ std::vector<fem::BoundaryLoad> sides(const Patch& s) {
 }
 
 body::BodyInput lower_input(const Patch& s) {
-  auto in = support::elastic(E, nu);
-  const double G = E / (2.0 * (1.0 + nu));
+  auto in = support::elastic(Patch::E, Patch::nu);
   in.supports = {support::guide("floor", "bottom", 'y', {body::Drive::fixed}, s.angle),
                  support::pin("pin", support::turned(Vec2(0, -1), s.angle * std::numbers::pi / 180.0),
-                              support::moved(-lateral * s.a - s.shear / G), s.angle)};
+                              support::moved(-Patch::lateral * s.a - s.shear / Patch::G), s.angle)};
   in.boundary_loads = sides(s);
   in.boundary_loads.push_back(load(s, "bottom", -s.shear, 0.0));
-  const double left = s.a + s.slide / (1.0 + lateral), right = left + s.b - s.a;
+  const double left = s.a + s.slide / (1.0 + Patch::lateral), right = left + s.b - s.a;
   for (const auto& [from, to] : {std::pair{0.0, left}, {right, s.width}}) {
     if (to - from < 1e-9) continue;
-    in.boundary_loads.push_back(load(s, "top", s.shear, -p));
+    in.boundary_loads.push_back(load(s, "top", s.shear, -Patch::p));
     in.boundary_loads.back().interval_mm = {from, to};
   }
   return in;
 }
 
 body::BodyInput upper_input(const Patch& s) {
-  auto in = support::elastic(E, nu);
-  const double G = E / (2.0 * (1.0 + nu));
+  auto in = support::elastic(Patch::E, Patch::nu);
   in.supports = {support::pin("pin", support::turned(Vec2(s.a, 1), s.angle * std::numbers::pi / 180.0),
-                              support::moved(s.shear / G + s.slide), s.angle)};
+                              support::moved(s.shear / Patch::G + s.slide), s.angle)};
   in.boundary_loads = sides(s);
-  in.boundary_loads.push_back(load(s, "top", s.shear, -p));
+  in.boundary_loads.push_back(load(s, "top", s.shear, -Patch::p));
   return in;
 }
 
@@ -108,8 +109,8 @@ int expect_uniform(const Patch& s, ContactStatus status) {
     const Vec2 t = support::traction(system.contacts[0], state, j);
     const auto& secondary = system.contacts[0].secondary;
     const double rounding = secondary.order == 1 ? 1.0 : secondary.area[j] / state.reference[j].D;
-    EXPECT_NEAR(t.x(), p, 1e-10 * p * rounding) << "node " << j;
-    EXPECT_NEAR(t.y(), s.shear, 1e-10 * p * rounding) << "node " << j;
+    EXPECT_NEAR(t.x(), Patch::p, 1e-10 * Patch::p * rounding) << "node " << j;
+    EXPECT_NEAR(t.y(), s.shear, 1e-10 * Patch::p * rounding) << "node " << j;
     EXPECT_EQ(state.status[j], status) << "node " << j;
   }
   return active;

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "solver/newton.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
@@ -92,6 +94,9 @@ inline solver::SolverState fresh(const solver::System& system) {
   for (const auto& setup : system.contacts) s.contacts.push_back(contact::fresh_state(setup));
   return s;
 }
+
+/// The larger of the two relative residuals of an iteration.
+inline double residual(const solver::Iteration& row) { return std::max(row.force, row.condition); }
 
 /// Pressure and shear of a secondary node of a state, on the undeformed normals.
 inline base::Vec2 traction(const contact::Setup& setup, const contact::ContactState& state, int node) {

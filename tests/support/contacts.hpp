@@ -16,6 +16,13 @@ struct ContactCase {
   contact::IncrementOptions increment;
 };
 
+inline ContactOptions frictional(double friction, wear::Law law = {}) {
+  ContactOptions o;
+  o.friction = friction;
+  o.wear = law;
+  return o;
+}
+
 inline contact::Setup setup_of(const Facing& f, const ContactOptions& options) {
   contact::Setup s;
   s.options = options;
