@@ -20,11 +20,13 @@
 #include <vector>
 
 #include "support/temporary_folder.hpp"
+#include "support/texts.hpp"
 
 /// The built command as a user runs it: in a folder of its own, with what it prints and leaves on disk.
 namespace reye::test {
 
 namespace fs = std::filesystem;
+using support::holds;
 
 inline std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -138,8 +140,10 @@ class Place {
   support::TemporaryFolder root_;
 };
 
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
 /// The text with each first `from` replaced; all must be there.
-inline std::string changed(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
+inline std::string changed(std::string text, const Changes& changes) {
   for (const auto& [from, to] : changes) {
     const auto at = text.find(from);
     if (at == std::string::npos) throw std::runtime_error("not in the scene: " + from);
@@ -147,8 +151,6 @@ inline std::string changed(std::string text, const std::vector<std::pair<std::st
   }
   return text;
 }
-
-inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Lines of a file of the folder; 0 when it is not there.
 inline long lines(const fs::path& file) {

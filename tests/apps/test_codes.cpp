@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "places.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
@@ -6,10 +7,8 @@ using namespace reye;
 namespace {
 
 /// A place with the small scenes in it.
-struct WithScenes : test::Place {
+struct WithScenes : test::WithWearing {
   WithScenes() {
-    write("wearing.geo", test::wearing_geo);
-    write("wearing.toml", test::wearing);
     write("blocks.geo", test::blocks_geo);
     write("blocks.toml", test::blocks);
   }

@@ -1,4 +1,5 @@
 #include "command.hpp"
+#include "places.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 
@@ -7,12 +8,10 @@ using namespace reye;
 namespace {
 
 /// The two blocks worn through fifty blocks of cycles: a history longer than a checkpoint.
-struct WithBlocks : test::Place {
-  WithBlocks() {
-    write("blocks.geo", test::blocks_geo);
-    write("blocks.toml", std::string(test::blocks) +
-                             "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n[output]\ncheckpoint_s = 0\n");
-  }
+struct WornBlocks : test::WithBlocks {
+  WornBlocks()
+      : WithBlocks(std::string(test::blocks) +
+                   "[[step]]\nname = \"wear\"\nincrements = 6\ncycles = 50\n[output]\ncheckpoint_s = 0\n") {}
 };
 
 }  // namespace
@@ -20,7 +19,7 @@ struct WithBlocks : test::Place {
 // A disk that takes no more must end the run with 1 and the reason, its last checkpoint whole: with space again it
 // resumes to the bytes of an unbroken run.
 TEST(Disk, FullInTheMiddle) {
-  const WithBlocks place;
+  const WornBlocks place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto checkpoint = test::fs::file_size(place / "whole/checkpoint/current.bin");
   const auto history = test::fs::file_size(place / "whole/history.csv");
@@ -38,7 +37,7 @@ TEST(Disk, FullInTheMiddle) {
 
 // When not even the first checkpoint finds room, the run must end with 1 and say what could not be written.
 TEST(Disk, FullFromTheStart) {
-  const WithBlocks place;
+  const WornBlocks place;
   const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}, 2048);
   EXPECT_EQ(told.code, 1);
   EXPECT_EQ(told.err, "reye: cannot write o/checkpoint/fresh.bin: File too large\n");
@@ -47,7 +46,7 @@ TEST(Disk, FullFromTheStart) {
 
 // A checkpoint that finds no room must leave the one before it whole and nothing half written.
 TEST(Disk, FullAtACheckpoint) {
-  const WithBlocks place;
+  const WornBlocks place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "whole", "--quiet"}).code, 0);
   auto run = place.start_reye({"run", "blocks.toml", "--out", "o", "--quiet"});
   ASSERT_TRUE(run.signal_when(SIGINT, [&] { return test::lines(place / "o/history.csv") > 20; }));

@@ -8,7 +8,7 @@ using namespace reye;
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using test::Changes;
 
 /// The small wearing contact, whose scene is rewritten with other values.
 struct Extended : test::Place {

@@ -1,23 +1,21 @@
 #include "command.hpp"
+#include "places.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
 
 namespace {
 
-struct WithBlocks : test::Place {
-  WithBlocks() {
-    write("blocks.geo", test::blocks_geo);
-    write("blocks.toml", test::blocks);
-    write("other.toml", test::changed(test::blocks, {{"-20.0", "-30.0"}}));
-  }
+/// The two blocks under two loads.
+struct TwoScenes : test::WithBlocks {
+  TwoScenes() { write("other.toml", test::changed(test::blocks, {{"-20.0", "-30.0"}})); }
 };
 
 }  // namespace
 
 // A folder with another scene's run, or with results of unknown origin, must be refused untouched unless --force.
 TEST(Folder, AnotherRun) {
-  const WithBlocks place;
+  const TwoScenes place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}).code, 0);
   const auto before = place.files("o");
   const auto refused = place.reye({"run", "other.toml", "--out", "o"});
@@ -35,7 +33,7 @@ TEST(Folder, AnotherRun) {
 
 // Results of the same scene must stay whole until a new run of it starts: bad input leaves them alone.
 TEST(Folder, ReplacedOnlyByAGoodStart) {
-  const WithBlocks place;
+  const TwoScenes place;
   ASSERT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}).code, 0);
   place.write("o/notes.txt", "mine");
   const auto before = place.files("o");
@@ -49,7 +47,7 @@ TEST(Folder, ReplacedOnlyByAGoodStart) {
 
 // A folder that cannot be made must be refused as bad input.
 TEST(Folder, CannotBeMade) {
-  const WithBlocks place;
+  const TwoScenes place;
   place.write("file", "");
   const auto in_a_file = place.reye({"run", "blocks.toml", "--out", "file/o"});
   EXPECT_EQ(in_a_file.code, 2);
@@ -60,7 +58,7 @@ TEST(Folder, CannotBeMade) {
 
 // A disk that refuses in the middle of a run must end it with 1 and a message that names the file.
 TEST(Folder, DiskRefuses) {
-  const WithBlocks place;
+  const TwoScenes place;
   const std::string limited =
       "trap '' XFSZ; ulimit -f 4; exec \"$0\" run blocks.toml --out o --quiet";  // blocks of 1 KB
   const auto told = place.start({"/bin/bash", "-c", limited, REYE_COMMAND}).wait();

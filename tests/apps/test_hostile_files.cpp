@@ -7,17 +7,15 @@
 #include <cstddef>
 
 #include "command.hpp"
+#include "places.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
 
 namespace {
 
-struct WithBlocks : test::Place {
-  WithBlocks() {
-    write("blocks.geo", test::blocks_geo);
-    write("scene.toml", test::blocks);
-  }
+struct WithRefusals : test::WithBlocks {
+  WithRefusals() : WithBlocks(test::blocks, "scene.toml") {}
   /// What the command says of the scene with these changes, once it is sure that nothing was written.
   test::Told refused(const std::vector<std::string>& words) const {
     const auto before = files();
@@ -50,7 +48,7 @@ void deny_filters() {
 
 // A script that runs a program must be refused by every command that reads a scene, and nothing run.
 TEST(HostileFiles, ScriptThatRunsAProgram) {
-  const WithBlocks place;
+  const WithRefusals place;
   place.write("blocks.geo", "SystemCall \"touch harm\";\n" + std::string(test::blocks_geo));
   const std::string message =
       "scene.toml:1: geometry = \"blocks.geo\": line 1: SystemCall is neither a command that Reye lets a script use "
@@ -62,7 +60,7 @@ TEST(HostileFiles, ScriptThatRunsAProgram) {
 
 // With --trust-geometry a script must be allowed what gmsh allows.
 TEST(HostileFiles, TrustedScript) {
-  const WithBlocks place;
+  const WithRefusals place;
   place.write("blocks.geo", "SystemCall \"touch harm\";\n" + std::string(test::blocks_geo));
   const auto told = place.reye({"check", "scene.toml", "--trust-geometry"});
   EXPECT_EQ(told.code, 0) << told.err;
@@ -71,7 +69,7 @@ TEST(HostileFiles, TrustedScript) {
 
 // A file that makes its reader crash must be refused with the file and what happened.
 TEST(HostileFiles, FileThatCrashesItsReader) {
-  const WithBlocks place;
+  const WithRefusals place;
   test::fs::copy_file(std::string(REYE_SOURCE_DIR) + "/tests/cad/data/broken/line_32.step", place / "line_32.step");
   place.write("scene.toml", test::changed(test::blocks, {{"blocks.geo", "line_32.step"}}));
   const auto told = place.refused({"check", "scene.toml"});
@@ -82,7 +80,7 @@ TEST(HostileFiles, FileThatCrashesItsReader) {
 
 // Where the system has no filter for the program that reads files, a warning must say so, and the scene be read.
 TEST(HostileFiles, SystemWithoutFilter) {
-  const WithBlocks place;
+  const WithRefusals place;
   const auto told = place.reye({"check", "scene.toml"});
   EXPECT_EQ(told.code, 0);
   EXPECT_FALSE(test::holds(told.err, "seccomp"));
@@ -95,7 +93,7 @@ TEST(HostileFiles, SystemWithoutFilter) {
 
 // A scene without bounds in its numbers must be refused with key and line, in no time.
 TEST(HostileFiles, ScenesWithoutBounds) {
-  const WithBlocks place;
+  const WithRefusals place;
   const auto told_of = [&](const std::string& text) {
     place.write("scene.toml", text);
     return place.refused({"check", "scene.toml"}).err;
@@ -124,7 +122,7 @@ TEST(HostileFiles, ScenesWithoutBounds) {
 
 // A rigid body with elements far too small must be refused with how many it would take.
 TEST(HostileFiles, RigidOutlineWithoutBounds) {
-  const WithBlocks place;
+  const WithRefusals place;
   place.write("scene.toml",
               test::changed(test::blocks, {{"[body.base]\nmaterial = \"steel\"\nmesh     = { far_size_mm = 0.5",
                                             "[body.base]\nrigid = true\nmesh     = { far_size_mm = 1e-9"}}));

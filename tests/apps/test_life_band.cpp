@@ -4,7 +4,7 @@ using namespace reye;
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using test::Changes;
 
 /// geo/life_band with some texts replaced.
 struct WithScene : test::Place {

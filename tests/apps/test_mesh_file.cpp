@@ -5,8 +5,8 @@ using namespace reye;
 
 namespace {
 
-struct WithWearing : test::Place {
-  WithWearing() { write("wearing.geo", test::wearing_geo); }
+struct WithBothMeshes : test::Place {
+  WithBothMeshes() { write("wearing.geo", test::wearing_geo); }
 
   /// Writes the scene, once on its CAD file and once on the mesh that `reye mesh` makes of it.
   void write_both(const std::string& scene) {
@@ -22,7 +22,7 @@ struct WithWearing : test::Place {
 // elements.
 TEST(MeshFile, RunsAsItWasMade) {
   for (const char* order : {"order = 1", "order = 2"}) {
-    WithWearing place;
+    WithBothMeshes place;
     place.write_both(test::changed(
         test::wearing, {{"[body.disc]", std::string("[body.disc]\n") + order}, {"cycles = 400", "cycles = 200"}}));
     for (const char* name : {"cad", "mesh"}) {
@@ -36,7 +36,7 @@ TEST(MeshFile, RunsAsItWasMade) {
 
 // What is no mesh must be refused with the file and the rule, and write nothing.
 TEST(MeshFile, Refused) {
-  WithWearing place;
+  WithBothMeshes place;
   place.write_both(test::wearing);
   const std::string whole = test::read(place / "m/mesh.vtu");
   const std::pair<std::string, const char*> broken[] = {

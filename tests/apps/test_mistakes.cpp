@@ -1,22 +1,10 @@
 #include "command.hpp"
+#include "scenes.hpp"
 
 using namespace reye;
 
 /// Mistakes as users make them: one good scene, altered in one place each, and every word that the command says of it.
 namespace {
-
-const char* const blocks_drawing = R"(SetFactory("OpenCASCADE");
-Rectangle(1) = {1, 0, 0, 2, 1};
-Rectangle(2) = {0, -1, 0, 4, 1};
-Physical Surface("slider") = {1};
-Physical Surface("base") = {2};
-Physical Curve("slider_bottom") = {1};
-Physical Curve("slider_right") = {2};
-Physical Curve("slider_top") = {3};
-Physical Curve("base_bottom") = {5};
-Physical Curve("base_top") = {7};
-Physical Curve("left") = {4, 8};
-)";
 
 const char* const tilted_drawing = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1};
@@ -92,11 +80,11 @@ std::string zigzag() {
 void draw(const test::Place& place) {
   const std::string upper = "{1, 0, 0, 2, 1}", lower = "{0, -1, 0, 4, 1}";
   const auto drawn = [&](const std::string& file, const std::string& from, const std::string& to) {
-    place.write(file, test::changed(blocks_drawing, {{from, to}}));
+    place.write(file, test::changed(test::blocks_geo, {{from, to}}));
   };
-  place.write("blocks.geo", blocks_drawing);
+  place.write("blocks.geo", test::blocks_geo);
   place.write("tilted.geo", tilted_drawing);
-  place.write("metres.geo", test::changed(blocks_drawing,
+  place.write("metres.geo", test::changed(test::blocks_geo,
                                           {{upper, "{1e-3, 0, 0, 2e-3, 1e-3}"}, {lower, "{0, -1e-3, 0, 4e-3, 1e-3}"}}));
   drawn("apart.geo", upper, "{1, 1, 0, 2, 1}");
   drawn("gap.geo", upper, "{1, 0.1, 0, 2, 1}");

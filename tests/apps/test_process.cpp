@@ -2,6 +2,7 @@
 #include "base/printable.hpp"
 #include "command.hpp"
 #include "output/folder/folder_lock.hpp"
+#include "places.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 
@@ -12,11 +13,8 @@ namespace {
 /// A run that lasts long enough to be met under way on a machine that has other work.
 const std::string long_wearing = test::changed(test::wearing, {{"cycles = 400", "cycles = 2000"}});
 
-struct WithWearing : test::Place {
-  WithWearing() {
-    write("wearing.geo", test::wearing_geo);
-    write("wearing.toml", long_wearing);
-  }
+struct WithLongWearing : test::WithWearing {
+  WithLongWearing() : WithWearing(long_wearing) {}
 };
 
 bool under_way(const test::Place& place, const std::string& folder, long rows = 5) {
@@ -33,7 +31,7 @@ bool written_to(const test::Place& place, const std::string& folder) {
 // While a run writes into a folder a second one must be refused with 2 and a sentence, with --restart and --force, too;
 // a report of the folder must be made; the first run must end as if it had been alone.
 TEST(Process, TwoRunsInOneFolder) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   auto first = place.start_reye({"run", "wearing.toml", "--out", "o", "--quiet"});
   ASSERT_TRUE(first.signal_when(SIGSTOP, [&] { return under_way(place, "o"); }));
@@ -53,7 +51,7 @@ TEST(Process, TwoRunsInOneFolder) {
 
 // A report made again and again while a run writes must be made each time, and leave the run as it would be alone.
 TEST(Process, ReportsOfARunningFolder) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   auto run = place.start_reye({"run", "wearing.toml", "--out", "o", "--quiet"});
   ASSERT_TRUE(run.signal_when(SIGCONT, [&] { return under_way(place, "o", 0); }));
@@ -71,7 +69,7 @@ TEST(Process, ReportsOfARunningFolder) {
 // SIGHUP and SIGTERM must end a run as Ctrl-C does: everything written, 130, and on to the bytes of an unbroken run.
 // Any number of SIGHUP asks once only, as a closed terminal sends several; one that nohup has ignored asks nothing.
 TEST(Process, HangUpAndTerminate) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   for (const int signal : {SIGHUP, SIGTERM}) {
     test::fs::remove_all(place / "o");
@@ -92,7 +90,7 @@ TEST(Process, HangUpAndTerminate) {
 
 // Output that nobody reads any more must not end a run.
 TEST(Process, OutputIsLost) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto told =
       place.start({"/bin/bash", "-c", "set -o pipefail; \"$0\" run wearing.toml --out o 2>&1 | head -1", REYE_COMMAND})
@@ -104,7 +102,7 @@ TEST(Process, OutputIsLost) {
 
 // When a sweep is killed its members must end, too, each with its last good state on disk; the same call resumes it.
 TEST(Process, MembersEndWithTheirSweep) {
-  const WithWearing place;
+  const WithLongWearing place;
   const std::vector<std::string> words = {
       "sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5", "--jobs", "2", "--out", "s", "--quiet"};
   auto sweep = place.start_reye(words);
@@ -123,7 +121,7 @@ TEST(Process, MembersEndWithTheirSweep) {
 
 // A member whose folder is damaged must not keep the table from the others.
 TEST(Process, TableOfABrokenMember) {
-  const WithWearing place;
+  const WithLongWearing place;
   const std::vector<std::string> words = {
       "sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5,0.6", "--out", "s", "--quiet"};
   ASSERT_EQ(place.reye(words).code, 0);
@@ -149,7 +147,7 @@ TEST(Process, TableOfABrokenMember) {
 
 // Neither a run with --force nor a sweep may remove or write anything through a link that was planted where it works.
 TEST(Process, PlantedLinks) {
-  const WithWearing place;
+  const WithLongWearing place;
   place.write("blocks.geo", test::blocks_geo);
   place.write("blocks.toml", test::blocks);
   place.write("mine/history.csv", "mine");
@@ -183,7 +181,7 @@ TEST(Process, PlantedLinks) {
 
 // A damaged folder must be refused by `report` with 2 and a sentence that names the file.
 TEST(Process, ReportOfADamagedFolder) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
   for (const char* file :
        {".reye.json", "summary.json", "history.csv", "surface_pad_secondary.csv", "frames/bodies_000001.vtu"}) {
@@ -201,7 +199,7 @@ TEST(Process, ReportOfADamagedFolder) {
 // A folder and a scene may be called by any bytes: everything works, JSON and page stay valid, messages stay in their
 // lines.
 TEST(Process, NamesOfAnyBytes) {
-  const WithWearing place;
+  const WithLongWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   for (const std::string name : {"two\nlines", "\xff <b>&\"'", "=cmd \x1b[31m%s µ軸"}) {
     const std::string scene = name + "/" + name + ".toml", out = name + ".o";

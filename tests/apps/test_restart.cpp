@@ -2,19 +2,13 @@
 
 #include "command.hpp"
 #include "output/run/checkpoint.hpp"
+#include "places.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
 
 namespace {
-
-struct WithWearing : test::Place {
-  WithWearing() {
-    write("wearing.geo", test::wearing_geo);
-    write("wearing.toml", test::wearing);
-  }
-};
 
 std::string status(const test::Place& place, const std::string& folder) {
   return nlohmann::json::parse(test::read(place / (folder + "/summary.json"))).at("status");
@@ -34,7 +28,7 @@ test::Told interrupted(const test::Place& place, const std::string& folder, long
 
 // Two runs of a scene must give the same bytes.
 TEST(Restart, TwoRunsAreTheSame) {
-  const WithWearing place;
+  const test::WithWearing place;
   for (const char* folder : {"a", "b"})
     ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", folder, "--quiet"}).code, 0);
   test::expect_same(place, "a", "b");
@@ -42,7 +36,7 @@ TEST(Restart, TwoRunsAreTheSame) {
 
 // Ctrl-C must finish the increment, write everything and end with 130.
 TEST(Restart, InterruptWritesAll) {
-  const WithWearing place;
+  const test::WithWearing place;
   const auto told = interrupted(place, "o", 25);
   EXPECT_EQ(told.code, 130) << told.err;
   EXPECT_TRUE(test::holds(told.err, "reye: interrupted in step \"wear\" at cycle "));
@@ -56,7 +50,7 @@ TEST(Restart, InterruptWritesAll) {
 
 // A run that was interrupted after its first block of cycles and resumed must leave the bytes of an unbroken one.
 TEST(Restart, SameBytesAsUnbroken) {
-  const WithWearing place;
+  const test::WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   ASSERT_EQ(interrupted(place, "broken", 22).code, 130);
   const auto told = place.reye({"run", "wearing.toml", "--out", "broken", "--restart"});
@@ -67,7 +61,7 @@ TEST(Restart, SameBytesAsUnbroken) {
 
 // Interrupted in the very first step and again later: still the same bytes.
 TEST(Restart, SeveralInterruptions) {
-  const WithWearing place;
+  const test::WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   ASSERT_EQ(interrupted(place, "broken", 1).code, 130);
   ASSERT_EQ(interrupted(place, "broken", 30, {"--restart"}).code, 130);
@@ -78,7 +72,7 @@ TEST(Restart, SeveralInterruptions) {
 
 // A run killed without warning must resume from its last checkpoint to the same bytes.
 TEST(Restart, Killed) {
-  const WithWearing place;
+  const test::WithWearing place;
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   for (const long rows : {1L, 21L, 40L}) {
     test::fs::remove_all(place / "broken");
@@ -92,7 +86,7 @@ TEST(Restart, Killed) {
 // Interrupted or killed between blocks in which both bodies are remeshed, with wider zones and other facets, a run
 // must resume to the bytes of the unbroken one.
 TEST(Restart, AcrossARemesh) {
-  const WithWearing place;
+  const test::WithWearing place;
   place.write("wearing.toml", test::worn_pin);
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   EXPECT_GT(test::lines(place / "whole/remesh.csv"), 6);
@@ -108,7 +102,7 @@ TEST(Restart, AcrossARemesh) {
 // With checkpoints rarer than the run is long, an interrupted run must still keep its last block end, a killed one only
 // its start; both must resume to the bytes of the unbroken run.
 TEST(Restart, RareCheckpoints) {
-  const WithWearing place;
+  const test::WithWearing place;
   place.write("wearing.toml", test::changed(test::wearing, {{"checkpoint_s = 0", "checkpoint_s = 1e6"}}));
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto rows = [&](const std::string& folder) {
@@ -133,7 +127,7 @@ TEST(Restart, RareCheckpoints) {
 
 // A restart without a checkpoint, or with one of another scene, must be refused and write nothing.
 TEST(Restart, NothingToGoOnFrom) {
-  const WithWearing place;
+  const test::WithWearing place;
   const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--restart"});
   EXPECT_EQ(told.code, 2);
   EXPECT_TRUE(test::holds(told.err, "--restart = o: no checkpoint to resume from: o/checkpoint/current.bin: missing; "))

@@ -23,8 +23,6 @@ using namespace reye;
 
 namespace {
 
-constexpr int cycles = 6;
-
 struct Entry {
   double time = 0.0;
   std::string file;
@@ -48,6 +46,7 @@ std::vector<Entry> entries(const test::fs::path& pvd) {
 /// A pin that is worn flat, its contact growing to three times its first fine zone; both bodies remeshed after each
 /// cycle, a frame at each.
 struct WornPin {
+  static constexpr int cycles = 6;  ///< of the scene
   test::Place place;
 
   WornPin() {
@@ -111,7 +110,8 @@ void expect_cells_within_points(vtkDataSet* frame) {
 
 template <class Frames>
 void expect_one_series(const std::vector<Entry>& listed, const Frames& frames) {
-  ASSERT_EQ(frames.size(), static_cast<std::size_t>(cycles) + 2);  // before and after the load step, then each cycle
+  ASSERT_EQ(frames.size(),
+            static_cast<std::size_t>(WornPin::cycles) + 2);  // before and after the load step, then each cycle
   for (std::size_t k = 0; k < frames.size(); ++k) {
     SCOPED_TRACE(listed[k].file);
     const double cycle = k < 2 ? 0.0 : static_cast<double>(k - 1);
@@ -160,7 +160,7 @@ TEST(Series, BodiesReadBackThroughRemeshes) {
   const auto frames = run.bodies();
   expect_one_series(entries(run.place / "o/series.pvd"), frames);
   const auto remeshes = run.remeshes();
-  EXPECT_GE(remeshes.rows(), 2u * cycles);
+  EXPECT_GE(remeshes.rows(), 2u * WornPin::cycles);
   std::set<vtkIdType> counts;
   for (const auto& frame : frames) {
     counts.insert(frame->GetNumberOfPoints());

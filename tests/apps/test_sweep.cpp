@@ -1,6 +1,7 @@
 #include <sstream>
 
 #include "command.hpp"
+#include "places.hpp"
 #include "scenes.hpp"
 
 using namespace reye;
@@ -15,10 +16,8 @@ std::string eaten() {
          "\n[[step]]\nname = \"wear\"\ncycles = 3\n";
 }
 
-struct WithScenes : test::Place {
-  WithScenes() {
-    write("wearing.geo", test::wearing_geo);
-    write("wearing.toml", test::wearing);
+struct WithSweeps : test::WithWearing {
+  WithSweeps() {
     write("sub/blocks.geo", test::blocks_geo);
     write("sub/eaten.toml", eaten());
   }
@@ -51,7 +50,7 @@ std::string cell(const std::vector<std::vector<std::string>>& rows, std::size_t 
 // A full grid must run every member beside its geometry's folder, continue past the one that fails, name it, end with 1
 // and collect all in one table; called again it must run that one only.
 TEST(Sweep, GridWithAFailure) {
-  const WithScenes place;
+  const WithSweeps place;
   const std::vector<std::string> words = {
       "sweep", "sub/eaten.toml", "--vary", coefficient, "--vary", "step[1].cycles=1,2,50", "--out", "many", "--quiet"};
   const auto told = place.reye(words);
@@ -85,7 +84,7 @@ TEST(Sweep, GridWithAFailure) {
 
 // A sweep that is done must not run anything again, and its table can be collected again from the folders.
 TEST(Sweep, DoneIsDone) {
-  const WithScenes place;
+  const WithSweeps place;
   const std::vector<std::string> words = {"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1,2"};
   const auto told = place.reye(words);
   EXPECT_EQ(told.code, 0) << told.err;
@@ -100,7 +99,7 @@ TEST(Sweep, DoneIsDone) {
 
 // One member alone must give what the whole sweep gives for it, and leave the table to the others.
 TEST(Sweep, OneMember) {
-  const WithScenes place;
+  const WithSweeps place;
   const std::vector<std::string> words = {"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1,2", "--out",
                                           "o",     "--quiet"};
   auto one = words;
@@ -118,7 +117,7 @@ TEST(Sweep, OneMember) {
 // Bad variations, values that a member's scene refuses and folders that hold something else must end with 2 before
 // anything is written or run.
 TEST(Sweep, BadInput) {
-  const WithScenes place;
+  const WithSweeps place;
   place.write("taken/history.csv", "step,cycle\n");
   const auto before = place.files();
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
@@ -147,7 +146,7 @@ TEST(Sweep, BadInput) {
 
 // A member of another sweep in the folder must be refused untouched, unless --force.
 TEST(Sweep, AnotherSweep) {
-  const WithScenes place;
+  const WithSweeps place;
   const auto call = [&](const std::string& cycles, const std::string& flag) {
     return place.reye({"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=" + cycles, "--out", "o", flag});
   };
@@ -163,7 +162,7 @@ TEST(Sweep, AnotherSweep) {
 
 // A member that the geometry refuses must be named with that reason, the others done.
 TEST(Sweep, RefusedByItsGeometry) {
-  const WithScenes place;
+  const WithSweeps place;
   const auto told = place.reye({"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1", "--vary",
                                 "contact.pad.secondary=slider_bottom,nothing", "--out", "o", "--quiet"});
   EXPECT_EQ(told.code, 1);
@@ -177,7 +176,7 @@ TEST(Sweep, RefusedByItsGeometry) {
 // A sweep that is interrupted must stop its members after their increment and end with 130; called again it must resume
 // to the same table as an unbroken one.
 TEST(Sweep, Interrupted) {
-  const WithScenes place;
+  const WithSweeps place;
   const std::vector<std::string> words = {"sweep", "wearing.toml", "--vary", "contact.pad.friction=0.4,0.5", "--jobs",
                                           "1",     "--quiet",      "--out"};
   const auto into = [&](const std::string& folder) {
@@ -204,7 +203,7 @@ TEST(Sweep, Interrupted) {
 
 // A member that is killed must be named with its signal; the others are run all the same.
 TEST(Sweep, AKilledMember) {
-  const WithScenes place;
+  const WithSweeps place;
   const std::string limited = "ulimit -S -t 2; exec \"$0\" \"$@\"";  // seconds of CPU: too few for the fine mesh
   const auto told = place
                         .start({"/bin/bash", "-c", limited, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",

@@ -1,8 +1,6 @@
 #include "output/report/animation.hpp"
 
 #include <gtest/gtest.h>
-#include <vtk-9.1/vtkNew.h>
-#include <vtk-9.1/vtkXMLDataParser.h>
 
 #include <cmath>
 
@@ -12,8 +10,10 @@
 #include "output/report/profiles.hpp"
 #include "output/report/report.hpp"
 #include "sample_run.hpp"
+#include "well_formed.hpp"
 
 using namespace reye::output;
+using sample::well_formed;
 
 namespace {
 
@@ -21,11 +21,6 @@ std::size_t times(const std::string& part, const std::string& text) {
   std::size_t count = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
-}
-
-bool well_formed(const std::string& xml) {
-  vtkNew<vtkXMLDataParser> parser;
-  return parser->vtkXMLParser::Parse(xml.c_str(), static_cast<unsigned>(xml.size())) != 0;
 }
 
 /// A run whose frames change their meshes, without summary.

@@ -11,8 +11,10 @@
 #include "output/run/serialize.hpp"
 #include "output/run/state_archive.hpp"
 #include "sample_run.hpp"
+#include "support/texts.hpp"
 
 using namespace reye::output;
+using reye::support::holds;
 
 namespace {
 
@@ -44,8 +46,6 @@ std::string reasons(const CheckpointSearch& search) {
   for (const auto& refusal : search.refusals) all += refusal + '\n';
   return all;
 }
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 

@@ -7,8 +7,10 @@
 #include "output/report/report.hpp"
 #include "output/run/sweep_table.hpp"
 #include "sample_run.hpp"
+#include "support/texts.hpp"
 
 using namespace reye::output;
+using reye::support::holds;
 
 namespace {
 
@@ -36,8 +38,6 @@ std::string said(const std::string& dir, bool animation = false) {
     return error.what();
   }
 }
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Some bytes replaced, inserted, left out, or all that follows cut.
 std::string altered(std::string text, std::mt19937& random) {

@@ -4,13 +4,11 @@
 #include "output/folder/folder.hpp"
 #include "output/report/report.hpp"
 #include "sample_run.hpp"
+#include "support/texts.hpp"
 
 using namespace reye::output;
+using reye::support::holds;
 using sample::fs::exists;
-
-namespace {
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-}  // namespace
 
 // A new folder is accepted and not made yet; a folder with only foreign files is accepted too.
 TEST(Folder, AcceptsNewAndForeign) {

@@ -6,13 +6,11 @@
 #include <limits>
 
 #include "output/folder/text.hpp"
+#include "support/texts.hpp"
 
 using namespace reye::output;
+using reye::support::holds;
 using Labels = std::vector<std::string>;
-
-namespace {
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-}  // namespace
 
 // Ticks are 1, 2 or 5 times a power of ten, inside the range, with labels that differ.
 TEST(Ticks, AreRound) {

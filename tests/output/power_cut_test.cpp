@@ -29,13 +29,8 @@ namespace {
 
 constexpr int blocks = 12;
 
-std::map<std::string, std::string> contents(const std::string& dir) {
-  std::map<std::string, std::string> all;
-  for (const auto& entry : sample::fs::recursive_directory_iterator(dir))
-    if (entry.is_regular_file() && entry.path().extension() != ".txt" && entry.path().extension() != ".bin")
-      all[sample::fs::relative(entry.path(), dir).string()] = read_text(entry.path().string());
-  return all;
-}
+/// What a resumed run must leave as an unbroken one does.
+std::map<std::string, std::string> results(const std::string& dir) { return sample::contents(dir, {".txt", ".bin"}); }
 
 Checkpoint checkpoint_of(const RunWriter& writer, int block) {
   return {own_origin("abc123"), writer.counters(), std::to_string(block)};
@@ -45,7 +40,7 @@ Checkpoint checkpoint_of(const RunWriter& writer, int block) {
 struct PowerCut {};
 
 /// Plays the blocks from `first` on, a checkpoint after each; the power fails after so many writes.
-void play(RunWriter& writer, int first, int writes) {
+void play_until_cut(RunWriter& writer, int first, int writes) {
   const auto count = [&] {
     if (writes-- == 0) throw PowerCut();
   };
@@ -78,8 +73,8 @@ TEST(PowerCut, AnyMoment) {
   RunWriter unbroken(whole.str(), sample::scene());
   unbroken.begin();
   save_checkpoint(whole.str(), checkpoint_of(unbroken, 0));
-  play(unbroken, 0, -1);
-  const auto expected = contents(whole.str());
+  play_until_cut(unbroken, 0, -1);
+  const auto expected = results(whole.str());
   std::mt19937 random(5);
   for (int moment = 0; moment < 100; ++moment) {
     sample::TemporaryFolder dir;
@@ -89,7 +84,7 @@ TEST(PowerCut, AnyMoment) {
     int begun = 0;
     for (bool ended = false; !ended;) {
       try {
-        play(writer, begun, static_cast<int>(random() % 80));
+        play_until_cut(writer, begun, static_cast<int>(random() % 80));
         ended = true;
       } catch (const PowerCut&) {
         cut_power(dir.str(), random);
@@ -101,6 +96,6 @@ TEST(PowerCut, AnyMoment) {
         writer.resume(search.found->counters);
       }
     }
-    ASSERT_EQ(contents(dir.str()) == expected, true) << "moment " << moment;
+    ASSERT_EQ(results(dir.str()) == expected, true) << "moment " << moment;
   }
 }

@@ -1,25 +1,19 @@
 #include "output/report/report.hpp"
 
 #include <gtest/gtest.h>
-#include <vtk-9.1/vtkNew.h>
-#include <vtk-9.1/vtkXMLDataParser.h>
 
 #include "output/folder/files.hpp"
 #include "output/folder/summary.hpp"
 #include "output/report/figures.hpp"
 #include "sample_run.hpp"
+#include "support/texts.hpp"
+#include "well_formed.hpp"
 
 using namespace reye::output;
+using reye::support::holds;
+using sample::well_formed;
 
 namespace {
-
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-/// Whether an XML parser accepts the text.
-bool well_formed(const std::string& xml) {
-  vtkNew<vtkXMLDataParser> parser;
-  return parser->vtkXMLParser::Parse(xml.c_str(), static_cast<unsigned>(xml.size())) != 0;
-}
 
 std::string page_of(const std::string& dir) { return read_text((sample::fs::path(dir) / "report.html").string()); }
 

@@ -1,24 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "output/folder/files.hpp"
 #include "output/folder/tables.hpp"
 #include "output/run/run_writer.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
+using sample::contents;
 
 namespace {
-
-/// Every file of a folder with its bytes.
-std::map<std::string, std::string> contents(const std::string& dir) {
-  std::map<std::string, std::string> all;
-  for (const auto& entry : sample::fs::recursive_directory_iterator(dir))
-    if (entry.is_regular_file())
-      all[sample::fs::relative(entry.path(), dir).string()] = read_text(entry.path().string());
-  return all;
-}
 
 void play(RunWriter& writer, int first, int last) {
   for (int block = first; block < last; ++block) {

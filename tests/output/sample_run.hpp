@@ -1,8 +1,11 @@
 #pragma once
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 
+#include "output/folder/files.hpp"
 #include "output/run/run_writer.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -193,6 +196,15 @@ inline void write_run(const std::string& dir, int nx = 200) {
     writer.frame(frame(cycle, nx));
   }
   writer.finish(summary());
+}
+
+/// Every file of a folder with its bytes, but for those that end so.
+inline std::map<std::string, std::string> contents(const std::string& dir, const std::set<fs::path>& without = {}) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : fs::recursive_directory_iterator(dir))
+    if (entry.is_regular_file() && !without.contains(entry.path().extension()))
+      all[fs::relative(entry.path(), dir).string()] = reye::output::read_text(entry.path().string());
+  return all;
 }
 
 }  // namespace sample

@@ -7,7 +7,7 @@ using namespace reye::scene;
 
 namespace {
 
-const std::string text = R"(E_MPa = 200e3
+const std::string extended_scene = R"(E_MPa = 200e3
 [[step]]
 name = "press"
 [[step]]
@@ -19,8 +19,8 @@ depth_mm = 0.1
 
 std::string fixed(const std::string& toml) { return fixed_part(parse(toml), toml); }
 
-std::string changed(const std::string& from, const std::string& to) {
-  std::string toml = text;
+std::string edited(const std::string& from, const std::string& to) {
+  std::string toml = extended_scene;
   return toml.replace(toml.find(from), from.size(), to);
 }
 
@@ -29,18 +29,18 @@ std::string changed(const std::string& from, const std::string& to) {
 // Limits, how many cycles the last step has, and comments must not count; anything else must, so must whether it has
 // cycles at all.
 TEST(Extension, FixedPart) {
-  for (const auto& same : {changed("= 400", "= 1e6 # more"), changed("depth_mm = 0.1", "depth_mm = 0.2"),
-                           changed("[limit.life]\ndepth_mm = 0.1\n", ""), "# a scene\n\n" + text})
-    EXPECT_EQ(fixed(same), fixed(text)) << same;
+  for (const auto& same : {edited("= 400", "= 1e6 # more"), edited("depth_mm = 0.1", "depth_mm = 0.2"),
+                           edited("[limit.life]\ndepth_mm = 0.1\n", ""), "# a scene\n\n" + extended_scene})
+    EXPECT_EQ(fixed(same), fixed(extended_scene)) << same;
   for (const auto& other :
-       {changed("200e3", "210e3"), changed("\"press\"", "\"push\""), changed("cycles = 400", "cycles = 0"),
-        changed("cycles = 400\n", ""), text + "[[step]]\nname = \"more\"\n",
-        changed("name = \"press\"", "name = \"press\"\ncycles = 3")})
-    EXPECT_NE(fixed(other), fixed(text)) << other;
+       {edited("200e3", "210e3"), edited("\"press\"", "\"push\""), edited("cycles = 400", "cycles = 0"),
+        edited("cycles = 400\n", ""), extended_scene + "[[step]]\nname = \"more\"\n",
+        edited("name = \"press\"", "name = \"press\"\ncycles = 3")})
+    EXPECT_NE(fixed(other), fixed(extended_scene)) << other;
 }
 
 // The cycles of a last step that a spectrum repeats must count, for they are not its end alone.
 TEST(Extension, SpectrumFixesCycles) {
   const std::string spectrum = "[spectrum]\nsteps = [\"wear\"]\ntimes = 3\n";
-  EXPECT_NE(fixed(changed("= 400", "= 500") + spectrum), fixed(text + spectrum));
+  EXPECT_NE(fixed(edited("= 400", "= 500") + spectrum), fixed(extended_scene + spectrum));
 }

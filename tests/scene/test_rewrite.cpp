@@ -20,7 +20,7 @@ std::string set(const std::string& text, const std::string& key, const std::stri
 }
 
 /// What the variations are refused with; empty when they are accepted.
-std::string refusal(const std::vector<std::string>& variations) {
+std::string sweep_refusal(const std::vector<std::string>& variations) {
   const test::Folder folder;
   test::Folder::write("scene.toml", test::example);
   test::Folder::write("cylinder_on_flat.step", "ISO-10303-21;");
@@ -140,27 +140,28 @@ TEST(Sweep, Refusals) {
   const std::string range =
       "must be key=a:b:n or key=log:a:b:n, numbers a and b (for log both > 0) and a whole number n >= 2, or "
       "key=v1,v2,...";
-  EXPECT_EQ(refusal({}), "--vary: missing; a sweep varies at least one key");
-  EXPECT_EQ(refusal({"friction", "contact.pad.frction=0.3", "contact.pd.friction=0.3", "step[7].jump=1", "step.jump=1",
+  EXPECT_EQ(sweep_refusal({}), "--vary: missing; a sweep varies at least one key");
+  EXPECT_EQ(
+      sweep_refusal({"friction", "contact.pad.frction=0.3", "contact.pd.friction=0.3", "step[7].jump=1", "step.jump=1",
                      "contact.pad.friction=0:1", "contact.pad.friction=log:0:1:3", "contact.pad.friction=0:1:2.5",
                      "contact.pad.friction=0.1,,0.2", "contact.pad=1", "shape=on", "shape=off"}),
-            "--vary = friction: must be key=a:b:n or key=v1,v2,...\n"
-            "--vary = contact.pad.frction=0.3: unknown key; did you mean friction?\n"
-            "--vary = contact.pd.friction=0.3: there is no contact \"pd\"; did you mean \"pad\"?\n"
-            "--vary = step[7].jump=1: the scene has no step[7]\n"
-            "--vary = step.jump=1: takes an index, as in step[0]\n"
-            "--vary = contact.pad.friction=0:1: " +
-                range +
-                "\n"
-                "--vary = contact.pad.friction=log:0:1:3: " +
-                range +
-                "\n"
-                "--vary = contact.pad.friction=0:1:2.5: " +
-                range +
-                "\n"
-                "--vary = contact.pad.friction=0.1,,0.2: a value is empty\n"
-                "--vary = contact.pad=1: cannot be put there\n"
-                "--vary = shape=off: varies shape a second time");
-  EXPECT_EQ(refusal({"step[0].increments=1:400:400", "step[1].increments=1:400:400"}),
+      "--vary = friction: must be key=a:b:n or key=v1,v2,...\n"
+      "--vary = contact.pad.frction=0.3: unknown key; did you mean friction?\n"
+      "--vary = contact.pd.friction=0.3: there is no contact \"pd\"; did you mean \"pad\"?\n"
+      "--vary = step[7].jump=1: the scene has no step[7]\n"
+      "--vary = step.jump=1: takes an index, as in step[0]\n"
+      "--vary = contact.pad.friction=0:1: " +
+          range +
+          "\n"
+          "--vary = contact.pad.friction=log:0:1:3: " +
+          range +
+          "\n"
+          "--vary = contact.pad.friction=0:1:2.5: " +
+          range +
+          "\n"
+          "--vary = contact.pad.friction=0.1,,0.2: a value is empty\n"
+          "--vary = contact.pad=1: cannot be put there\n"
+          "--vary = shape=off: varies shape a second time");
+  EXPECT_EQ(sweep_refusal({"step[0].increments=1:400:400", "step[1].increments=1:400:400"}),
             "--vary: a sweep may have at most 1e+05 members");
 }
