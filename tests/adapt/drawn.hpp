@@ -68,11 +68,6 @@ inline body::ShapePtr wear(const body::ShapePtr& shape, const std::string& bound
   return result.shape;
 }
 
-/// A parabolic scar.
-inline auto scar(double depth, double x0, double half_width) {
-  return [=](Vec2 x) { return depth * std::max(0.0, 1.0 - std::pow((x.x() - x0) / half_width, 2)); };
-}
-
 inline std::vector<cad::EdgeType> types(const cad::Loop& loop) {
   std::vector<cad::EdgeType> all;
   for (const auto& edge : loop) all.push_back(edge.type);

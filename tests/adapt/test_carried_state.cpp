@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "adapt/fields.hpp"
 #include "adapt/transfer/gauss_transfer.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
@@ -14,9 +15,8 @@ using base::Vec2;
 using base::Vector;
 using body::NonlinearBody;
 
-constexpr std::array analyses{Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress};
+constexpr std::array all_analyses{Analysis::plane_strain, Analysis::axisymmetric, Analysis::plane_stress};
 constexpr std::array strains{Kinematics::small, Kinematics::finite};
-constexpr std::array ways{GaussTransfer::nearest, GaussTransfer::patch, GaussTransfer::l2};
 
 body::BodyInput metal(Analysis analysis, Kinematics kinematics) {
   auto in = support::elastic(1.0, 0.0, analysis);
@@ -54,7 +54,7 @@ struct Seated {
 TEST(CarriedState, Identity) {
   const auto mesh = support::rectangle({.corner = {3, 0}, .size = {3, 2}, .nx = 7, .ny = 5, .distortion = 0.5});
   const auto bent = [](const Vec2& X) { return Vec2(0.03 * X.y() * X.y(), 0.02 * X.x() * X.y() - 0.01 * X.x()); };
-  for (auto analysis : analyses)
+  for (auto analysis : all_analyses)
     for (auto kinematics : strains) {
       const NonlinearBody b(body::make_shape(mesh), metal(analysis, kinematics));
       const Seated at(b, mesh, bent);
@@ -69,9 +69,9 @@ TEST(CarriedState, Identity) {
 TEST(CarriedState, Homogeneous) {
   const auto from = support::rectangle({.corner = {3, 0}, .size = {3, 2}, .nx = 7, .ny = 5, .distortion = 0.6});
   const auto to = support::rectangle({.corner = {3, 0}, .size = {3, 2}, .nx = 5, .ny = 8, .distortion = 0.4});
-  for (auto analysis : analyses)
+  for (auto analysis : all_analyses)
     for (auto kinematics : strains)
-      for (auto way : ways) {
+      for (auto way : support::transfer_ways) {
         const bool ring = analysis == Analysis::axisymmetric;
         const auto affine = [&](const Vec2& X) {
           return ring ? Vec2(0.1 * X.x(), -0.25 * X.y()) : Vec2(0.2 * X.x() + 0.1 * X.y(), 0.05 * X.x() - 0.15 * X.y());

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 
+#include "adapt/fields.hpp"
 #include "adapt/transfer/gauss_points.hpp"
 #include "adapt/transfer/gauss_transfer.hpp"
 #include "mesh/quality.hpp"
@@ -21,22 +22,16 @@ using base::Analysis;
 using base::Matrix;
 using material::ElasticState;
 
-constexpr std::array kinds{CellKind::tri3, CellKind::quad4};
-constexpr std::array ways{GaussTransfer::nearest, GaussTransfer::patch, GaussTransfer::l2};
-
 template <class F>
-Matrix sampled(const Mesh& mesh, F f) {
+Matrix at_gauss_points(const Mesh& mesh, F f) {
   const auto points = adapt::gauss_points(mesh, Analysis::plane_strain).x;
   Matrix values(static_cast<Eigen::Index>(points.size()), 2);
   for (std::size_t i = 0; i < points.size(); ++i) values.row(static_cast<Eigen::Index>(i)) = f(points[i]).transpose();
   return values;
 }
 
-Vec2 affine(const Vec2& x) { return {3.0 + 2.0 * x.x() - x.y(), -1.0 + 0.5 * x.x() + 4.0 * x.y()}; }
-Vec2 smooth(const Vec2& x) { return {std::sin(3.0 * x.x()) * std::cos(2.0 * x.y()), std::exp(x.x() - x.y())}; }
-
 /// Values in [0, 1], repeatable.
-Matrix noise(const Mesh& mesh, int components) {
+Matrix random_values(const Mesh& mesh, int components) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const auto n = adapt::gauss_points(mesh, Analysis::plane_strain).x.size();
@@ -57,26 +52,26 @@ double l2_norm(const Mesh& mesh, const Matrix& values) {
 // To the same mesh: nearest brings every value back to the bit; l2 what is affine in each cell (constant in tri3),
 // jumps between cells included; patch what is affine over the body.
 TEST(GaussTransfer, Identity) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto mesh = turned(rectangle({.nx = 13, .ny = 9, .kind = kind, .distortion = 0.9}), 0.3);
-    const Matrix any = noise(mesh, 5);
+    const Matrix any = random_values(mesh, 5);
     EXPECT_EQ(transfer_gauss(mesh, any, mesh, {GaussTransfer::nearest}), any);
     const int per_cell = static_cast<int>(any.rows()) / mesh.cell_count();
-    Matrix jumping = sampled(mesh, affine);
+    Matrix jumping = at_gauss_points(mesh, affine_field);
     for (Eigen::Index i = 0; i < jumping.rows(); ++i) jumping.row(i) *= 1.0 + static_cast<double>(i / per_cell % 7);
     EXPECT_LT(largest(transfer_gauss(mesh, jumping, mesh, {GaussTransfer::l2}) - jumping), 1e-12);
-    const Matrix straight = sampled(mesh, affine);
+    const Matrix straight = at_gauss_points(mesh, affine_field);
     EXPECT_LT(largest(transfer_gauss(mesh, straight, mesh, {GaussTransfer::patch}) - straight), 1e-13);
   }
 }
 
 // Gauss values by nearest are those of the nearest old Gauss point, all components of one point together.
 TEST(GaussTransfer, NearestPoint) {
-  for (auto kind : kinds)
-    for (auto other : kinds) {
+  for (auto kind : linear_kinds)
+    for (auto other : linear_kinds) {
       const auto from = rectangle({.nx = 9, .ny = 8, .kind = kind, .distortion = 0.8});
       const auto to = rectangle({.nx = 11, .ny = 7, .kind = other, .distortion = 0.4});
-      const Matrix positions = sampled(from, [](const Vec2& x) { return x; });
+      const Matrix positions = at_gauss_points(from, [](const Vec2& x) { return x; });
       const Matrix got = transfer_gauss(from, positions, to, {GaussTransfer::nearest});
       const auto fresh = adapt::gauss_points(to, Analysis::plane_strain).x;
       for (Eigen::Index i = 0; i < got.rows(); ++i) {
@@ -91,12 +86,12 @@ TEST(GaussTransfer, NearestPoint) {
 // Affine fields are exact by patch between any two meshes, and by l2 from quadrilaterals, from badly distorted ones and
 // from coarse to fine too; l2 takes inverted cells as what they are, patch sees only where the points are.
 TEST(GaussTransfer, AffineFieldsAreExact) {
-  for (auto kind : kinds)
+  for (auto kind : linear_kinds)
     for (double distortion : {0.0, 0.9, 1.4})
       for (int n : {5, 12, 31}) {
         const auto from = turned(rectangle({.nx = 12, .ny = 7, .kind = kind, .distortion = distortion}), 0.3);
         const auto to = turned(rectangle({.nx = n, .ny = n + 2, .distortion = 0.7}), 0.3);
-        const Matrix values = sampled(from, affine), exact = sampled(to, affine);
+        const Matrix values = at_gauss_points(from, affine_field), exact = at_gauss_points(to, affine_field);
         EXPECT_LT(largest(transfer_gauss(from, values, to, {GaussTransfer::patch}) - exact), 1e-12);
         if (kind == CellKind::quad4) {
           EXPECT_LT(largest(transfer_gauss(from, values, to, {GaussTransfer::l2}) - exact), 1e-12);
@@ -107,8 +102,8 @@ TEST(GaussTransfer, AffineFieldsAreExact) {
 // The error on a smooth field, L2 over a body in a plane and over one with curved outline, falls with the old cell size
 // at first order by nearest, at second by patch, by l2 at second from and to quadrilaterals and at first for triangles.
 TEST(GaussTransfer, Order) {
-  for (auto way : ways)
-    for (auto kind : kinds)
+  for (auto way : transfer_ways)
+    for (auto kind : linear_kinds)
       for (bool curved : {false, true}) {
         std::vector<double> errors;
         for (int n : {8, 16, 32}) {
@@ -117,7 +112,8 @@ TEST(GaussTransfer, Order) {
             return rectangle({.nx = across, .ny = along, .kind = kind, .distortion = distortion});
           };
           const auto from = body(n, n, 0.6), to = body(5 * n / 4, 9 * n / 8, 0.4);
-          errors.push_back(l2_norm(to, transfer_gauss(from, sampled(from, smooth), to, {way}) - sampled(to, smooth)));
+          errors.push_back(l2_norm(to, transfer_gauss(from, at_gauss_points(from, smooth_field), to, {way}) -
+                                           at_gauss_points(to, smooth_field)));
         }
         const bool first = way == GaussTransfer::nearest || (way == GaussTransfer::l2 && kind == CellKind::tri3);
         const double slope = std::log2(errors[0] / errors[2]) / 2.0;
@@ -135,8 +131,8 @@ bool sound(const Mesh& mesh) {
 // and with quadrilaterals, of which some are concave, and never makes a component negative that was not.
 TEST(GaussTransfer, IntegralIsKept) {
   for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric})
-    for (auto kind : kinds)
-      for (auto other : kinds) {
+    for (auto kind : linear_kinds)
+      for (auto other : linear_kinds) {
         const double distortion = kind == CellKind::quad4 ? 1.3 : 0.9;
         const auto from = rectangle({.corner = {0.3, 0.0}, .nx = 23, .ny = 17, .kind = kind, .distortion = distortion});
         const auto to = rectangle({.corner = {0.3, 0.0}, .nx = 31, .ny = 29, .kind = other, .distortion = 0.9});
@@ -144,7 +140,7 @@ TEST(GaussTransfer, IntegralIsKept) {
         if (kind == CellKind::quad4) {
           ASSERT_LT(mesh::poorest_cell(from).scaled_jacobian, 0.0);
         }
-        const Matrix values = noise(from, 3);
+        const Matrix values = random_values(from, 3);
         const Matrix got = transfer_gauss(from, values, to, {GaussTransfer::l2, analysis}, {0, 1});
         const auto before = integral(from, values, analysis), after = integral(to, got, analysis);
         EXPECT_LT(((after - before).array() / before.array()).abs().maxCoeff(), 1e-12);
@@ -154,10 +150,10 @@ TEST(GaussTransfer, IntegralIsKept) {
 
 // l2 does not add up: the L2 norm of the fields between which it maps never grows.
 TEST(GaussTransfer, ProjectionNeverGrows) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto from = rectangle({.nx = 20, .ny = 20, .kind = kind, .distortion = 0.8});
     const auto to = rectangle({.nx = 23, .ny = 17, .kind = kind, .distortion = 0.5});
-    Matrix values = noise(from, 2);
+    Matrix values = random_values(from, 2);
     for (int k = 0; k < 5; ++k) {
       const Matrix there = transfer_gauss(from, values, to, {GaussTransfer::l2});
       EXPECT_LE(l2_norm(to, there), l2_norm(from, values) * (1.0 + 1e-12));
@@ -169,14 +165,15 @@ TEST(GaussTransfer, ProjectionNeverGrows) {
 
 // A new mesh that reaches beyond the old one, by a little or by whole cells, gets values of the old body's rim there.
 TEST(GaussTransfer, PointsOutside) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto from = rectangle({.nx = 8, .ny = 8, .kind = kind, .distortion = 0.8});
     const auto to = rectangle({.corner = {-0.3, 0.0}, .size = {1.3, 1.002}, .nx = 26, .ny = 15});
-    const Matrix values = sampled(from, affine);
-    for (auto way : ways) {
+    const Matrix values = at_gauss_points(from, affine_field);
+    for (auto way : transfer_ways) {
       const Matrix got = transfer_gauss(from, values, to, {way});
       ASSERT_TRUE(got.allFinite());
-      const Matrix clamped = sampled(to, [](const Vec2& x) { return affine(x.cwiseMax(0.0).cwiseMin(1.0)); });
+      const Matrix clamped =
+          at_gauss_points(to, [](const Vec2& x) { return affine_field(x.cwiseMax(0.0).cwiseMin(1.0)); });
       const bool smooth_there = way == GaussTransfer::patch || (way == GaussTransfer::l2 && kind == CellKind::quad4);
       EXPECT_LT(largest(got - clamped), smooth_there ? 0.02 : 0.6);
     }
@@ -225,8 +222,8 @@ Left left(GaussTransfer way, CellKind kind) {
 // A plastic zone with a sharp rim keeps p >= 0 over a hundred transfers there and back, and loses no more than its
 // method allows: nearest keeps values, patch smears and loses, l2 keeps the integral.
 TEST(GaussTransfer, AHundredTimesThereAndBack) {
-  for (auto kind : kinds)
-    for (auto way : ways) {
+  for (auto kind : linear_kinds)
+    for (auto way : transfer_ways) {
       const auto one = rectangle({.nx = 20, .ny = 20, .kind = kind, .distortion = 0.5});
       const auto other = rectangle({.nx = 22, .ny = 21, .kind = kind, .distortion = 0.6});
       const auto start = yielded_zone(one);
@@ -275,7 +272,7 @@ TEST(GaussTransfer, HomogeneousDeformation) {
   const auto n = static_cast<Eigen::Index>(adapt::gauss_points(from, Analysis::plane_strain).x.size());
   Eigen::Matrix2d stretch;
   stretch << 1.7, 0.4, -0.1, 0.3;
-  for (auto way : ways)
+  for (auto way : transfer_ways)
     for (double angle : {0.0, 1.0, 3.14159, -3.0, 2.2}) {
       const auto row = row_of(angle, stretch, 0.8);
       const Matrix F0 = adapt::transfer_deformation(from, row.replicate(n, 1), to, {way});
@@ -297,7 +294,7 @@ TEST(GaussTransfer, BentStrip) {
     for (std::size_t i = 0; i < points.size(); ++i) F.row(static_cast<Eigen::Index>(i)) = F_of(points[i]);
     return F;
   };
-  for (auto way : ways) {
+  for (auto way : transfer_ways) {
     std::vector<double> errors;
     for (int n : {8, 16, 32}) {
       const auto from = rectangle({.nx = n, .ny = n, .distortion = 0.6});

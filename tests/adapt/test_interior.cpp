@@ -11,15 +11,13 @@ using namespace support;  // NOLINT: test vocabulary
 using adapt::evolve;
 using body::make_shape;
 
-constexpr auto plane = Analysis::plane_strain;
-
 /// A block whose cells shrink towards the top: heights from 0.3 down to about 0.01.
 Mesh graded() {
   return mapped(rectangle({.size = {2.0, 1.0}, .nx = 60, .ny = 16}),
                 [](Vec2 x) { return Vec2(x.x(), (1.0 - std::exp(-3.5 * x.y())) / (1.0 - std::exp(-3.5))); });
 }
 
-double dent(Vec2 x) { return std::max(0.0, 1.0 - std::pow((x.x() - 1.0) / 0.5, 2)); }
+double unit_scar(Vec2 x) { return scar(1.0, 1.0, 0.5)(x); }
 
 double column_height(const Mesh& m, int i, int nx, int row) {
   return (m.X[(row + 1) * (nx + 1) + i] - m.X[row * (nx + 1) + i]).norm();
@@ -30,7 +28,7 @@ TEST(Interior, SurfaceElementsMoveNearlyRigidly) {
   const auto mesh = graded();
   const double height = column_height(mesh, 30, 60, 15);
   const auto result =
-      evolve(make_shape(mesh), plane, {worn_by(mesh, "top", [&](Vec2 x) { return 0.5 * height * dent(x); })});
+      evolve(make_shape(mesh), plane, {worn_by(mesh, "top", [&](Vec2 x) { return 0.5 * height * unit_scar(x); })});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_GT(result.min_quality, 0.9);
   for (int i = 0; i <= 60; ++i)
@@ -44,7 +42,7 @@ TEST(Interior, JacobiansStayPositiveUnderDeepWear) {
   auto shape = make_shape(mesh);
   for (int step = 0; step < 20; ++step) {
     const auto result =
-        evolve(shape, plane, {worn_by(shape->mesh, "top", [&](Vec2 x) { return 0.2 * height * dent(x); })});
+        evolve(shape, plane, {worn_by(shape->mesh, "top", [&](Vec2 x) { return 0.2 * height * unit_scar(x); })});
     ASSERT_TRUE(result.shape) << result.failure;
     shape = result.shape;
   }
@@ -86,7 +84,7 @@ TEST(Interior, AffineMotionIsExactOnEqualCells) {
 // The cache changes no bit: with it, without it, and after throwing it away.
 TEST(Interior, CacheChangesNoBit) {
   const auto shape = make_shape(graded());
-  const std::vector<WornBoundary> worn{worn_by(shape->mesh, "top", [](Vec2 x) { return 1e-3 * dent(x); })};
+  const std::vector<WornBoundary> worn{worn_by(shape->mesh, "top", [](Vec2 x) { return 1e-3 * unit_scar(x); })};
   adapt::RelocationCache kept;
   const auto bare = evolve(shape, plane, worn);
   for (int call = 0; call < 2; ++call) {

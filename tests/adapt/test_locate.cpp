@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "adapt/fields.hpp"
 #include "adapt/transfer/locate.hpp"
 #include "base/errors.hpp"
 #include "fem/element.hpp"
@@ -13,8 +14,6 @@ namespace {
 using namespace support;  // NOLINT: test vocabulary
 using adapt::Locator;
 
-constexpr std::array kinds{CellKind::tri3, CellKind::quad4};
-
 /// A unit square whose inner nodes are thrown about by up to `share` of the spacing.
 Mesh shaken(double share, CellKind kind = CellKind::quad4, int n = 30) {
   auto mesh = rectangle({.nx = n, .ny = n, .kind = kind});
@@ -23,8 +22,6 @@ Mesh shaken(double share, CellKind kind = CellKind::quad4, int n = 30) {
     for (int i = 1; i < n; ++i) mesh.X[j * (n + 1) + i] += share / n * Vec2(noise(random), noise(random));
   return mesh;
 }
-
-Vec2 anywhere(std::mt19937& random) { return {0.5 + 0.5 * noise(random), 0.5 + 0.5 * noise(random)}; }
 
 Vec2 weighted(const Mesh& m, int cell, const mesh::NodeValues& weights) {
   Vec2 x = Vec2::Zero();
@@ -52,7 +49,7 @@ Vec2 inside_reference(CellKind kind, std::mt19937& random) {
 
 // The map of a sound cell is inverted: 1e4 points made from a cell and xi give back both, however poor the cells are.
 TEST(Locator, CellAndReferencePointComeBack) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto mesh = shaken(0.3, kind);
     const Locator locator(mesh);
     ASSERT_GT(poor_cells(mesh, 0.15), 1);
@@ -76,7 +73,7 @@ TEST(Locator, CellAndReferencePointComeBack) {
 // On meshes thrown about until cells are concave and inverted, every one of 1e4 points is a convex mean of the nodes
 // of its cell, and in sound cells x(xi) is the point.
 TEST(Locator, RuinedMeshesStillReproduceThePoint) {
-  for (auto kind : kinds)
+  for (auto kind : linear_kinds)
     for (double share : {0.45, 0.6, 0.9}) {
       const auto mesh = shaken(share, kind);
       const Locator locator(mesh);
@@ -137,7 +134,7 @@ TEST(Locator, CrossedCell) {
 
 // A node is found as itself: one weight of 1, the others 0, even in a degraded mesh.
 TEST(Locator, NodesAreFoundToTheBit) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto mesh = shaken(0.9, kind);
     const Locator locator(mesh);
     for (int node = 0; node < mesh.node_count(); ++node) {
@@ -150,7 +147,7 @@ TEST(Locator, NodesAreFoundToTheBit) {
 
 // A point outside, beside an edge or beyond a corner, takes the closest point of the mesh and says how far that is.
 TEST(Locator, PointsOutsideTakeTheClosestPoint) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto mesh = shaken(0.3, kind);
     const Locator locator(mesh);
     std::mt19937 random(3);

@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<Vec2> places{{1.37, 1.0}, {0.0, 0.43}, {0.72, 0.55}};  ///< on two sides, and inside
 
-cad::Drawing block() {
+cad::Drawing block_with_points() {
   auto drawing = support::block_drawing();
   drawing.options.points_mm = places;
   return drawing;
@@ -28,7 +28,7 @@ void expect_points(const mesh::Mesh& mesh, const char* when) {
 // The vertices of points must stay where they are while wear moves the mesh about them, and be vertices of fresh
 // meshes.
 TEST(Points, StayThroughWearAndRemeshes) {
-  auto shape = support::shape_of(block());
+  auto shape = support::shape_of(block_with_points());
   expect_points(shape->mesh, "born");
   for (int round = 0; round < 3; ++round) {
     shape = support::wear(shape, "bottom", [](Vec2) { return 0.03; });  // shortens the left side, which carries a point

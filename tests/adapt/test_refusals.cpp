@@ -13,8 +13,6 @@ using body::make_shape;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-constexpr auto plane = Analysis::plane_strain;
-
 // A mesh that wear has degraded is reported with the element, its place, its quality and the cause; the moved shape is
 // there, because its outline is sound.
 TEST(Refusal, PoorElementIsNamed) {

@@ -12,8 +12,6 @@ using namespace support;  // NOLINT: test vocabulary
 using adapt::remesh;
 using testing::HasSubstr;
 
-constexpr auto plane = Analysis::plane_strain;
-
 base::Points outline_points(const Mesh& m) {
   base::Points points;
   for (const auto& loop : m.outline)

@@ -19,23 +19,21 @@ using adapt::WornBoundary;
 using base::Analysis;
 using body::make_shape;
 using mesh::QuadraticEdge;
-using support::curved::edge_at;
-using support::curved::lost;
-using support::curved::sum;
-using support::curved::worn_by;
 
-void expect_exact(const Mesh& mesh, const WornBoundary& worn, Analysis analysis = Analysis::plane_strain) {
+void expect_exact_strip(const Mesh& mesh, const WornBoundary& worn, Analysis analysis = Analysis::plane_strain) {
   const auto result = evolve(make_shape(mesh), analysis, {worn});
   ASSERT_TRUE(result.shape) << result.failure;
-  EXPECT_NEAR(result.removed / sum(worn), 1.0, 1e-12);
-  EXPECT_NEAR(lost(mesh, result.shape->mesh, analysis) / sum(worn), 1.0, 1e-12);
+  EXPECT_NEAR(result.removed / curved::sum(worn), 1.0, 1e-12);
+  EXPECT_NEAR(curved::lost(mesh, result.shape->mesh, analysis) / curved::sum(worn), 1.0, 1e-12);
   EXPECT_NO_THROW(mesh::check(result.shape->mesh));
 }
 
-Mesh block(CellKind kind = CellKind::quad8) { return rectangle({.size = {2.0, 1.0}, .nx = 10, .ny = 4, .kind = kind}); }
+Mesh second_order_block(CellKind kind = CellKind::quad8) {
+  return rectangle({.size = {2.0, 1.0}, .nx = 10, .ny = 4, .kind = kind});
+}
 
-/// A dent that ends at vertices of `block`, narrower than its face.
-double dent(Vec2 x) { return 0.015 * std::max(0.0, 1.0 - std::pow((x.x() - 1.0) / 0.6, 2)); }
+/// A dent that ends at vertices of `second_order_block`, narrower than its face.
+double vertex_dent(Vec2 x) { return 0.015 * std::max(0.0, 1.0 - std::pow((x.x() - 1.0) / 0.6, 2)); }
 
 /// Position of a middle node along the chord of its edge.
 double along_chord(const QuadraticEdge& e) {
@@ -46,17 +44,17 @@ double along_chord(const QuadraticEdge& e) {
 // The strip between the quadratic edges of the old and the new outline has exactly the removed volume: a flat face,
 // also turned against the axes and made of triangles.
 TEST(SecondOrderStrip, FlatFace) {
-  expect_exact(block(), worn_by(block(), "top", dent));
-  const auto mesh = turned(block(CellKind::tri6), 0.7);
-  expect_exact(mesh, worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.2 + std::sin(5.0 * x.x())); }));
+  expect_exact_strip(second_order_block(), curved::worn_by(second_order_block(), "top", vertex_dent));
+  const auto mesh = turned(second_order_block(CellKind::tri6), 0.7);
+  expect_exact_strip(mesh, curved::worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.2 + std::sin(5.0 * x.x())); }));
 }
 
 // The strip is exact on a convex and on a hollow arc of few edges.
 TEST(SecondOrderStrip, CurvedFaces) {
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = 6, .kind = CellKind::quad8});
   const auto profile = [](Vec2 x) { return 0.01 * (1.0 + x.x() * x.y()); };
-  expect_exact(mesh, worn_by(mesh, "right", profile));
-  expect_exact(mesh, worn_by(mesh, "left", profile));
+  expect_exact_strip(mesh, curved::worn_by(mesh, "right", profile));
+  expect_exact_strip(mesh, curved::worn_by(mesh, "left", profile));
 }
 
 // Volumes of revolution are exact: faces from the axis on, along it, and curved in the meridian.
@@ -64,36 +62,36 @@ TEST(SecondOrderStrip, Axisymmetric) {
   const auto even = [](Vec2) { return 0.015; };
   const auto leaning = [](Vec2 x) { return 0.01 * (1.0 + x.y()); };
   for (double start : {0.0, 0.5}) {
-    auto mesh = block();
+    auto mesh = second_order_block();
     for (Vec2& x : mesh.X) x.x() += start;
-    expect_exact(mesh, worn_by(mesh, "top", even, Analysis::axisymmetric), Analysis::axisymmetric);
-    expect_exact(mesh, worn_by(mesh, "right", leaning, Analysis::axisymmetric), Analysis::axisymmetric);
+    expect_exact_strip(mesh, curved::worn_by(mesh, "top", even, Analysis::axisymmetric), Analysis::axisymmetric);
+    expect_exact_strip(mesh, curved::worn_by(mesh, "right", leaning, Analysis::axisymmetric), Analysis::axisymmetric);
   }
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .around = 6, .kind = CellKind::tri6});
-  expect_exact(mesh, worn_by(mesh, "right", leaning, Analysis::axisymmetric), Analysis::axisymmetric);
+  expect_exact_strip(mesh, curved::worn_by(mesh, "right", leaning, Analysis::axisymmetric), Analysis::axisymmetric);
 }
 
 // A boundary that ends within a smooth face loses its volume too, and no more.
 TEST(SecondOrderStrip, ChainEndWithinAFace) {
-  auto mesh = block();
+  auto mesh = second_order_block();
   const auto top = mesh.boundaries.at("top")[0];
   mesh.boundaries["middle"] = {{top.begin() + 4, top.begin() + 13}};
-  expect_exact(mesh, worn_by(mesh, "middle", [](Vec2) { return 0.004; }));
+  expect_exact_strip(mesh, curved::worn_by(mesh, "middle", [](Vec2) { return 0.004; }));
 }
 
 // A parabola of depth is a parabola in the worn outline, on the whole curve and without any correction; corners slide.
 TEST(SecondOrderStrip, ParabolaIsExact) {
-  const auto mesh = block();
+  const auto mesh = second_order_block();
   const auto depth = [](Vec2 x) { return 0.008 * (1.0 + x.x() * (2.0 - x.x())); };
-  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "top", depth)});
+  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {curved::worn_by(mesh, "top", depth)});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_NEAR(result.theta, 1.0, 1e-13);
   EXPECT_EQ(result.parts, 1);
   const auto& top = mesh.boundaries.at("top")[0];
   for (std::size_t i = 0; i + 2 < top.size(); i += 2)
     for (double xi : {-1.0, -0.4, 0.0, 0.7, 1.0}) {
-      const Vec2 x = edge_at(result.shape->mesh, top, i).at(xi);
-      EXPECT_NEAR(x.x(), edge_at(mesh, top, i).at(xi).x(), 1e-14);
+      const Vec2 x = curved::edge_at(result.shape->mesh, top, i).at(xi);
+      EXPECT_NEAR(x.x(), curved::edge_at(mesh, top, i).at(xi).x(), 1e-14);
       EXPECT_NEAR(x.y(), 1.0 - depth(x), 1e-14);
     }
 }
@@ -103,14 +101,14 @@ double depth_error(int n) {
   const auto mesh = ring({.inner = 1.0, .outer = 2.0, .across = 2, .around = n, .kind = CellKind::quad8});
   const double scale = 1e-5;
   const auto depth = [=](Vec2 x) { return scale * (1.5 + std::sin(4.0 * std::atan2(x.y(), x.x()))); };
-  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn_by(mesh, "right", depth)});
+  const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {curved::worn_by(mesh, "right", depth)});
   EXPECT_TRUE(result.shape) << result.failure;
   const auto& arc = mesh.boundaries.at("right")[0];
   double worst = 0.0;
   for (std::size_t i = 0; i + 2 < arc.size(); i += 2)
     for (double xi = -1.0; xi < 1.1; xi += 0.25) {
-      const Vec2 x = edge_at(mesh, arc, i).at(xi);
-      const Vec2 moved = edge_at(result.shape->mesh, arc, i).at(xi) - x;
+      const Vec2 x = curved::edge_at(mesh, arc, i).at(xi);
+      const Vec2 moved = curved::edge_at(result.shape->mesh, arc, i).at(xi) - x;
       worst = std::max(worst, std::abs(-moved.dot(x.normalized()) - depth(x)) / scale);
     }
   return worst;
@@ -131,41 +129,41 @@ TEST(SecondOrderStrip, TinyStepsAddUp) {
     double asked = 0.0, removed = 0.0;
     adapt::RelocationCache cache;
     for (int step = 0; step < 1000; ++step) {
-      const auto worn = worn_by(
+      const auto worn = curved::worn_by(
           shape->mesh, "right", [&](Vec2 x) { return 1e-6 * (1.5 + std::sin(3.0 * x.x() + step)); }, analysis);
       const auto result = evolve(shape, analysis, {worn}, {}, &cache);
       ASSERT_TRUE(result.shape) << result.failure;
-      asked += sum(worn);
+      asked += curved::sum(worn);
       removed += result.removed;
       shape = result.shape;
     }
     EXPECT_NEAR(removed, asked, 1e-11 * asked);
-    EXPECT_NEAR(lost(mesh, shape->mesh, analysis), asked, 1e-11 * asked);
+    EXPECT_NEAR(curved::lost(mesh, shape->mesh, analysis), asked, 1e-11 * asked);
   }
 }
 
 // Wear that is deep against its edges is taken in parts, and loses the same volume.
 TEST(SecondOrderStrip, DeepWearIsTakenInParts) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 2, .kind = CellKind::quad8});
-  const auto worn = worn_by(mesh, "top", [](Vec2 x) { return 7.0 * dent(x); });
+  const auto worn = curved::worn_by(mesh, "top", [](Vec2 x) { return 7.0 * vertex_dent(x); });
   const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_GE(result.parts, 8);
-  EXPECT_NEAR(result.removed / sum(worn), 1.0, 1e-12);
+  EXPECT_NEAR(result.removed / curved::sum(worn), 1.0, 1e-12);
 }
 
 // A middle node near an end of its edge comes back to the middle fifth of the chord when its edge wears, for no volume.
 TEST(SecondOrderStrip, MiddleNodesStayInTheMiddle) {
-  auto mesh = block();
+  auto mesh = second_order_block();
   const auto& top = mesh.boundaries.at("top")[0];
   for (std::size_t i = 0; i + 2 < top.size(); i += 2)
     mesh.X[top[i + 1]] = 0.62 * mesh.X[top[i]] + 0.38 * mesh.X[top[i + 2]];
-  const auto worn = worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.0 + x.x()); });
+  const auto worn = curved::worn_by(mesh, "top", [](Vec2 x) { return 0.01 * (1.0 + x.x()); });
   const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn});
   ASSERT_TRUE(result.shape) << result.failure;
-  EXPECT_NEAR(result.removed / sum(worn), 1.0, 1e-12);
+  EXPECT_NEAR(result.removed / curved::sum(worn), 1.0, 1e-12);
   for (std::size_t i = 0; i + 2 < top.size(); i += 2) {
-    const double s = along_chord(edge_at(result.shape->mesh, top, i));
+    const double s = along_chord(curved::edge_at(result.shape->mesh, top, i));
     EXPECT_GE(s, 0.4 - 1e-6);
     EXPECT_LE(s, 0.6 + 1e-6);
   }
@@ -175,7 +173,7 @@ TEST(SecondOrderStrip, MiddleNodesStayInTheMiddle) {
 TEST(SecondOrderInterior, InnerEdgesStayStraight) {
   for (const CellKind kind : {CellKind::tri6, CellKind::quad8}) {
     const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 10, .ny = 4, .kind = kind, .distortion = 0.4});
-    const auto worn = worn_by(mesh, "top", [](Vec2 x) { return 0.02 * (1.2 + std::sin(5.0 * x.x())); });
+    const auto worn = curved::worn_by(mesh, "top", [](Vec2 x) { return 0.02 * (1.2 + std::sin(5.0 * x.x())); });
     const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn});
     ASSERT_TRUE(result.shape) << result.failure;
     const auto& now = result.shape->mesh;
@@ -196,8 +194,8 @@ TEST(SecondOrderInterior, InnerEdgesStayStraight) {
 
 // Nodes of a straight free side, middle nodes too, follow its sliding corner in proportion to their place.
 TEST(SecondOrderInterior, SidesFollowTheirCorner) {
-  const auto mesh = block();
-  const auto worn = worn_by(mesh, "top", [](Vec2) { return 0.02; });
+  const auto mesh = second_order_block();
+  const auto worn = curved::worn_by(mesh, "top", [](Vec2) { return 0.02; });
   const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn});
   ASSERT_TRUE(result.shape) << result.failure;
   for (int node : mesh::nodes_of(mesh.boundaries.at("right"))) {
@@ -222,7 +220,7 @@ TEST(SecondOrderOutline, CrossingOfCurves) {
 
 // The length of a facet is that between its vertices: a middle node that moves along its edge asks for no new mesh.
 TEST(SecondOrderTriggers, FacetsAreWholeEdges) {
-  const auto mesh = block();
+  const auto mesh = second_order_block();
   body::Shape moved = *make_shape(mesh);
   const auto& top = mesh.boundaries.at("top")[0];
   moved.mesh.X[top[1]] = 0.6 * mesh.X[top[0]] + 0.4 * mesh.X[top[2]];

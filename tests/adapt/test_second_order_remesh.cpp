@@ -4,6 +4,7 @@
 
 #include "adapt/curved.hpp"
 #include "adapt/drawn.hpp"
+#include "adapt/graphs.hpp"
 #include "adapt/redraw/remesh.hpp"
 #include "adapt/transfer/surface_transfer.hpp"
 #include "mesh/quality.hpp"
@@ -16,9 +17,6 @@ namespace {
 using namespace support;  // NOLINT: test vocabulary
 using adapt::SurfaceKind;
 using mortar::Surface;
-using support::curved::lost;
-using support::curved::sum;
-using Values = std::vector<double>;
 
 body::ShapePtr block_of_second_order(CellKind kind, Analysis analysis) {
   auto drawing = block_drawing({kind, 0.1, analysis == Analysis::axisymmetric});
@@ -27,8 +25,8 @@ body::ShapePtr block_of_second_order(CellKind kind, Analysis analysis) {
 }
 
 /// Losses that follow a profile; the control points of facets in which it ends lose nothing rather than less.
-adapt::WornBoundary losses(const mesh::Mesh& mesh, const support::curved::Depth& profile, Analysis analysis) {
-  auto worn = support::curved::worn_by(mesh, "top", profile, analysis);
+adapt::WornBoundary losses(const mesh::Mesh& mesh, const curved::Depth& profile, Analysis analysis) {
+  auto worn = curved::worn_by(mesh, "top", profile, analysis);
   for (double& v : worn.removed) v = std::max(v, 0.0);
   return worn;
 }
@@ -45,29 +43,16 @@ void expect_content_kept(CellKind kind, Analysis analysis) {
     const auto& mesh = fresh.shape->mesh;
     EXPECT_EQ(mesh::order(mesh.kind), 2);
     EXPECT_EQ(keep, fresh.area_residue == 0.0);
-    EXPECT_NEAR(lost(born->mesh, mesh, analysis), sum(worn), 1e-11 * sum(worn));
+    EXPECT_NEAR(curved::lost(born->mesh, mesh, analysis), curved::sum(worn), 1e-11 * curved::sum(worn));
     EXPECT_LT(fresh.largest_correction_mm, 1e-3);
     EXPECT_NO_THROW(mesh::check(mesh));
     EXPECT_EQ(keep, mesh::nodes_of(mesh.boundaries.at("top")).size() == worn.removed.size());
   }
 }
 
-/// n facets of the graph of `height` over 1 <= x <= 3 with middle nodes on it, body below: from x = 3 to x = 1.
-template <class F>
-Surface graph(int n, unsigned seed, F height, Analysis analysis = Analysis::plane_strain) {
-  std::mt19937 random(seed);
-  Values x;
-  for (int i = 0; i <= n; ++i) x.push_back(3.0 - 2.0 / n * (i + (i == 0 || i == n ? 0.0 : 0.3 * noise(random))));
-  Points X;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (i > 0) X.push_back({0.5 * (x[i - 1] + x[i]), height(0.5 * (x[i - 1] + x[i]))});
-    X.push_back({x[i], height(x[i])});
-  }
-  return polyline(X, analysis, 2);
+Surface curved_graph(int n, unsigned seed, double (*height)(double), Analysis analysis = Analysis::plane_strain) {
+  return graph(n, seed, height, analysis, 2);
 }
-
-double level(double x) { return 0.1 * x; }
-double wavy(double x) { return 0.1 * std::sin(3.0 * x); }
 
 /// Coefficients that give the field f at all vertices and in the middle of all facets.
 template <class F>
@@ -82,20 +67,10 @@ Values coefficients(const Surface& s, F f) {
 }
 
 template <class F>
-Values shares(const Surface& s, F density) {
+Values curved_shares(const Surface& s, F density) {
   auto values = coefficients(s, density);
   for (std::size_t j = 0; j < values.size(); ++j) values[j] *= s.area[j];
   return values;
-}
-
-Values carried(const Surface& from, SurfaceKind kind, const Values& values, const Surface& to) {
-  return adapt::carry(from, {{"field", kind, values}}, to).fields.at(0).values;
-}
-
-double largest_difference(const Values& a, const Values& b) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
-  return largest;
 }
 
 }  // namespace
@@ -116,8 +91,8 @@ TEST(SecondOrderRemesh, TenTimes) {
     ASSERT_TRUE(fresh.shape) << fresh.failure;
     shape = fresh.shape;
   }
-  const double removed = support::curved::sum(worn);
-  EXPECT_NEAR(support::curved::lost(born->mesh, shape->mesh), removed, 1e-11 * removed);
+  const double removed = curved::sum(worn);
+  EXPECT_NEAR(curved::lost(born->mesh, shape->mesh), removed, 1e-11 * removed);
   for (int node : mesh::nodes_of(shape->mesh.boundaries.at("top"))) {
     const Vec2& x = shape->mesh.X[node];
     EXPECT_NEAR(x.y(), 1.0 - profile(x), 0.1 * 0.02);
@@ -127,7 +102,7 @@ TEST(SecondOrderRemesh, TenTimes) {
 // On the same surface all fields come back to round-off.
 TEST(SecondOrderSurfaceTransfer, Identity) {
   std::mt19937 random(3);
-  const auto surface = graph(20, 1, wavy, Analysis::axisymmetric);
+  const auto surface = curved_graph(20, 1, wavy, Analysis::axisymmetric);
   const auto values = coefficients(surface, [&](const Vec2&) { return noise(random); });
   for (auto kind : {SurfaceKind::interpolated, SurfaceKind::summed, SurfaceKind::nearest})
     EXPECT_LT(largest_difference(carried(surface, kind, values, surface), values), 1e-12);
@@ -137,11 +112,11 @@ TEST(SecondOrderSurfaceTransfer, Identity) {
 TEST(SecondOrderSurfaceTransfer, QuadraticFieldsAreExact) {
   const auto field = [](const Vec2& x) { return 3.0 + (x.x() - 1.7) * (x.x() - 1.7); };
   for (int n : {5, 13, 40}) {
-    const auto from = graph(11, 1, level), to = graph(n, 2, level);
+    const auto from = curved_graph(11, 1, level), to = curved_graph(n, 2, level);
     const auto values = carried(from, SurfaceKind::interpolated, coefficients(from, field), to);
     EXPECT_LT(largest_difference(values, coefficients(to, field)), 1e-12);
-    const auto sums = carried(from, SurfaceKind::summed, shares(from, field), to);
-    EXPECT_LT(largest_difference(sums, shares(to, field)), 1e-12);
+    const auto sums = carried(from, SurfaceKind::summed, curved_shares(from, field), to);
+    EXPECT_LT(largest_difference(sums, curved_shares(to, field)), 1e-12);
   }
 }
 
@@ -150,7 +125,7 @@ TEST(SecondOrderSurfaceTransfer, ThirdOrder) {
   const auto smooth = [](const Vec2& x) { return 2.0 + std::sin(4.0 * x.x()) + x.y(); };
   Values error;
   for (int n : {80, 320}) {
-    const auto from = graph(n, 1, wavy), to = graph(5 * n / 4, 2, wavy);
+    const auto from = curved_graph(n, 1, wavy), to = curved_graph(5 * n / 4, 2, wavy);
     error.push_back(largest_difference(carried(from, SurfaceKind::interpolated, coefficients(from, smooth), to),
                                        coefficients(to, smooth)));
   }
@@ -159,11 +134,11 @@ TEST(SecondOrderSurfaceTransfer, ThirdOrder) {
 
 // Sums are kept to round-off, coarser and finer, and removed volume is never negative.
 TEST(SecondOrderSurfaceTransfer, SumsAreKept) {
-  const auto from = graph(40, 1, wavy, Analysis::axisymmetric);
-  auto values = shares(from, [](const Vec2& x) { return std::max(0.0, 1.0 - std::pow((x.x() - 2.1) / 0.4, 2)); });
+  const auto from = curved_graph(40, 1, wavy, Analysis::axisymmetric);
+  auto values = curved_shares(from, bump);
   for (double& v : values) v = std::max(v, 0.0);
   for (int n : {7, 30, 200}) {
-    const auto there = carried(from, SurfaceKind::summed, values, graph(n, 2, wavy, Analysis::axisymmetric));
+    const auto there = carried(from, SurfaceKind::summed, values, curved_graph(n, 2, wavy, Analysis::axisymmetric));
     const double total = std::accumulate(values.begin(), values.end(), 0.0);
     EXPECT_NEAR(std::accumulate(there.begin(), there.end(), 0.0), total, 1e-13 * total);
     for (double v : there) EXPECT_GE(v, 0.0);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "adapt/fields.hpp"
 #include "adapt/shape/segment_tree.hpp"
 #include "support/meshes.hpp"
 #include "support/surfaces.hpp"
@@ -9,8 +10,6 @@ namespace {
 
 using namespace support;  // NOLINT: test vocabulary
 using adapt::SegmentTree;
-
-Vec2 anywhere(std::mt19937& random) { return {0.5 + 0.5 * noise(random), 0.5 + 0.5 * noise(random)}; }
 
 std::vector<SegmentTree::Segment> scattered_segments(int count) {
   std::mt19937 random(5);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "adapt/fields.hpp"
 #include "adapt/transfer/transfer.hpp"
 #include "mesh/quality.hpp"
 #include "support/meshes.hpp"
@@ -13,8 +14,7 @@ using namespace support;  // NOLINT: test vocabulary
 using adapt::Field;
 using adapt::transfer;
 
-constexpr std::array kinds{CellKind::tri3, CellKind::quad4};
-constexpr double anywhere = 1e300;
+constexpr double any_distance = 1e300;
 
 /// A field of two components on the nodes.
 template <class F>
@@ -23,11 +23,6 @@ Field nodal(const Mesh& m, F f) {
   for (const Vec2& x : m.X)
     for (double v : f(x)) field.values.push_back(v);
   return field;
-}
-
-std::array<double, 2> affine(const Vec2& x) { return {3.0 + 2.0 * x.x() - x.y(), -1.0 + 0.5 * x.x() + 4.0 * x.y()}; }
-std::array<double, 2> smooth(const Vec2& x) {
-  return {std::sin(3.0 * x.x()) * std::cos(2.0 * x.y()), std::exp(x.x() - x.y())};
 }
 
 Field random_field(std::size_t items, int components) {
@@ -52,7 +47,7 @@ double rms_difference(const Field& a, const Field& b) {
 
 // To the same mesh every value comes back to the bit, with its name and components.
 TEST(Transfer, IdentityIsExact) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto mesh = turned(rectangle({.nx = 13, .ny = 9, .kind = kind, .distortion = 0.9}), 0.3);
     const std::vector<Field> fields{random_field(mesh.X.size(), 2), random_field(mesh.X.size(), 1)};
     const auto result = transfer(mesh, fields, mesh, 0.0);
@@ -69,26 +64,26 @@ TEST(Transfer, IdentityIsExact) {
 
 // Affine fields are exact between any two meshes of a body, triangles and quadrilaterals, coarse to fine and back.
 TEST(Transfer, AffineFieldsAreExact) {
-  for (auto kind : kinds)
-    for (auto other : kinds)
+  for (auto kind : linear_kinds)
+    for (auto other : linear_kinds)
       for (int n : {5, 12, 31}) {
         const auto from = turned(rectangle({.nx = 12, .ny = 7, .kind = kind, .distortion = 0.9}), 0.3);
         const auto to = turned(rectangle({.nx = n, .ny = n + 2, .kind = other, .distortion = 0.7}), 0.3);
-        const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
+        const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
         ASSERT_EQ(result.failure, "");
-        EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-13);
+        EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
       }
 }
 
 // Affine fields are exact even when the old mesh has inverted cells.
 TEST(Transfer, AffineFieldsAreExactFromRuinedMeshes) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     const auto from = rectangle({.nx = 20, .ny = 20, .kind = kind, .distortion = 2.5});
     const auto to = rectangle({.nx = 33, .ny = 31, .kind = kind, .distortion = 0.5});
     ASSERT_LT(mesh::poorest_cell(from).scaled_jacobian, -0.1);
-    const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
+    const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
     ASSERT_EQ(result.failure, "");
-    EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-13);
+    EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
   }
 }
 
@@ -101,21 +96,21 @@ TEST(Transfer, FineBoxMoves) {
     });
   };
   const auto from = fine_at(0.9), to = fine_at(1.1);
-  const auto result = transfer(from, {nodal(from, affine)}, to, 1e-12);
+  const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
   ASSERT_EQ(result.failure, "");
-  EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine)), 1e-12);
+  EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-12);
 }
 
 // A smooth field loses at second order of the old mesh size, on curved bodies too, where new nodes lie outside.
 TEST(Transfer, SecondOrder) {
-  for (auto kind : kinds) {
+  for (auto kind : linear_kinds) {
     std::vector<double> errors;
     for (int n : {8, 16, 32, 64}) {
       const auto from = ring({.across = n, .around = 2 * n, .kind = kind});
       const auto to = ring({.across = 5 * n / 4, .around = 9 * n / 4, .kind = kind});
-      const auto result = transfer(from, {nodal(from, smooth)}, to, 1.0);
+      const auto result = transfer(from, {nodal(from, smooth_field)}, to, 1.0);
       EXPECT_GT(result.largest_distance, 0.0);
-      errors.push_back(rms_difference(result.fields[0], nodal(to, smooth)));
+      errors.push_back(rms_difference(result.fields[0], nodal(to, smooth_field)));
     }
     for (int k = 0; k < 3; ++k) EXPECT_GT(std::log2(errors[k] / errors[k + 1]), 1.9);
     RecordProperty(kind == CellKind::tri3 ? "tri3_finest" : "quad4_finest", std::to_string(errors.back()));
@@ -126,18 +121,18 @@ TEST(Transfer, SecondOrder) {
 TEST(Transfer, NodesJustOutside) {
   const auto from = rectangle({.nx = 6, .ny = 6, .distortion = 0.5});
   const auto to = mapped(rectangle({.nx = 7, .ny = 5}), [](Vec2 x) { return Vec2(1.002 * x); });
-  const auto result = transfer(from, {nodal(from, affine)}, to, 0.01);
+  const auto result = transfer(from, {nodal(from, affine_field)}, to, 0.01);
   ASSERT_EQ(result.failure, "");
   EXPECT_NEAR(result.largest_distance, 0.002 * std::sqrt(2.0), 1e-14);
   const auto clamped = mapped(to, [](Vec2 x) { return Vec2(x.cwiseMin(1.0)); });
-  EXPECT_LT(largest_difference(result.fields[0], nodal(clamped, affine)), 1e-13);
+  EXPECT_LT(largest_difference(result.fields[0], nodal(clamped, affine_field)), 1e-13);
 }
 
 // A mesh that does not belong to the body is refused: which node, where, how far, the bound; no field comes back.
 TEST(Transfer, FarNodesAreRefused) {
   const auto from = rectangle({.nx = 4, .ny = 4});
   const auto to = rectangle({.corner = {0.25, 0.0}, .nx = 4, .ny = 4});
-  const auto result = transfer(from, {nodal(from, affine)}, to, 0.1);
+  const auto result = transfer(from, {nodal(from, affine_field)}, to, 0.1);
   EXPECT_EQ(result.failure,
             "node 4 of the new mesh at (1.25, 0) mm lies 0.25 mm outside the old mesh, more than 0.1 mm");
   EXPECT_TRUE(result.fields.empty());
@@ -160,7 +155,7 @@ TEST(Transfer, SecondOrderCarriesQuadratics) {
     const auto to = rectangle({.nx = 5, .ny = 9, .kind = kind, .distortion = 0.5});
     Field field{"f", 1, {}};
     for (const Vec2& x : from.X) field.values.push_back(quadratic(x));
-    const auto values = transfer(from, {field}, to, anywhere).fields.at(0).values;
+    const auto values = transfer(from, {field}, to, any_distance).fields.at(0).values;
     for (std::size_t k = 0; k < to.X.size(); ++k) EXPECT_NEAR(values[k], quadratic(to.X[k]), 1e-13);
   }
 }

@@ -22,13 +22,8 @@ void expect_exact(const Mesh& mesh, const WornBoundary& worn, Analysis analysis 
 
 Mesh block() { return rectangle({.size = {2.0, 1.0}, .nx = 20, .ny = 8}); }
 
-/// Dents of a depth in the top face, narrower than the body.
-auto dent(double depth, double x0, double half_width) {
-  return [=](Vec2 x) { return depth * std::max(0.0, 1.0 - std::pow((x.x() - x0) / half_width, 2)); };
-}
-
 // The strip between old and new outline has exactly the removed volume: a dent in a flat face.
-TEST(StripVolume, FlatFace) { expect_exact(block(), worn_by(block(), "top", dent(0.015, 0.9, 0.63))); }
+TEST(StripVolume, FlatFace) { expect_exact(block(), worn_by(block(), "top", scar(0.015, 0.9, 0.63))); }
 
 // The strip is exact when the face is turned against the axes and made of triangles.
 TEST(StripVolume, TurnedTriangles) {
@@ -56,7 +51,7 @@ TEST(StripVolume, Sawtooth) {
 TEST(StripVolume, Axisymmetric) {
   for (double start : {0.0, 0.5}) {
     const auto mesh = rectangle({.corner = {start, 0.0}, .size = {2.0, 1.0}, .nx = 20, .ny = 8});
-    expect_exact(mesh, worn_by(mesh, "top", dent(0.015, 0.4, 1.13), Analysis::axisymmetric), Analysis::axisymmetric);
+    expect_exact(mesh, worn_by(mesh, "top", scar(0.015, 0.4, 1.13), Analysis::axisymmetric), Analysis::axisymmetric);
     expect_exact(mesh,
                  worn_by(
                      mesh, "right", [](Vec2) { return 0.01; }, Analysis::axisymmetric),
@@ -159,7 +154,7 @@ TEST(StripVolume, TinyStepsAddUp) {
 // Wear that is deep against its facets is taken in parts, and loses the same volume.
 TEST(StripVolume, DeepWearIsTakenInParts) {
   const auto mesh = rectangle({.size = {2.0, 1.0}, .nx = 40, .ny = 2});
-  const auto worn = worn_by(mesh, "top", dent(0.1, 1.0, 0.7));
+  const auto worn = worn_by(mesh, "top", scar(0.1, 1.0, 0.7));
   const auto result = evolve(make_shape(mesh), Analysis::plane_strain, {worn});
   ASSERT_TRUE(result.shape) << result.failure;
   EXPECT_GE(result.parts, 8);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 
 #include "adapt/shape/shape_step.hpp"
@@ -10,6 +11,13 @@ namespace reye::support {
 
 using adapt::WornBoundary;
 using base::Analysis;
+
+inline constexpr auto plane = Analysis::plane_strain;
+
+/// A parabolic scar.
+inline auto scar(double depth, double x0, double half_width) {
+  return [=](Vec2 x) { return depth * std::max(0.0, 1.0 - std::pow((x.x() - x0) / half_width, 2)); };
+}
 
 /// int N_j (2 pi r) ds over the facets of a boundary, in the order of mesh::nodes_of.
 inline std::vector<double> weights(const Mesh& m, const std::string& boundary, Analysis analysis) {

@@ -7,8 +7,6 @@ namespace {
 /// The seeds in blocks, each a test, so that several run beside one another.
 class Seeds : public testing::TestWithParam<unsigned> {};
 
-}  // namespace
-
 // Twenty thousand damaged scenes must each be checked or refused with a sentence, none end by a signal, hang or take
 // all memory; every hundredth that is sound is run.
 TEST_P(Seeds, Scenes) { test::expect_ends(test::damaged_scene, 2000 * GetParam(), 2000, 100); }
@@ -17,6 +15,8 @@ TEST_P(Seeds, Scenes) { test::expect_ends(test::damaged_scene, 2000 * GetParam()
 TEST_P(Seeds, GeometryFiles) { test::expect_ends(test::damaged_geometry, 500 * GetParam(), 500, 100); }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Seeds, testing::Range(0U, 10U));
+
+}  // namespace
 
 // Files that keep their readers busy for ever must be refused, within a minute.
 TEST(Fuzz, EndlessFiles) {

@@ -45,8 +45,6 @@ std::string test_name(const testing::TestParamInfo<test::Member>& info) {
   return name;
 }
 
-}  // namespace
-
 // Each member must be done, or refused with the reason that is true of it, within its budget; its ledger, the balance
 // of its forces and the sign of its pressure must hold, and where it is another member in other words it must give the
 // same figures.
@@ -69,6 +67,8 @@ TEST_P(Stability, EndsTruly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grid, Stability, testing::ValuesIn(test::members()), test_name);
+
+}  // namespace
 
 // Members are distinguished by their names.
 TEST(StabilityGrid, NamesAreUnique) {
