@@ -54,8 +54,7 @@ increments = 2
 wear = false
 )";
 
-inline sim::Problem disc_problem(const std::vector<std::pair<std::string, std::string>>& changes = {},
-                                 const std::string& end = "0.5") {
+inline sim::Problem disc_problem(const Changes& changes = {}, const std::string& end = "0.5") {
   return support::problem_from({{"disc.geo", disc_geo(end)}, {"scene.toml", with(disc_scene, changes)}});
 }
 

@@ -58,7 +58,9 @@ cycles = 40
 jump = 10
 )";
 
-inline std::string with(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+inline std::string with(std::string text, const Changes& changes) {
   for (const auto& [from, to] : changes) {
     const auto at = text.find(from);
     if (at == std::string::npos) throw std::runtime_error("not in the scene: " + from);
@@ -70,6 +72,11 @@ inline std::string with(std::string text, const std::vector<std::pair<std::strin
 /// The problem of a scene with the two blocks beside it.
 inline sim::Problem problem_of(const std::string& scene_text, double gap = 0.0) {
   return support::problem_from({{"blocks.geo", two_blocks(gap)}, {"scene.toml", scene_text}});
+}
+
+/// 40 000 cycles of the blocks: enough for the edges' pressure to be worn away.
+inline sim::Problem worn_block(const std::string& jump, const std::string& more = "") {
+  return problem_of(with(block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
 }
 
 }  // namespace reye::test

@@ -22,7 +22,7 @@ struct Outcome {
   const contact::ContactState& bond() const { return state.solution.contacts[problem.contacts.size()]; }
 };
 
-Outcome run(const std::string& geometry, const std::string& scene) {
+Outcome bonded(const std::string& geometry, const std::string& scene) {
   Outcome outcome{
       support::problem_from({{"part.geo", geometry}, {"scene.toml", "geometry = [\"part.geo\"]\n" + scene}}), {}, {}};
   outcome.state = sim::initial_state(outcome.problem);
@@ -109,7 +109,7 @@ TEST(Bonds, PatchOfTensionAndShear) {
     for (const bool swapped : {false, true}) {
       const char *above = "upper_bottom", *below = "lower_top";
       const auto o =
-          run(strip, materials(0.0) + bodies(order, swapped ? below : above, swapped ? above : below) + pulled);
+          bonded(strip, materials(0.0) + bodies(order, swapped ? below : above, swapped ? above : below) + pulled);
       ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
       const double compliance = 2.0 / 1000.0 + 1.0 / 10000.0;
       const auto& u = o.summary.probes.at("corner");
@@ -132,7 +132,7 @@ TEST(Bonds, PatchOfTensionAndShear) {
 TEST(Bonds, TellWhatTheyCarry) {
   const auto falls =
       std::string(pulled).replace(std::string(pulled).find("[[0, 0], [1, 1]]"), 16, "[[0, 0], [0.5, 2], [1, 1]]");
-  const auto o = run(strip, materials(0.0) + bodies(1, "upper_bottom", "lower_top") + falls);
+  const auto o = bonded(strip, materials(0.0) + bodies(1, "upper_bottom", "lower_top") + falls);
   ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
   ASSERT_EQ(o.summary.bonds.size(), 1U);
   const auto& [name, end, most] = o.summary.bonds[0];
@@ -163,7 +163,7 @@ TEST(Bonds, APeakAtAFreeEndIsNamed) {
       "[support.left]\nedge = \"lower_left\"\nx = \"fixed\"\n[support.left_above]\nedge = \"upper_left\"\nx = "
       "\"fixed\"\n";
   const auto peak = [&](const std::string& more) {
-    const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + more);
+    const auto o = bonded(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + more);
     EXPECT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
     return o.summary.bonds.at(0).end.tension;
   };
@@ -181,7 +181,7 @@ TEST(Bonds, APeakAtAFreeEndIsNamed) {
 // Bodies that are bonded to one another are one linear body: each increment must take one solve, and one to see that it
 // is met.
 TEST(Bonds, AreLinear) {
-  const auto o = run(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + pulled);
+  const auto o = bonded(strip, materials(0.3) + bodies(1, "upper_bottom", "lower_top") + pulled);
   ASSERT_EQ(o.summary.status, sim::RunStatus::done) << o.summary.reason;
   EXPECT_LE(o.summary.counts.newton_iterations, 4);
 }
@@ -189,7 +189,7 @@ TEST(Bonds, AreLinear) {
 // A coat of 20 um on a block that cannot widen must give by p h (1 + nu) (1 - 2 nu) / (E (1 - nu)), and so must the
 // block.
 TEST(Bonds, ACoatUnderUniformPressure) {
-  const auto o = run(R"(SetFactory("OpenCASCADE");
+  const auto o = bonded(R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1};
 Rectangle(2) = {0, 1, 0, 1, 0.02};
 Physical Surface("block") = {1};
@@ -203,7 +203,7 @@ Physical Curve("coat_right") = {6};
 Physical Curve("face") = {7};
 Physical Curve("coat_left") = {8};
 )",
-                     R"([material.steel]
+                        R"([material.steel]
 E_MPa = 200e3
 nu = 0.3
 [material.polymer]
@@ -261,7 +261,7 @@ wear = false
 
 // A liner bonded into a hub must turn with it by any angle and feel nothing, though neither facets nor nodes match.
 TEST(Bonds, TurnWithTheBody) {
-  const auto o = run(R"(SetFactory("OpenCASCADE");
+  const auto o = bonded(R"(SetFactory("OpenCASCADE");
 Disk(1) = {0, 0, 0, 8};
 Disk(2) = {0, 0, 0, 5};
 Disk(3) = {0, 0, 0, 3};
@@ -270,7 +270,7 @@ BooleanDifference(5) = { Surface{2}; Delete; }{ Surface{3}; Delete; };
 Physical Surface("hub") = {4};
 Physical Surface("liner") = {5};
 )",
-                     R"([material.steel]
+                        R"([material.steel]
 E_MPa = 200e3
 nu = 0.3
 [body.hub]
@@ -317,8 +317,7 @@ TEST(Bonds, ACoatWornThrough) {
   const char* cases[][3] = {{"quad", "0.1", "10"}, {"tri", "0.1", "{ tolerance = 0.02 }"}};
   for (const auto& [element, size, jump] : cases) {
     const std::string mesh = std::string("mesh = { element = \"") + element + "\", far_size_mm = ";
-    const auto o =
-        run(R"(SetFactory("OpenCASCADE");
+    const auto o = bonded(R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1};
 Rectangle(2) = {0, 1, 0, 1, 0.02};
 Rectangle(3) = {0, 1.02, 0, 1, 0.5};
@@ -332,10 +331,11 @@ Physical Curve("face") = {7};
 Physical Curve("sole") = {9};
 Physical Curve("top") = {11};
 )",
-            "[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.block]\nmaterial = \"steel\"\n" + mesh +
-                "0.25 }\n[body.slider]\nmaterial = \"steel\"\n" + mesh + "0.25 }\n[body.coat]\nmaterial = \"steel\"\n" +
-                mesh + size + " }\n[[step]]\nplay = [\"press\"]\nwear = false\n" +
-                "[[step]]\nname = \"wear\"\ncycles = 400\njump = " + jump + R"(
+                          "[material.steel]\nE_MPa = 200e3\nnu = 0.3\n[body.block]\nmaterial = \"steel\"\n" + mesh +
+                              "0.25 }\n[body.slider]\nmaterial = \"steel\"\n" + mesh +
+                              "0.25 }\n[body.coat]\nmaterial = \"steel\"\n" + mesh + size +
+                              " }\n[[step]]\nplay = [\"press\"]\nwear = false\n" +
+                              "[[step]]\nname = \"wear\"\ncycles = 400\njump = " + jump + R"(
 [contact.pad]
 secondary = "face"
 primary = ["sole"]

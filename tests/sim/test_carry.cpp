@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "contact/fields.hpp"
+#include "sim/played.hpp"
 #include "sim/problem/system.hpp"
 #include "sim/problem_of.hpp"
 #include "sim/reshape/carry.hpp"
@@ -14,6 +14,7 @@ namespace {
 
 using contact::OnFreshMesh;
 using contact::Site;
+using test::sum;
 
 /// Two meshes of the same blocks.
 struct Remeshed {
@@ -31,8 +32,6 @@ struct Remeshed {
     sim::carry_contact(coarse.contacts[0], coarse.scene.analysis, coarse.shapes, fine.shapes, state, held);
   }
 };
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 }  // namespace
 

@@ -29,7 +29,7 @@ sim::SurfaceRecord side(int elements, F f, sim::Side which = sim::Side::secondar
 
 double bump(double x) { return std::max(0.0, 1.0 - 4.0 * x * x); }
 
-sim::Problem hertz(const std::string& size, const std::string& more = "") {
+sim::Problem hertz_problem(const std::string& size, const std::string& more = "") {
   const verification::Replacements words{{"size_mm = 0.010", "size_mm = " + size},
                                          {"increments = 5", "increments = 1"}};
   return prepared(scene_text("hertz_halfplane", words) + more);
@@ -87,7 +87,7 @@ TEST(Discretisation, NothingToCompare) {
 
 // The companion's scene must have all sizes doubled, automatic ones, too, and no further end than the run had.
 TEST(Discretisation, Coarser) {
-  auto problem = hertz("0.04");
+  auto problem = hertz_problem("0.04");
   problem.scene.geometry.bodies[0].mesh.far_size_mm = 0.0;
   problem.scene.output.estimate_error = true;
   problem.scene.body_material.at("flat").kinematics = std::nullopt;
@@ -115,7 +115,7 @@ TEST(Discretisation, OnlyWhenAsked) {
   sim::Summary told[2];
   Eigen::VectorXd q[2];
   for (int asked : {0, 1}) {
-    const auto problem = hertz("0.04", asked ? "[output]\nestimate_error = true\n" : "");
+    const auto problem = hertz_problem("0.04", asked ? "[output]\nestimate_error = true\n" : "");
     auto state = sim::initial_state(problem);
     told[asked] = sim::run(problem, state, {});
     q[asked] = state.solution.q.high;
@@ -130,7 +130,7 @@ TEST(Discretisation, OnlyWhenAsked) {
 
 // An interruption during the companion run must leave a run that is interrupted and, restarted, ends with its estimate.
 TEST(Discretisation, Interrupted) {
-  const auto problem = hertz("0.04", "[output]\nestimate_error = true\n");
+  const auto problem = hertz_problem("0.04", "[output]\nestimate_error = true\n");
   auto state = sim::initial_state(problem);
   sim::Observer observer;
   bool coarse = false;
@@ -147,7 +147,7 @@ TEST(Discretisation, Interrupted) {
 TEST(Discretisation, NoNumberButAReason) {
   const std::pair<sim::Problem, std::string> cases[] = {
       {prepared(scene_text("patch", {{"[output]", "[output]\nestimate_error = true"}})), "came with their files"},
-      {hertz("0.08", "[output]\nestimate_error = true\n"), "fewer than four elements touch"}};
+      {hertz_problem("0.08", "[output]\nestimate_error = true\n"), "fewer than four elements touch"}};
   for (const auto& [problem, reason] : cases) {
     auto state = sim::initial_state(problem);
     std::string log;

@@ -3,16 +3,18 @@
 #include <functional>
 
 #include "base/errors.hpp"
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/study/run.hpp"
+#include "support/texts.hpp"
 
 using namespace reye;
+using support::holds;
+using test::Changes;
 
 namespace {
-
-using Changes = std::vector<std::pair<std::string, std::string>>;
 
 /// The two blocks drawn `depth` into one another, with elements of 0.1 mm.
 sim::Problem overlapping(double depth, Changes changes = {}) {
@@ -42,22 +44,16 @@ std::string refusal_of(const std::function<void()>& prepare) {
   return "nothing was refused";
 }
 
-struct Run {
-  sim::State state;
-  sim::Summary summary;
-  std::vector<double> force;  ///< on the upper support, per increment
+/// A run that is done, and the force on its upper support per increment.
+struct Closed : test::Played {
+  std::vector<double> force{};
 };
 
-Run run(const sim::Problem& problem) {
-  Run r{sim::initial_state(problem), {}, {}};
-  sim::Observer watch;
-  watch.increment = [&](const sim::IncrementRecord& i) { r.force.push_back(i.support_forces[0].y()); };
-  r.summary = sim::run(problem, r.state, watch);
-  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
-  return r;
+Closed closed(const sim::Problem& problem) {
+  Closed c{test::recorded(problem)};
+  for (const auto& row : c.rows) c.force.push_back(row.support_forces[0].y());
+  return c;
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -113,7 +109,7 @@ TEST(DrawnGap, ActsAsTheMotionDoes) {
   auto drawn = moved_by("0.0"), moved = moved_by("-0.25");
   drawn.insert(drawn.begin(), ramp[0]);
   moved.insert(moved.begin(), ramp[0]);
-  const auto in = run(overlapping(0.25, drawn)), by_motion = run(overlapping(0.0, moved));
+  const auto in = closed(overlapping(0.25, drawn)), by_motion = closed(overlapping(0.0, moved));
   ASSERT_EQ(in.force.size(), by_motion.force.size());
   EXPECT_LT(in.force[3], -1e4);
   for (std::size_t k = 0; k < in.force.size(); ++k)
@@ -122,7 +118,7 @@ TEST(DrawnGap, ActsAsTheMotionDoes) {
 
 // A body that a force holds must be lifted out of an overlap, and carry that force alone.
 TEST(DrawnGap, ABodyUnderAForceIsLiftedOut) {
-  const auto in = run(overlapping(0.25)), touching = run(overlapping(0.0));
+  const auto in = closed(overlapping(0.25)), touching = closed(overlapping(0.0));
   EXPECT_NEAR(in.force[0], touching.force[0], 1e-6 * 20.0);
   EXPECT_NEAR(in.summary.contacts[0].normal_force, touching.summary.contacts[0].normal_force, 1e-6 * 20.0);
 }
@@ -156,7 +152,7 @@ TEST(DrawnGap, WearsByItsWorkAlone) {
         overlapping(0.1, {{"wear = false", wears ? "increments = 4" : "increments = 4\nwear = false"},
                           {"force_N_per_mm = -20.0, history = \"press\"", "motion_mm = 0.0, history = \"press\""},
                           {"cycles = 40\njump = 10\n", "wear = false\n"}});
-    const auto r = run(problem);
+    const auto r = closed(problem);
     const auto& contact = r.state.solution.contacts[0];
     EXPECT_EQ(contact.law_work > 0.0, wears);
     const double removed = contact.strip_secondary + contact.strip_primary;
@@ -167,8 +163,8 @@ TEST(DrawnGap, WearsByItsWorkAlone) {
 // An overlap of half a body is no fit: it must be refused with contact, depth and body, and what to change.
 TEST(DrawnGap, OfHalfABodyIsRefused) {
   const auto text = refusal_of([] { test::problem_of(test::block_scene, -0.5); });
-  EXPECT_TRUE(has(text, "contact.pad: its sides overlap by 0.5 mm as drawn")) << text;
-  EXPECT_TRUE(has(text, "of the 1 mm that body slider measures there: too deep for a fit; draw the bodies apart"))
+  EXPECT_TRUE(holds(text, "contact.pad: its sides overlap by 0.5 mm as drawn")) << text;
+  EXPECT_TRUE(holds(text, "of the 1 mm that body slider measures there: too deep for a fit; draw the bodies apart"))
       << text;
 }
 
@@ -176,14 +172,15 @@ TEST(DrawnGap, OfHalfABodyIsRefused) {
 TEST(DrawnGap, IsClosedByWhatDrivesTheBodies) {
   auto changes = moved_by("-1.001");
   changes.push_back({"wear = false", "increments = 4\nwear = false"});
-  EXPECT_LT(run(test::problem_of(test::with(test::block_scene, changes), 1.0)).force[3], -10.0);
-  EXPECT_NEAR(run(test::problem_of(test::block_scene, 1.0)).summary.contacts[0].normal_force, 20.0, 1e-3);
+  EXPECT_LT(closed(test::problem_of(test::with(test::block_scene, changes), 1.0)).force[3], -10.0);
+  EXPECT_NEAR(closed(test::problem_of(test::block_scene, 1.0)).summary.contacts[0].normal_force, 20.0, 1e-3);
 }
 
 // Where nothing does, the refusal must name the gap and the largest motion.
 TEST(DrawnGap, ThatNothingClosesIsRefused) {
   const auto text = refusal_of([] { test::problem_of(test::with(test::block_scene, moved_by("-0.5")), 1.0); });
-  EXPECT_TRUE(has(text, "the sides are 1 mm apart as drawn, and supports move these bodies by 0.5 mm at most")) << text;
+  EXPECT_TRUE(holds(text, "the sides are 1 mm apart as drawn, and supports move these bodies by 0.5 mm at most"))
+      << text;
 }
 
 // A gap that nothing in the scene can close must be reported before the run, with both lengths.

@@ -8,12 +8,12 @@ using namespace reye;
 
 namespace {
 
-const scene::History stroke{{0.0, 0.0}, {0.25, 1.0}, {0.75, -1.0}, {1.0, 0.0}};
+const scene::History to_and_fro{{0.0, 0.0}, {0.25, 1.0}, {0.75, -1.0}, {1.0, 0.0}};
 
 scene::Scene with_histories() {
   scene::Scene scene;
   scene.histories = {
-      {"stroke", stroke}, {"press", {{0.0, 0.0}, {0.1, 1.0}, {1.0, 1.0}}}, {"other", {{0.0, 5.0}, {1.0, 7.0}}}};
+      {"stroke", to_and_fro}, {"press", {{0.0, 0.0}, {0.1, 1.0}, {1.0, 1.0}}}, {"other", {{0.0, 5.0}, {1.0, 7.0}}}};
   return scene;
 }
 
@@ -32,10 +32,10 @@ std::optional<double> imposed(const sim::Problem& p, const solver::System& syste
 
 // The factor of a history must be its corners, straight between them, and its ends outside.
 TEST(Drive, FactorAt) {
-  for (const auto& [progress, factor] : stroke) EXPECT_EQ(sim::factor_at(stroke, progress), factor);
-  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.125), 0.5);
-  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.5), 0.0);
-  EXPECT_DOUBLE_EQ(sim::factor_at(stroke, 0.9), -0.4);
+  for (const auto& [progress, factor] : to_and_fro) EXPECT_EQ(sim::factor_at(to_and_fro, progress), factor);
+  EXPECT_DOUBLE_EQ(sim::factor_at(to_and_fro, 0.125), 0.5);
+  EXPECT_DOUBLE_EQ(sim::factor_at(to_and_fro, 0.5), 0.0);
+  EXPECT_DOUBLE_EQ(sim::factor_at(to_and_fro, 0.9), -0.4);
   EXPECT_EQ(sim::factor_at({{0.2, 3.0}, {0.8, 4.0}}, 0.1), 3.0);
   EXPECT_EQ(sim::factor_at({{0.2, 3.0}, {0.8, 4.0}}, 0.9), 4.0);
 }

@@ -2,43 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/march/jump.hpp"
 #include "sim/measure/correction.hpp"
 #include "sim/study/run.hpp"
 
 using namespace reye;
+using test::recorded;
+using test::sum;
+using test::worn_block;
 
 namespace {
 
-struct Run {
-  sim::State state;
-  sim::Summary summary;
-  std::vector<std::string> log;
-  std::vector<double> told;  ///< cycles of the increments that were reported
-};
-
-Run run(const sim::Problem& problem) {
-  Run r{sim::initial_state(problem), {}, {}, {}};
-  sim::Observer observer;
-  observer.log = [&](const std::string& line) { r.log.push_back(line); };
-  observer.increment = [&](const sim::IncrementRecord& i) { r.told.push_back(i.cycle); };
-  r.summary = sim::run(problem, r.state, observer);
-  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
-  return r;
-}
-
-/// 40 000 cycles of the block: enough for the edges' pressure to be worn away.
-sim::Problem worn_block(const std::string& jump, const std::string& more = "") {
-  return test::problem_of(
-      test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
-}
-
-std::vector<double> removed(const Run& r) { return r.state.solution.contacts[0].removed_secondary; }
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+std::vector<double> removed(const test::Played& r) { return r.state.solution.contacts[0].removed_secondary; }
 
 double apart(const std::vector<double>& a, const std::vector<double>& b) {
   double d = 0.0;
@@ -50,12 +28,12 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 
 // With blocks of one size a controlled run must be of second order in it, a plain one of first.
 TEST(Jump, Orders) {
-  const auto exact = removed(run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
+  const auto exact = removed(recorded(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
   std::vector<double> plain, controlled;
   for (const std::string size : {"8000", "4000", "2000"}) {
-    plain.push_back(apart(removed(run(worn_block(size))), exact));
+    plain.push_back(apart(removed(recorded(worn_block(size))), exact));
     controlled.push_back(
-        apart(removed(run(worn_block("{ tolerance = 0.2, first = " + size + ", most = " + size + " }"))), exact));
+        apart(removed(recorded(worn_block("{ tolerance = 0.2, first = " + size + ", most = " + size + " }"))), exact));
   }
   for (int k : {0, 1}) {
     EXPECT_NEAR(std::log2(plain[k] / plain[k + 1]), 1.0, 0.2) << plain[k];
@@ -67,9 +45,9 @@ TEST(Jump, Orders) {
 // The estimated error must be that of the profile, within a factor of three or on the safe side, and below the
 // tolerance.
 TEST(Jump, EstimateAndTolerance) {
-  const auto exact = removed(run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
+  const auto exact = removed(recorded(worn_block("{ tolerance = 0.2, first = 400, most = 400 }")));
   for (const double tolerance : {0.03, 0.01, 0.003}) {
-    const auto r = run(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }"));
+    const auto r = recorded(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }"));
     const double error = apart(removed(r), exact), estimate = r.summary.error_cycle_jump.value();
     EXPECT_LT(error, tolerance);
     EXPECT_LT(estimate, 1.5 * tolerance);
@@ -83,7 +61,7 @@ TEST(Jump, EstimateAndTolerance) {
 // A block too long for the tolerance must be refused and said so, and leave nothing but its count behind; where it was
 // the first of a step, the first cycle is played by itself.
 TEST(Jump, RefusedBlocksLeaveNothing) {
-  const auto r = run(worn_block("{ tolerance = 0.001, first = 20000 }"));
+  const auto r = recorded(worn_block("{ tolerance = 0.001, first = 20000 }"));
   const auto& counts = r.summary.counts;
   EXPECT_GT(counts.refused_blocks, 0);
   EXPECT_NE(std::find_if(r.log.begin(), r.log.end(),
@@ -93,8 +71,9 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
   const long levelling = counts.cycles_solved - (1 + 3 * (blocks + counts.refused_blocks));  // of the end
   EXPECT_GE(levelling, 3);
   EXPECT_LE(levelling, 8);
-  EXPECT_EQ(r.told.size(), 1 + 8 + static_cast<std::size_t>(2 * 8 * blocks + 8 * levelling));
-  EXPECT_TRUE(std::is_sorted(r.told.begin(), r.told.end()));
+  EXPECT_EQ(r.rows.size(), 1 + 8 + static_cast<std::size_t>(2 * 8 * blocks + 8 * levelling));
+  EXPECT_TRUE(
+      std::is_sorted(r.rows.begin(), r.rows.end(), [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
 }
 
 // Resuming from any block's end must change no bit of a controlled run.
@@ -117,11 +96,11 @@ TEST(Jump, GoesOnFromAnyBlock) {
 // A life inside a long block must lie where a run with short ones puts it, within its stated error.
 TEST(Jump, LifeInsideABlock) {
   const std::string limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0e-4\n";
-  const auto fine = run(worn_block("{ tolerance = 0.2, first = 400, most = 400 }", limit));
+  const auto fine = recorded(worn_block("{ tolerance = 0.2, first = 400, most = 400 }", limit));
   const double exact = fine.summary.life_cycles.at("life").value();
   ASSERT_LT(exact, 39000.0);
   for (const double tolerance : {0.03, 0.01}) {
-    const auto r = run(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }", limit));
+    const auto r = recorded(worn_block("{ tolerance = " + std::to_string(tolerance) + ", first = 500 }", limit));
     EXPECT_NEAR(r.summary.life_cycles.at("life").value(), exact, r.summary.life_error.at("life"));
     EXPECT_LT(r.summary.life_error.at("life"), 2.0 * tolerance * exact);
   }
@@ -129,7 +108,7 @@ TEST(Jump, LifeInsideABlock) {
 
 // Where cycles end unloaded their ends do not show whether pressures repeat: all eight cycles must level the end.
 TEST(Jump, UnloadedEndsAreLevelledThroughout) {
-  const auto r = run(test::problem_of(test::with(
+  const auto r = recorded(test::problem_of(test::with(
       test::block_scene,
       {{"force_N_per_mm = -20.0", "motion_mm = -0.001"},
        {"press  = [[0.0, 0.0], [1.0, 1.0]]", "press  = [[0.0, 0.0], [0.1, 1.0], [0.9, 1.0], [1.0, 0.0]]"},

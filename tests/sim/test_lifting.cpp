@@ -26,7 +26,7 @@ Physical Curve("shim_top") = {7};
 )";
 }
 
-const char* const text = R"(geometry = ["shim.geo"]
+const char* const shim_scene = R"(geometry = ["shim.geo"]
 [material.steel]
 E_MPa = 200e3
 nu    = 0.3
@@ -71,7 +71,7 @@ Physical Surface("coat") = {4};
 Physical Surface("substrate") = {5};
 )";
 
-const char* const coated = R"(geometry = ["coated.geo"]
+const char* const coated_scene = R"(geometry = ["coated.geo"]
 [material.steel]
 E_MPa = 200e3
 nu    = 0.3
@@ -125,7 +125,7 @@ wear = false
 // many nodes have to open, and in no more solves than an increment of any other contact takes.
 TEST(Lifting, AShimUnderFriction) {
   for (const char* thickness : {"0.2", "0.02"}) {
-    const auto problem = support::problem_from({{"shim.geo", shim(thickness)}, {"scene.toml", text}});
+    const auto problem = support::problem_from({{"shim.geo", shim(thickness)}, {"scene.toml", shim_scene}});
     auto state = sim::initial_state(problem);
     const auto summary = sim::run(problem, state, {});
     EXPECT_EQ(summary.status, sim::RunStatus::done) << thickness << ": " << summary.reason;
@@ -137,7 +137,7 @@ TEST(Lifting, AShimUnderFriction) {
 
 // A coat that friction alone holds must carry Hertz' pressure where it is of its substrate's material.
 TEST(Lifting, ACoatThatFrictionHolds) {
-  const auto problem = support::problem_from({{"coated.geo", coated_geometry}, {"scene.toml", coated}});
+  const auto problem = support::problem_from({{"coated.geo", coated_geometry}, {"scene.toml", coated_scene}});
   auto state = sim::initial_state(problem);
   const auto summary = sim::run(problem, state, {});
   EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;

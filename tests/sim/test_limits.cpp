@@ -2,32 +2,18 @@
 
 #include <algorithm>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/study/run.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;
+using test::recorded;
+using test::worn_block;
 
 namespace {
 
-const char* const limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0e-4\nstop = true\n";
-
-struct Run {
-  sim::State state;
-  sim::Summary summary;
-  std::vector<sim::IncrementRecord> rows;
-};
-
-Run run(const std::string& jump, const std::string& more = "") {
-  const auto problem = test::problem_of(
-      test::with(test::block_scene, {{"cycles = 40\njump = 10", "cycles = 40000\njump = " + jump}}) + more);
-  Run r{sim::initial_state(problem), {}, {}};
-  sim::Observer observer;
-  observer.increment = [&](const sim::IncrementRecord& row) { r.rows.push_back(row); };
-  r.summary = sim::run(problem, r.state, observer);
-  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
-  return r;
-}
+const char* const stop_at_a_depth = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0e-4\nstop = true\n";
 
 double deepest(const sim::IncrementRecord& row) { return row.depth_max_secondary_mm; }
 
@@ -36,7 +22,7 @@ double deepest(const sim::IncrementRecord& row) { return row.depth_max_secondary
 // A run that a limit stops must end where the limit is, by a tolerance and in fixed blocks, and its life be that cycle.
 TEST(Limits, StopEndsTheRunAtTheLimit) {
   for (const std::string jump : {"{ tolerance = 0.01, first = 500 }", "5000"}) {
-    const auto r = run(jump, limit);
+    const auto r = recorded(worn_block(jump, stop_at_a_depth));
     const double life = r.summary.life_cycles.at("life").value();
     EXPECT_NEAR(r.summary.cycles, life, 5e-3 * life) << jump;
     EXPECT_NEAR(r.summary.limit_share.at("life"), 1.0, 5e-3) << jump;
@@ -49,15 +35,16 @@ TEST(Limits, StopEndsTheRunAtTheLimit) {
 
 // Where two limits would end the run, it must end at the first.
 TEST(Limits, TheFirstOfTwoEndsTheRun) {
-  const auto r = run("{ tolerance = 0.01, first = 500 }",
-                     std::string(limit) + "[limit.sooner]\ncontact = \"pad\"\ndepth_mm = 0.5e-4\nstop = true\n");
+  const auto r = recorded(
+      worn_block("{ tolerance = 0.01, first = 500 }",
+                 std::string(stop_at_a_depth) + "[limit.sooner]\ncontact = \"pad\"\ndepth_mm = 0.5e-4\nstop = true\n"));
   EXPECT_NEAR(r.summary.cycles, r.summary.life_cycles.at("sooner").value(), 5e-3 * r.summary.cycles);
   EXPECT_FALSE(r.summary.life_cycles.at("life"));
 }
 
 // Under a tolerance the last row of the history must say what the summary says, and no row fall behind the one before.
 TEST(Limits, HistoryEndsAsTheSummary) {
-  const auto r = run("{ tolerance = 0.03, first = 500 }");
+  const auto r = recorded(worn_block("{ tolerance = 0.03, first = 500 }"));
   EXPECT_NEAR(deepest(r.rows.back()), r.summary.contacts[0].secondary.max_depth_mm, 1e-12);
   EXPECT_NEAR(r.rows.back().energy_mJ, r.summary.contacts[0].dissipated_energy, 1e-9 * r.rows.back().energy_mJ);
   EXPECT_NEAR(r.rows.back().cycle, r.summary.cycles, 1e-6);

@@ -34,7 +34,7 @@ std::vector<sim::Warning> overlaps_among(std::vector<sim::Warning> list) {
   return list;
 }
 
-std::vector<sim::Warning> played(const sim::Problem& problem) {
+std::vector<sim::Warning> overlaps_in(const sim::Problem& problem) {
   auto state = sim::initial_state(problem);
   sim::Observer watch;
   watch.frame = [](const sim::Frame&) {};
@@ -48,11 +48,11 @@ std::vector<sim::Warning> played(const sim::Problem& problem) {
 TEST(Overlap, OfBodiesWithoutContact) {
   const auto problem = with_post(0.1, "0.15");
   EXPECT_TRUE(overlaps_among(problem.warnings).empty());
-  const auto found = played(problem);
+  const auto found = overlaps_in(problem);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].about, "bodies post and slider");
   EXPECT_NEAR(found[0].severity, 0.05, 1e-3);
-  EXPECT_TRUE(played(with_post(0.2, "0.15")).empty());
+  EXPECT_TRUE(overlaps_in(with_post(0.2, "0.15")).empty());
 }
 
 // One that is drawn so must be named before the run.

@@ -2,35 +2,27 @@
 
 #include <cmath>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/study/run.hpp"
 
 using namespace reye;
+using test::recorded;
 
 namespace {
 
 const std::string preload = "y        = { force_N_per_mm = -20.0, history = \"press\" }";
-const std::string both =
+const std::string preload_and_vibration =
     "y        = [{ force_N_per_mm = -20.0, history = \"press\" }, { force_N_per_mm = 5.0, history = \"stroke\" }]";
-
-std::vector<sim::IncrementRecord> rows_of(const sim::Problem& problem) {
-  std::vector<sim::IncrementRecord> rows;
-  auto state = sim::initial_state(problem);
-  sim::Observer watch;
-  watch.increment = [&](const sim::IncrementRecord& r) { rows.push_back(r); };
-  const auto summary = sim::run(problem, state, watch);
-  EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
-  return rows;
-}
 
 }  // namespace
 
 // Parts of a force must add up, each with the history of its own: a preload that stays and a vibration about it.
 TEST(Parts, PreloadAndVibration) {
-  const auto problem =
-      test::problem_of(test::with(test::block_scene, {{preload, both}, {"cycles = 40\njump = 10", "cycles = 1"}}));
-  const auto rows = rows_of(problem);
+  const auto problem = test::problem_of(
+      test::with(test::block_scene, {{preload, preload_and_vibration}, {"cycles = 40\njump = 10", "cycles = 1"}}));
+  const auto rows = recorded(problem).rows;
   ASSERT_EQ(rows.size(), 9U);
   const auto& stroke = problem.scene.histories.at("stroke");
   for (const auto& row : rows) {
@@ -42,11 +34,12 @@ TEST(Parts, PreloadAndVibration) {
 
 // Parts of one history must act as one part with the sum of their values.
 TEST(Parts, OfOneHistoryAreOne) {
-  const auto one = rows_of(test::problem_of(test::block_scene));
-  const auto two = rows_of(test::problem_of(test::with(
-      test::block_scene,
-      {{preload,
-        "y = [{ force_N_per_mm = -15.0, history = \"press\" }, { force_N_per_mm = -5.0, history = \"press\" }]"}})));
+  const auto one = recorded(test::problem_of(test::block_scene)).rows;
+  const auto two =
+      recorded(test::problem_of(test::with(test::block_scene, {{preload,
+                                                                "y = [{ force_N_per_mm = -15.0, history = \"press\" }, "
+                                                                "{ force_N_per_mm = -5.0, history = \"press\" }]"}})))
+          .rows;
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_NEAR(two[i].pressure_max_MPa, one[i].pressure_max_MPa, 1e-7 * one[i].pressure_max_MPa);
@@ -72,8 +65,9 @@ TEST(Parts, SpinAndSwing) {
 // A load in parts must do what as many loads do.
 TEST(Parts, OfALoad) {
   const auto loaded = [](const std::string& loads) {
-    return rows_of(test::problem_of(
-        test::with(test::block_scene, {{"[history]", loads + "[history]"}, {"cycles = 40\njump = 10", "cycles = 1"}})));
+    return recorded(test::problem_of(test::with(test::block_scene, {{"[history]", loads + "[history]"},
+                                                                    {"cycles = 40\njump = 10", "cycles = 1"}})))
+        .rows;
   };
   const auto parts = loaded(
       "[load.a]\nedge = \"slider_top\"\nparts = [{ pressure_MPa = 3.0, history = \"press\" }, { traction_MPa = [0.0, "

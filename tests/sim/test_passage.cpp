@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/study/run.hpp"
 
 using namespace reye;
+using test::played;
 
 namespace {
 
@@ -19,22 +21,11 @@ std::string pushed(const std::string& more) {
          more;
 }
 
-struct Run {
-  sim::State state;
-  sim::Summary summary;
-};
-
-Run run(const sim::Problem& problem) {
-  Run r{sim::initial_state(problem), {}};
-  r.summary = sim::run(problem, r.state, {});
-  return r;
-}
-
 }  // namespace
 
 // An increment in which a body would pass through another must be cut until contact is seen, and then carry its load.
 TEST(Passage, IsCutBack) {
-  const auto r = run(test::problem_of(pushed(""), 0.1));
+  const auto r = played(test::problem_of(pushed(""), 0.1));
   EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
   EXPECT_GE(r.summary.counts.cutbacks, 1);
   EXPECT_GT(r.summary.contacts.at(0).normal_force, 1.0);
@@ -42,7 +33,7 @@ TEST(Passage, IsCutBack) {
 
 // Where no cut-back is left the run must fail, and say what happened.
 TEST(Passage, FailsWithItsReason) {
-  const auto r = run(test::problem_of(pushed("[solver]\nmax_cutbacks = 0\n"), 0.1));
+  const auto r = played(test::problem_of(pushed("[solver]\nmax_cutbacks = 0\n"), 0.1));
   EXPECT_EQ(r.summary.status, sim::RunStatus::failed);
   EXPECT_NE(r.summary.reason.find("went through the other side of contact pad"), std::string::npos) << r.summary.reason;
 }

@@ -8,7 +8,7 @@ using namespace reye;
 namespace {
 
 /// The two blocks, pressed by this motion or force.
-sim::Summary played(const std::string& stroke_mm, const std::string& press) {
+sim::Summary blocks_under(const std::string& stroke_mm, const std::string& press) {
   const auto problem = test::problem_of(test::with(
       test::block_scene, {{"motion_mm = 0.01", "motion_mm = " + stroke_mm}, {"force_N_per_mm = -20.0", press}}));
   auto state = sim::initial_state(problem);
@@ -28,16 +28,16 @@ void expect_at_rest(const sim::Summary& summary) {
 }  // namespace
 
 // Bodies that touch and are neither moved nor loaded must stay at rest, and nothing must wear.
-TEST(Rest, WithoutMotion) { expect_at_rest(played("0.0", "motion_mm = 0.0")); }
+TEST(Rest, WithoutMotion) { expect_at_rest(blocks_under("0.0", "motion_mm = 0.0")); }
 
 // Bodies must stay at rest where one is held by nothing but the contact that no force closes, and where it slides so.
 TEST(Rest, WithoutForce) {
-  expect_at_rest(played("0.0", "force_N_per_mm = 0.0"));
-  expect_at_rest(played("0.01", "force_N_per_mm = 0.0"));
+  expect_at_rest(blocks_under("0.0", "force_N_per_mm = 0.0"));
+  expect_at_rest(blocks_under("0.01", "force_N_per_mm = 0.0"));
 }
 
 // Loads and strokes that are denormal numbers must count as none: no failure, and a ledger that closes.
 TEST(Rest, BelowWhatNumbersTell) {
-  expect_at_rest(played("0.01", "motion_mm = -1e-310"));
-  expect_at_rest(played("1e-310", "force_N_per_mm = -1e-310"));
+  expect_at_rest(blocks_under("0.01", "motion_mm = -1e-310"));
+  expect_at_rest(blocks_under("1e-310", "force_N_per_mm = -1e-310"));
 }

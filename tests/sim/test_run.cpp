@@ -1,22 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/study/run.hpp"
 
 using namespace reye;
+using test::played;
 
 namespace {
-
-struct Run {
-  sim::State state;
-  sim::Summary summary;
-};
-
-Run run(const sim::Problem& problem, const sim::Observer& observer = {}) {
-  Run r{sim::initial_state(problem), {}};
-  r.summary = sim::run(problem, r.state, observer);
-  return r;
-}
 
 const char* const limits = R"([limit.reached]
 contact  = "pad"
@@ -72,7 +63,7 @@ TEST(Run, BlocksAndLedger) {
   std::vector<double> cycles;
   sim::Observer observer;
   observer.block = [&](const sim::State& s) { cycles.push_back(s.cycle); };
-  const auto r = run(problem, observer);
+  const auto r = played(problem, observer);
   EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
   EXPECT_EQ(cycles, (std::vector{0.0, 10.0, 20.0, 30.0, 40.0}));
   EXPECT_LT(r.summary.contacts[0].ledger_relative_error.value(), 1e-12);
@@ -87,7 +78,7 @@ TEST(Run, LifeIsInterpolated) {
   std::vector<std::pair<double, double>> depth;  // of each block
   sim::Observer observer;
   observer.block = [&](const sim::State& s) { depth.emplace_back(s.cycle, s.limit_measure.at("reached")); };
-  const auto r = run(problem, observer);
+  const auto r = played(problem, observer);
   ASSERT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
   std::size_t k = 1;
   while (k < depth.size() && depth[k].second < 1e-7) ++k;
@@ -103,7 +94,7 @@ TEST(Run, LifeIsInterpolated) {
 TEST(Run, LimitStops) {
   const auto problem = test::problem_of(std::string(test::block_scene) +
                                         test::with(limits, {{"depth_mm = 1e-7", "depth_mm = 1e-9\nstop = true"}}));
-  const auto r = run(problem);
+  const auto r = played(problem);
   EXPECT_EQ(r.summary.status, sim::RunStatus::done);
   EXPECT_EQ(r.summary.cycles, 1.0);
 }
@@ -115,7 +106,7 @@ TEST(Run, FailureIsASummary) {
   int frames = 0;
   sim::Observer observer;
   observer.frame = [&](const sim::Frame&) { ++frames; };
-  const auto r = run(problem, observer);
+  const auto r = played(problem, observer);
   EXPECT_EQ(r.summary.status, sim::RunStatus::failed);
   EXPECT_NE(r.summary.reason.find("no convergence in 1 iterations"), std::string::npos);
   EXPECT_EQ(frames, 1);  // the start is the last good state
@@ -127,7 +118,7 @@ TEST(Run, ObserverMayThrow) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Observer observer;
   observer.frame = [](const sim::Frame&) { throw std::runtime_error("disk full"); };
-  EXPECT_THROW(run(problem, observer), std::runtime_error);
+  EXPECT_THROW(played(problem, observer), std::runtime_error);
 }
 
 // Resuming from the state of a block's end, with nothing kept but that state, must change no bit.
@@ -136,7 +127,7 @@ TEST(Run, GoesOnFromAnyBlock) {
   std::vector<sim::State> ends;
   sim::Observer observer;
   observer.block = [&](const sim::State& s) { ends.push_back(s); };
-  const auto whole = run(problem, observer);
+  const auto whole = played(problem, observer);
   for (auto state : ends) {
     sim::run(problem, state, {});
     EXPECT_EQ(state.cycle, whole.state.cycle);

@@ -8,7 +8,7 @@ using namespace reye;
 namespace {
 
 /// A pad of 20 x 8 mm, free to turn about the middle of its back, dragged to and fro over a rail.
-const char* const geometry = R"(SetFactory("OpenCASCADE");
+const char* const pad_geometry = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {-30, -5, 0, 60, 5};
 Rectangle(2) = {-10, 0, 0, 20, 8};
 Physical Surface("rail") = {1};
@@ -19,7 +19,7 @@ Physical Curve("sole") = {5};
 Physical Curve("back") = {7};
 )";
 
-const char* const text = R"(geometry = ["pad.geo"]
+const char* const pad_scene = R"(geometry = ["pad.geo"]
 [material.lining]
 E_MPa = 1000
 nu    = 0.25
@@ -62,7 +62,7 @@ increments = 20
 // A pad that aligns itself must go over from rest to sliding, and from one direction to the other, without a cut-back,
 // though it rolls off the rail where its nodes start in stick.
 TEST(SelfAligning, SlidesAtOnce) {
-  const auto problem = support::problem_from({{"pad.geo", geometry}, {"scene.toml", text}});
+  const auto problem = support::problem_from({{"pad.geo", pad_geometry}, {"scene.toml", pad_scene}});
   auto state = sim::initial_state(problem);
   std::vector<double> drag;
   sim::Observer observer;
@@ -79,7 +79,7 @@ TEST(SelfAligning, SlidesAtOnce) {
 // What it wears under a tolerance must be coefficient x work to rounding, though the gap is carried round its rounded
 // edges in the middle of blocks: what moves from node to node there is no wear.
 TEST(SelfAligning, LedgerIsExact) {
-  std::string rounded = geometry, worn = text;
+  std::string rounded = pad_geometry, worn = pad_scene;
   const auto put = [](std::string& in, const std::string& from, const std::string& to) {
     in.replace(in.find(from), from.size(), to);
   };

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "support/problem.hpp"
+#include "problem_of.hpp"
 
 using namespace reye;
 
@@ -19,13 +19,7 @@ std::string text_of(const std::string& file) {
   return text.str();
 }
 
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-sim::Problem problem_of(const std::string& geometry, const std::string& scene) {
+sim::Problem two_pins(const std::string& geometry, const std::string& scene) {
   return support::problem_from({{"two_pins.geo", geometry}, {"scene.toml", scene}});
 }
 
@@ -35,7 +29,7 @@ const std::string second_name = "[contact.second]\nsecondary = \"track\"";
 
 // The plan must say which contacts wear one boundary, and whose the depths there are.
 TEST(SharedWear, IsToldInThePlan) {
-  const auto problem = problem_of(text_of("two_pins.geo"), text_of("scene.toml"));
+  const auto problem = two_pins(text_of("two_pins.geo"), text_of("scene.toml"));
   const auto& lines = problem.plan.lines;
   EXPECT_EQ(std::count(lines.begin(), lines.end(),
                        "contacts first, second wear the same boundary, track: depths there are the sum over all of "
@@ -47,9 +41,9 @@ TEST(SharedWear, IsToldInThePlan) {
 // Where none does, the two are as good as one.
 TEST(SharedWear, AnEdgeUnderTwoNamesIsRefused) {
   const auto geometry = text_of("two_pins.geo") + "Physical Curve(\"lane\") = {3};\n";
-  const auto scene = with(text_of("scene.toml"), second_name, "[contact.second]\nsecondary = \"lane\"");
+  const auto scene = test::with(text_of("scene.toml"), {{second_name, "[contact.second]\nsecondary = \"lane\""}});
   try {
-    problem_of(geometry, scene);
+    two_pins(geometry, scene);
     ADD_FAILURE() << "accepted";
   } catch (const base::InputError& error) {
     EXPECT_NE(std::string(error.what())
@@ -58,7 +52,7 @@ TEST(SharedWear, AnEdgeUnderTwoNamesIsRefused) {
               std::string::npos)
         << error.what();
   }
-  const auto unworn = with(with(scene, "wear      = { law = \"energy\", secondary_mm3_per_J = 1e-3 }\n", ""),
-                           "wear      = { law = \"energy\", secondary_mm3_per_J = 3e-3 }\n", "");
-  EXPECT_NO_THROW(problem_of(geometry, unworn));
+  const auto unworn = test::with(scene, {{"wear      = { law = \"energy\", secondary_mm3_per_J = 1e-3 }\n", ""},
+                                         {"wear      = { law = \"energy\", secondary_mm3_per_J = 3e-3 }\n", ""}});
+  EXPECT_NO_THROW(two_pins(geometry, unworn));
 }

@@ -14,7 +14,7 @@ using namespace reye;
 
 namespace {
 
-const char* const blocks = R"(SetFactory("OpenCASCADE");
+const char* const two_sliders_geo = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 6, 2};
 Rectangle(2) = {0.5, 2, 0, 2, 1};
 Rectangle(3) = {3.5, 2, 0, 2, 1};
@@ -30,7 +30,7 @@ Physical Curve("right_top") = {11};
 )";
 
 /// Two blocks on one, pressed by 40 and 20 N/mm and dragged; the right one is meshed finer.
-const char* const pressed = R"(geometry = ["blocks.geo"]
+const char* const two_sliders = R"(geometry = ["blocks.geo"]
 [material.steel]
 E_MPa = 200e3
 nu = 0.3
@@ -87,7 +87,7 @@ double area_of(const body::ShapePtr& shape) { return mesh::area(shape->mesh); }
 // A primary side on two bodies must carry each body's own force, lose each body's own volume, and name its nodes by
 // body.
 TEST(TwoPrimaries, EachBodyGetsItsOwn) {
-  const auto problem = support::problem_from({{"blocks.geo", blocks}, {"scene.toml", pressed}});
+  const auto problem = support::problem_from({{"blocks.geo", two_sliders_geo}, {"scene.toml", two_sliders}});
   auto state = sim::initial_state(problem);
   std::vector<sim::IncrementRecord> rows;
   sim::Observer observer;
@@ -133,7 +133,7 @@ TEST(TwoPrimaries, EachBodyGetsItsOwn) {
 
 // Everything that a run writes and shows must be there for a side on two bodies.
 TEST(TwoPrimaries, Frames) {
-  const auto problem = support::problem_from({{"blocks.geo", blocks}, {"scene.toml", pressed}});
+  const auto problem = support::problem_from({{"blocks.geo", two_sliders_geo}, {"scene.toml", two_sliders}});
   auto state = sim::initial_state(problem);
   std::vector<sim::Frame> frames;
   sim::Observer observer;

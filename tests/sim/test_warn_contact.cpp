@@ -6,40 +6,35 @@
 #include <algorithm>
 
 #include "disc_scene.hpp"
+#include "played.hpp"
 
 using namespace reye;
+using test::Kinds;
+using test::kinds_of;
+using test::played;
 
 namespace {
 
-using Kinds = std::vector<std::string>;
-
-sim::Summary played(const sim::Problem& problem) {
-  auto state = sim::initial_state(problem);
-  return sim::run(problem, state, {});
-}
-
-/// Kinds and what they are about, of the run alone.
+/// What a run warns of, all before it aside.
 Kinds found(sim::Problem problem) {
   problem.warnings.clear();
-  const auto summary = played(problem);
-  EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
-  Kinds kinds;
-  for (const auto& w : summary.warnings) kinds.push_back(w.kind + ", " + w.about);
-  return kinds;
+  const auto r = played(problem);
+  EXPECT_EQ(r.summary.status, sim::RunStatus::done) << r.summary.reason;
+  return kinds_of(r.summary.warnings);
 }
 
-Kinds blocks(const std::vector<std::pair<std::string, std::string>>& changes, double gap = 0.0) {
+Kinds found_of_blocks(const test::Changes& changes, double gap = 0.0) {
   return found(test::problem_of(test::with(test::block_scene, changes), gap));
 }
 
-const std::string few = "cycles = 40\njump = 10", two_blocks = "cycles = 20\njump = 10";
+const std::string many_cycles = "cycles = 40\njump = 10", few_cycles = "cycles = 20\njump = 10";
 
 }  // namespace
 
 // A contact that is resolved, and one that ends where the bodies end, must give no warning.
 TEST(WarnContact, NothingWithoutCause) {
   EXPECT_EQ(found(test::disc_problem()), Kinds{});
-  EXPECT_EQ(blocks({{few, two_blocks}}), Kinds{});
+  EXPECT_EQ(found_of_blocks({{many_cycles, few_cycles}}), Kinds{});
 }
 
 // A warning must be given for some three elements across a contact, with their number.
@@ -47,7 +42,7 @@ TEST(WarnContact, ElementsAcross) {
   auto problem = test::disc_problem({{"size_mm = 0.005", "size_mm = 0.02"}});
   EXPECT_EQ(found(problem), Kinds{"resolution, contact pad"});
   problem.warnings.clear();
-  const auto warning = played(problem).warnings.at(0);
+  const auto warning = played(problem).summary.warnings.at(0);
   EXPECT_NEAR(warning.severity, 8.0 / 3.0, 8.0 / 3.0 - 8.0 / 4.0 + 1e-9);
 }
 
@@ -56,7 +51,7 @@ TEST(WarnContact, ElementsAcross) {
 TEST(WarnContact, EndOfANamedBoundary) {
   auto problem = test::disc_problem({}, "0.01");
   problem.warnings.clear();
-  const auto warnings = played(problem).warnings;
+  const auto warnings = played(problem).summary.warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, "boundary_end");
   EXPECT_NE(warnings[0].text.find("the end of face"), std::string::npos) << warnings[0].text;
@@ -70,17 +65,18 @@ TEST(WarnContact, BesideTheFineZone) {
 
 // A contact that never touched must be reported; nothing is said then of its wear.
 TEST(WarnContact, NeverClosed) {
-  EXPECT_EQ(blocks({{few, two_blocks},
-                    {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}},
-                   0.01),
+  EXPECT_EQ(found_of_blocks(
+                {{many_cycles, few_cycles},
+                 {"{ force_N_per_mm = -20.0, history = \"press\" }", "{ motion_mm = -0.001, history = \"press\" }"}},
+                0.01),
             Kinds{"never_closed, contact pad"});
 }
 
 // A contact that should wear but sticks throughout must be reported, with the stroke that was asked for.
 TEST(WarnContact, NothingSlipped) {
-  auto problem =
-      test::problem_of(test::with(test::block_scene, {{few, two_blocks}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
-  const auto warnings = played(problem).warnings;
+  auto problem = test::problem_of(
+      test::with(test::block_scene, {{many_cycles, few_cycles}, {"motion_mm = 0.01", "motion_mm = 1e-8"}}));
+  const auto warnings = played(problem).summary.warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, "no_slip");
   EXPECT_NE(warnings[0].text.find("up to 1e-08 mm"), std::string::npos) << warnings[0].text;
@@ -91,8 +87,9 @@ TEST(WarnContact, LimitOfTheMilderSide) {
   const std::string limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n";
   const std::string other = "[limit.other]\ncontact = \"pad\"\nside = \"primary\"\ndepth_mm = 1.0\n";
   const std::pair<std::string, std::string> mild{"secondary_mm3_per_J = 3.0e-5", "secondary_mm3_per_J = 1.0e-6"};
-  EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + "[history]"}}), Kinds{"limit_side, limit life"});
-  EXPECT_EQ(blocks({{few, two_blocks}, mild, {"[history]", limit + other + "[history]"}}), Kinds{});
+  EXPECT_EQ(found_of_blocks({{many_cycles, few_cycles}, mild, {"[history]", limit + "[history]"}}),
+            Kinds{"limit_side, limit life"});
+  EXPECT_EQ(found_of_blocks({{many_cycles, few_cycles}, mild, {"[history]", limit + other + "[history]"}}), Kinds{});
 }
 
 // A ledger that does not close must be reported with its figure; what rounding leaves of next to nothing must not.
@@ -106,9 +103,7 @@ TEST(WarnContact, OpenLedger) {
     summary.contacts[0].secondary.worn_area = area;
     summary.contacts[0].ledger_relative_error = error;
     sim::warn_of_run(problem, state, summary, {});
-    Kinds kinds;
-    for (const auto& w : state.warnings) kinds.push_back(w.kind + ", " + w.about);
-    return kinds;
+    return kinds_of(state.warnings);
   };
   EXPECT_EQ(told(1e-3, 2e-3), Kinds{"ledger, contact pad"});
   EXPECT_EQ(told(1e-3, 1e-9), Kinds{});

@@ -2,24 +2,18 @@
 
 #include "base/errors.hpp"
 #include "disc_scene.hpp"
+#include "played.hpp"
 #include "sim/place/warn_setup.hpp"
 
 using namespace reye;
+using test::Changes;
+using test::Kinds;
+using test::kinds_of;
 
 namespace {
 
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
-std::vector<std::string> kinds(const std::vector<sim::Warning>& warnings) {
-  std::vector<std::string> list;
-  for (const auto& w : warnings) list.push_back(w.kind + ", " + w.about);
-  return list;
-}
-
-using Kinds = std::vector<std::string>;
-
 Kinds of_blocks(const Changes& changes) {
-  return kinds(test::problem_of(test::with(test::block_scene, changes)).warnings);
+  return kinds_of(test::problem_of(test::with(test::block_scene, changes)).warnings);
 }
 
 std::string refusal(const std::string& scene) {
@@ -31,14 +25,14 @@ std::string refusal(const std::string& scene) {
   return "not refused";
 }
 
-const char* const limit = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n[history]";
+const char* const limit_and_history = "[limit.life]\ncontact = \"pad\"\ndepth_mm = 1.0\n[history]";
 
 }  // namespace
 
 // Scenes without a mistake must give no warning.
 TEST(WarnSetup, NothingWithoutCause) {
-  EXPECT_EQ(of_blocks({{"[history]", limit}}), Kinds{});
-  EXPECT_EQ(kinds(test::disc_problem().warnings), Kinds{});
+  EXPECT_EQ(of_blocks({{"[history]", limit_and_history}}), Kinds{});
+  EXPECT_EQ(kinds_of(test::disc_problem().warnings), Kinds{});
 }
 
 // Supports that ask different things of one place must be refused with the line of the later one and the name of the
@@ -90,14 +84,15 @@ TEST(WarnSetup, LostCorner) {
       {{"[history]", side}, {"edge     = \"base_bottom\"\nx        = \"fixed\"", "edge     = \"base_bottom\""}});
   const auto problem = support::problem_from(
       {{"blocks.geo", test::two_blocks(0.0) + "Physical Curve(\"base_left\") = {8};\n"}, {"scene.toml", scene}});
-  EXPECT_EQ(kinds(problem.warnings), Kinds{"support, support side"});
+  EXPECT_EQ(kinds_of(problem.warnings), Kinds{"support, support side"});
 }
 
 // A step that wears without cycles, beside a limit or with a jump, must be reported; without either it is a load step.
 TEST(WarnSetup, StepWithoutCycles) {
   const Changes no_cycles{{"cycles = 40\n", ""}};
   EXPECT_EQ(of_blocks(no_cycles), Kinds{"no_cycles, step wear"});
-  EXPECT_EQ(of_blocks({{"cycles = 40\njump = 10\n", ""}, {"[history]", limit}}), Kinds{"no_cycles, step wear"});
+  EXPECT_EQ(of_blocks({{"cycles = 40\njump = 10\n", ""}, {"[history]", limit_and_history}}),
+            Kinds{"no_cycles, step wear"});
   EXPECT_EQ(of_blocks({{"cycles = 40\njump = 10\n", ""}}), Kinds{});
 }
 
@@ -117,14 +112,14 @@ TEST(WarnSetup, OneIncrementAStroke) {
 // A fine zone that lies beside the place where the sides touch must be reported before the run.
 TEST(WarnSetup, FineZoneBesideTheContact) {
   const auto found = test::disc_problem({{"centre_mm = [0.0, 0.0]", "centre_mm = [0.4, 0.0]"}}, "0.9").warnings;
-  EXPECT_EQ(kinds(found), (Kinds{"fine_zone, contact pad", "resolution, contact pad"}));
+  EXPECT_EQ(kinds_of(found), (Kinds{"fine_zone, contact pad", "resolution, contact pad"}));
   EXPECT_NE(found[0].text.find("(0.4, 0)"), std::string::npos) << found[0].text;
 }
 
 // Where load and radii are known, the elements across by Hertz must be counted: 2 a = 0.0527 mm on 0.015 mm are 3.5.
 TEST(WarnSetup, ElementsAcrossByHertz) {
   const auto found = test::disc_problem({{"size_mm = 0.005", "size_mm = 0.015"}}).warnings;
-  ASSERT_EQ(kinds(found), Kinds{"resolution, contact pad"});
+  ASSERT_EQ(kinds_of(found), Kinds{"resolution, contact pad"});
   EXPECT_NEAR(found[0].severity, 8.0 / 3.51, 0.1);
 }
 
@@ -170,7 +165,7 @@ wear = false
   const auto of = [&](const std::string& order) {
     auto text = scene;
     for (auto at = text.find("ORDER"); at != std::string::npos; at = text.find("ORDER")) text.replace(at, 5, order);
-    return kinds(support::problem_from({{"bush.geo", geo}, {"scene.toml", text}}).warnings);
+    return kinds_of(support::problem_from({{"bush.geo", geo}, {"scene.toml", text}}).warnings);
   };
   EXPECT_EQ(of("order = 1"), Kinds{"facets, contact bearing"});
   EXPECT_EQ(of("order = 2"), Kinds{});

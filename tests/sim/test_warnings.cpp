@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/march/watch_block.hpp"
 #include "sim/study/run.hpp"
@@ -69,51 +70,47 @@ TEST(Warnings, MissedTolerance) {
   EXPECT_TRUE(told(0.0099).empty());
 }
 
-struct Run {
+struct Warned {
   Summary summary;
-  std::vector<std::string> kinds;
+  test::Kinds kinds;
 };
 
-Run run(const std::vector<std::pair<std::string, std::string>>& changes) {
-  const auto problem = test::problem_of(test::with(test::block_scene, changes));
-  auto state = initial_state(problem);
-  Run r{sim::run(problem, state, {}), {}};
-  for (const auto& w : r.summary.warnings) r.kinds.push_back(w.kind + ", " + w.about);
-  return r;
+Warned warned(const test::Changes& changes) {
+  const auto r = test::played(test::problem_of(test::with(test::block_scene, changes)));
+  return {r.summary, test::kinds_of(r.summary.warnings)};
 }
-
-using Kinds = std::vector<std::string>;
 
 // A run whose cycles are jumped while plastic strain still grows must say so among its warnings; one that plays every
 // cycle has nothing to say.
 TEST(Warnings, RunWithJumpedPlasticCycles) {
   const auto of = [](const std::string& cycles) {
-    return run({{"E_MPa = 200e3",
-                 "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 20.0, modulus_MPa = 2000.0 }\nE_MPa "
-                 "= 200e3"},
-                {"force_N_per_mm = -20.0", "force_N_per_mm = -36.0"},
-                {"cycles = 40\njump = 10", cycles}});
+    return warned(
+        {{"E_MPa = 200e3",
+          "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 20.0, modulus_MPa = 2000.0 }\nE_MPa "
+          "= 200e3"},
+         {"force_N_per_mm = -20.0", "force_N_per_mm = -36.0"},
+         {"cycles = 40\njump = 10", cycles}});
   };
   const auto jumped = of("cycles = 20\njump = 10");
   EXPECT_EQ(jumped.summary.status, RunStatus::done) << jumped.summary.reason;
-  EXPECT_EQ(jumped.kinds, Kinds{"plastic, step wear"});
-  EXPECT_EQ(of("cycles = 2\njump = 1").kinds, Kinds{});
+  EXPECT_EQ(jumped.kinds, test::Kinds{"plastic, step wear"});
+  EXPECT_EQ(of("cycles = 2\njump = 1").kinds, test::Kinds{});
 }
 
 // Strain beyond 1 % in bodies that small strain was not written for must be warned of, beyond 5 % end the run; where it
 // was written it is warned of, and no more. Strain is p / E': 10 MPa on 500 MPa are 2 %, on 100 MPa 10 %.
 TEST(Warnings, StrainOfSmallStrain) {
   const auto of = [](const std::string& modulus, const std::string& written) {
-    return run({{"E_MPa = 200e3", "E_MPa = " + modulus},
-                {"[body.slider]\n", "[body.slider]\n" + written},
-                {"[body.base]\n", "[body.base]\n" + written},
-                {"motion_mm = 0.01", "motion_mm = 0.0"},
-                {"cycles = 40\njump = 10", "wear = false"}});
+    return warned({{"E_MPa = 200e3", "E_MPa = " + modulus},
+                   {"[body.slider]\n", "[body.slider]\n" + written},
+                   {"[body.base]\n", "[body.base]\n" + written},
+                   {"motion_mm = 0.01", "motion_mm = 0.0"},
+                   {"cycles = 40\njump = 10", "wear = false"}});
   };
-  const Kinds both{"strain, body slider", "strain, body base"};
+  const test::Kinds both{"strain, body slider", "strain, body base"};
   const auto stiff = of("200e3", ""), soft = of("500.0", ""), softer = of("100.0", ""),
              asked = of("100.0", "kinematics = \"small\"\n");
-  EXPECT_EQ(stiff.kinds, Kinds{});
+  EXPECT_EQ(stiff.kinds, test::Kinds{});
   EXPECT_EQ(soft.summary.status, RunStatus::done);
   EXPECT_EQ(soft.kinds, both);
   EXPECT_EQ(softer.summary.status, RunStatus::failed);

@@ -65,7 +65,7 @@ play = ["press"]
 wear = false
 )";
 
-sim::Problem problem_of(bool whole, const std::string& text = pin_scene) {
+sim::Problem pin_problem(bool whole, const std::string& text = pin_scene) {
   return support::problem_from({{"pin.geo", drawn(whole)}, {"scene.toml", text}});
 }
 
@@ -75,7 +75,7 @@ sim::Problem problem_of(bool whole, const std::string& text = pin_scene) {
 TEST(WholeSection, PressesAsTheHalfByHand) {
   std::vector<sim::State> ends;
   for (const bool whole : {true, false}) {
-    const auto problem = problem_of(whole);
+    const auto problem = pin_problem(whole);
     const auto says = std::count(problem.plan.lines.begin(), problem.plan.lines.end(),
                                  "body pin: its file has the whole section through the axis; the half x >= 0 is taken");
     EXPECT_EQ(says, whole ? 1 : 0);
@@ -99,7 +99,7 @@ TEST(WholeSection, TellsOfCurvesThatAreCutAway) {
   std::string text = pin_scene;
   text.replace(text.find("\"bottom\""), 8, "\"wall\"");
   try {
-    problem_of(true, text);
+    pin_problem(true, text);
     FAIL() << "the wall at x < 0 is no boundary";
   } catch (const base::InputError& error) {
     EXPECT_NE(

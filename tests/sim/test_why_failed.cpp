@@ -5,7 +5,7 @@
 #include "sim/measure/why_failed.hpp"
 
 using namespace reye;
-using Changes = std::vector<std::pair<std::string, std::string>>;
+using test::Changes;
 
 namespace {
 
