@@ -6,21 +6,12 @@ using namespace reye::verification;
 
 namespace {
 
-constexpr double a = 0.2, p0 = 109.89011;  // hertz_halfplane
-
-const std::string zone = "half_width_mm = 0.26, depth_mm = 0.2";
+const std::string low_zone = "half_width_mm = 0.26, depth_mm = 0.2";
 
 /// Hertz at a low load, its fine zone without a size.
-std::string pressed(const std::string& accuracy, const std::string& asked = zone) {
+std::string with_accuracy(const std::string& accuracy, const std::string& asked = low_zone) {
   return "accuracy = " + accuracy + "\n" +
-         scene_text("hertz_halfplane", {{zone + ", size_mm = 0.010", asked}, {"increments = 5", "increments = 1"}});
-}
-
-/// L2 of the pressure, over its norm.
-double true_error(const Played& run) {
-  const auto& side = run.surface(sim::Side::secondary);
-  const auto error = l2_error(profile(side, side.pressure_MPa), 2.0 * a, [](double x) { return hertz(x, a, p0); });
-  return error / (p0 * std::sqrt(4.0 * a / 3.0));
+         scene_text("hertz_halfplane", {{low_zone + ", size_mm = 0.010", asked}, {"increments = 5", "increments = 1"}});
 }
 
 double size(const Played& run) { return run.problem.scene.geometry.fine_zones.at(0).size_mm; }
@@ -42,9 +33,9 @@ TEST(Accuracy, Hertz) {
   double before = 1.0;
   for (const double accuracy : {0.02, 0.01}) {
     double sum = 0.0, largest = 0.0;
-    for (const std::string& asked : {zone, std::string("half_width_mm = 0.3, depth_mm = 0.2")}) {
-      const auto run = played(pressed(std::to_string(accuracy), asked));
-      const double error = true_error(run), estimate = run.summary.error_discretisation.value();
+    for (const std::string& asked : {low_zone, std::string("half_width_mm = 0.3, depth_mm = 0.2")}) {
+      const auto run = played(with_accuracy(std::to_string(accuracy), asked));
+      const double error = low_hertz_error(run), estimate = run.summary.error_discretisation.value();
       EXPECT_LT(error, accuracy) << size(run);
       EXPECT_GT(error, 0.1 * accuracy) << size(run);
       EXPECT_LT(estimate, 3.0 * error) << size(run);
@@ -84,7 +75,7 @@ TEST(Accuracy, Wear) {
 
 // Where too few elements touch the pilot must take shorter ones; and the same scene given twice must get the same size.
 TEST(Accuracy, PilotOnShorterElements) {
-  const auto text = pressed("0.1", "half_width_mm = 1.2, depth_mm = 0.2");
+  const auto text = with_accuracy("0.1", "half_width_mm = 1.2, depth_mm = 0.2");
   const auto problem = prepared(text);
   EXPECT_NE(problem.plan.lines.at(0).find("accuracy 10 %: with 32 elements per half width"), std::string::npos)
       << problem.plan.lines[0];
@@ -94,14 +85,14 @@ TEST(Accuracy, PilotOnShorterElements) {
 
 // A size that is given must stay, without a pilot.
 TEST(Accuracy, GivenSizeStays) {
-  const auto problem = prepared(pressed("0.001", zone + ", size_mm = 0.04"));
+  const auto problem = prepared(with_accuracy("0.001", low_zone + ", size_mm = 0.04"));
   EXPECT_EQ(problem.scene.geometry.fine_zones[0].size_mm, 0.04);
   EXPECT_EQ(problem.plan.lines.at(0).find("body "), 0U) << problem.plan.lines[0];
 }
 
 // What cannot be chosen must be refused at the key, with the size that would be needed, or why no pilot gives any.
 TEST(Accuracy, Refusals) {
-  const auto absurd = refusal(pressed("0.0002"));
+  const auto absurd = refusal(with_accuracy("0.0002"));
   EXPECT_NE(absurd.find(".toml:1: accuracy = 0.0002: with 16 elements per half width"), std::string::npos) << absurd;
   EXPECT_NE(absurd.find(" elements suit the accuracy: pad 7"), std::string::npos) << absurd;
   EXPECT_NE(absurd.find("more than 400 are not chosen; give the fine zones their size_mm"), std::string::npos)

@@ -36,7 +36,7 @@ base::Vec2 held_by_supports(const Played& run, int body) {
 }
 
 /// The integral of the pressure that a table shows, by the trapezoidal rule along its arc length.
-double pressed(const sim::SurfaceRecord& s, base::Analysis analysis) {
+double pressed_force(const sim::SurfaceRecord& s, base::Analysis analysis) {
   double force = 0.0;
   const auto density = [&](std::size_t i) {
     return s.pressure_MPa[i] * (analysis == base::Analysis::axisymmetric ? 2.0 * pi * s.x_mm[i] : 1.0);
@@ -114,7 +114,7 @@ void audit(const Played& run, const Bounds& bounds = {}) {
     from_nothing = record.energy_mJ;
   }
   if (run.problem.contacts.size() == 1 && analysis != base::Analysis::axisymmetric) {
-    EXPECT_NEAR(pressed(run.surface(Side::secondary), analysis), run.contact().normal_force,
+    EXPECT_NEAR(pressed_force(run.surface(Side::secondary), analysis), run.contact().normal_force,
                 bounds.table * run.contact().normal_force);
   }
   for (const auto& c : run.summary.contacts) EXPECT_LT(c.ledger_relative_error.value_or(0.0), 1e-9) << c.name;

@@ -9,7 +9,7 @@ namespace reye::verification {
 
 namespace {
 
-const std::string head = R"(analysis = "axisymmetric"
+const std::string axis_head = R"(analysis = "axisymmetric"
 geometry = ["reye_axis.geo"]
 [material.steel]
 E_MPa = 200e3
@@ -22,21 +22,21 @@ material = "steel"
 mesh     = { far_size_mm = 0.5 }
 )";
 
-const std::string names = R"(Physical Surface("upper") = {1};
+const std::string surface_names = R"(Physical Surface("upper") = {1};
 Physical Surface("lower") = {2};
 )";
 
 /// A pin on a post, both of radius 2.
-const std::string pin = R"(SetFactory("OpenCASCADE");
+const std::string pin_geo = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 2, 1};
 Rectangle(2) = {0, -1, 0, 2, 1};
-)" + names + R"(Physical Curve("pin_end") = {1};
+)" + surface_names + R"(Physical Curve("pin_end") = {1};
 Physical Curve("pin_top") = {3};
 Physical Curve("post_bottom") = {5};
 Physical Curve("post_top") = {7};
 )";
 
-const std::string spinning = head + R"([contact.end]
+const std::string spinning = axis_head + R"([contact.end]
 secondary = "pin_end"
 primary   = ["post_top"]
 friction  = 0.3
@@ -55,14 +55,16 @@ increments = 2
 )";
 
 Played spun(const Replacements& changes = {}) {
-  std::ofstream(support::temporary_folder() + "reye_axis.geo") << pin;
+  std::ofstream(support::temporary_folder() + "reye_axis.geo") << pin_geo;
   return played(replaced(spinning, changes));
 }
 
-constexpr double mu = 0.3, p = 10.0, angle = 0.5, R = 2.0;
+struct SpinningPin {
+  static constexpr double mu = 0.3, p = 10.0, angle = 0.5, R = 2.0;  ///< MPa, rad and mm
+};
 
 /// A ball of radius 10 on a plate.
-const std::string ball = R"(SetFactory("OpenCASCADE");
+const std::string ball_geo = R"(SetFactory("OpenCASCADE");
 Point(1) = {0, 0, 0};
 Point(2) = {3.420201433256687, 0.603073792140917, 0};
 Point(3) = {3.420201433256687, 4, 0};
@@ -75,13 +77,13 @@ Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 Rectangle(2) = {0, -6, 0, 8, 6};
-)" + names + R"(Physical Curve("round") = {1};
+)" + surface_names + R"(Physical Curve("round") = {1};
 Physical Curve("ball_top") = {3};
 Physical Curve("floor") = {5};
 Physical Curve("plate") = {7};
 )";
 
-const std::string pressed = head + R"([contact.end]
+const std::string ball_on_plate = axis_head + R"([contact.end]
 secondary = "plate"
 primary   = ["round"]
 friction  = 0.0
@@ -104,11 +106,11 @@ wear = false
 )";
 
 Played on_plate(const Replacements& changes = {}) {
-  std::ofstream(support::temporary_folder() + "reye_axis.geo") << ball;
-  return played(replaced(pressed, changes));
+  std::ofstream(support::temporary_folder() + "reye_axis.geo") << ball_geo;
+  return played(replaced(ball_on_plate, changes));
 }
 
-const Replacements swapped{
+const Replacements ball_secondary{
     {"secondary = \"plate\"\nprimary   = [\"round\"]", "secondary = \"round\"\nprimary   = [\"plate\"]"}};
 
 }  // namespace
@@ -117,13 +119,14 @@ const Replacements swapped{
 /// angle r dA.
 TEST(Axis, SpinningPin) {
   const Played run = spun();
-  const double work = mu * p * angle * 2.0 * std::numbers::pi * std::pow(R, 3) / 3.0;
+  const double work = SpinningPin::mu * SpinningPin::p * SpinningPin::angle * 2.0 * std::numbers::pi *
+                      std::pow(SpinningPin::R, 3) / 3.0;
   EXPECT_NEAR(run.contact().dissipated_energy / work, 1.0, 1e-4);  // the pin is wider under load by 1.5e-5
   EXPECT_NEAR(run.contact().secondary.worn_area / (1e-12 * work), 1.0, 1e-4);
   EXPECT_NEAR(run.contact().primary.worn_area / (2e-12 * work), 1.0, 1e-4);
   const auto& s = run.surface(sim::Side::secondary);
   for (std::size_t i = 0; i < s.node.size(); ++i) {
-    EXPECT_NEAR(s.wear_depth_mm[i], 1e-12 * mu * p * angle * s.x_mm[i], 1e-16);
+    EXPECT_NEAR(s.wear_depth_mm[i], 1e-12 * SpinningPin::mu * SpinningPin::p * SpinningPin::angle * s.x_mm[i], 1e-16);
     EXPECT_NEAR(s.shear_MPa[i], 0.0, 1e-9);
   }
 }
@@ -133,17 +136,19 @@ TEST(Axis, SlidingOutOfThePlaneByEitherLaw) {
   const Replacements archard{{"friction  = 0.3\n", ""},
                              {"law = \"energy\", secondary_mm3_per_J = 1.0e-9, primary_mm3_per_J = 2.0e-9",
                               "law = \"archard\", secondary_per_MPa = 1.0e-12"}};
-  EXPECT_NEAR(
-      spun(archard).contact().secondary.worn_area / (1e-12 * p * angle * 2.0 * std::numbers::pi * std::pow(R, 3) / 3.0),
-      1.0, 1e-4);
+  EXPECT_NEAR(spun(archard).contact().secondary.worn_area / (1e-12 * SpinningPin::p * SpinningPin::angle * 2.0 *
+                                                             std::numbers::pi * std::pow(SpinningPin::R, 3) / 3.0),
+              1.0, 1e-4);
   const Played run = spun({{"imposed_turn_rad = 0.5", "imposed_out_of_plane_mm = 3.0"}});
-  EXPECT_NEAR(run.contact().dissipated_energy / (mu * p * 3.0 * std::numbers::pi * R * R), 1.0, 1e-4);
+  EXPECT_NEAR(run.contact().dissipated_energy /
+                  (SpinningPin::mu * SpinningPin::p * 3.0 * std::numbers::pi * SpinningPin::R * SpinningPin::R),
+              1.0, 1e-4);
 }
 
 /// A frictionless contact has no shear, no tangential force and dissipates nothing, at the node on the axis as
 /// elsewhere, whichever side carries it.
 TEST(Axis, FrictionlessHasNoShear) {
-  for (const auto& roles : {Replacements{}, swapped}) {
+  for (const auto& roles : {Replacements{}, ball_secondary}) {
     const Played run = on_plate(roles);
     const auto& s = run.surface(sim::Side::secondary);
     for (std::size_t i = 0; i < s.node.size(); ++i) EXPECT_NEAR(s.shear_MPa[i], 0.0, 1e-6);
@@ -184,9 +189,9 @@ TEST(Axis, WornByImposedSliding) {
         "friction = 0.1\nimposed_sliding_mm = 10.0\nwear = { law = \"energy\", secondary_mm3_per_J = 1.0e-4 }"},
        {"increments = 4\nwear = false\n",
         "increments = 4\nwear = false\n[[step]]\nname = \"rub\"\ncycles = 200\njump = 20\n"}});
-  const auto& p = run.surface(sim::Side::secondary).pressure_MPa;
-  EXPECT_NEAR(p[0] / p[2], 1.0, 0.1);
-  EXPECT_NEAR(p[1] / p[2], 1.0, 0.1);
+  const auto& pressure = run.surface(sim::Side::secondary).pressure_MPa;
+  EXPECT_NEAR(pressure[0] / pressure[2], 1.0, 0.1);
+  EXPECT_NEAR(pressure[1] / pressure[2], 1.0, 0.1);
 }
 
 }  // namespace reye::verification

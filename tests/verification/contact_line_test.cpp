@@ -5,9 +5,6 @@ using namespace reye::verification;
 
 namespace {
 
-constexpr double a = 0.0913360, p0 = 836.410;  // references B1b
-constexpr double low_a = 0.2, low_p0 = 109.89011;
-
 /// L2 error of the pressure at a low load, a mean over two positions of the mesh.
 double low_load_error(double size) {
   double sum = 0.0;
@@ -17,8 +14,8 @@ double low_load_error(double size) {
                             {"size_mm = 0.010", "size_mm = " + std::to_string(size)},
                             {"increments = 5", "increments = 1"}}));
     const auto& s = run.surface(sim::Side::secondary);
-    const double e =
-        l2_error(profile(s, s.pressure_MPa), 2.0 * low_a, [](double x) { return hertz(x, low_a, low_p0); });
+    const double e = l2_error(profile(s, s.pressure_MPa), 2.0 * LowHertz::a,
+                              [](double x) { return hertz(x, LowHertz::a, LowHertz::p0); });
     sum += 0.5 * e * e;
   }
   return std::sqrt(sum);
@@ -30,19 +27,21 @@ double low_load_error(double size) {
 // (6e-4 and -7e-4: results/hertz) left in.
 TEST(ContactLine, HertzAtFortyElements) {
   const auto run = played(scene_text("hertz"));
-  EXPECT_NEAR(run.contact().peak_pressure_MPa.value(), p0, 2e-3 * p0);
-  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), a, 5e-3 * a);
+  EXPECT_NEAR(run.contact().peak_pressure_MPa.value(), Hertz::p0, 2e-3 * Hertz::p0);
+  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), Hertz::a, 5e-3 * Hertz::a);
   EXPECT_NEAR(run.contact().normal_force, 120.0, 1e-8);
   const auto& s = run.surface(sim::Side::secondary);
-  EXPECT_LT(largest_error(profile(s, s.pressure_MPa), 0.8 * a, [](double x) { return hertz(x, a, p0); }), 2e-3 * p0);
+  EXPECT_LT(
+      largest_error(profile(s, s.pressure_MPa), 0.8 * Hertz::a, [](double x) { return hertz(x, Hertz::a, Hertz::p0); }),
+      2e-3 * Hertz::p0);
 }
 
 // Triangles must carry the same contact; their error of p0, larger than that of quads, must halve with the size.
 TEST(ContactLine, HertzOnTriangles) {
   const auto error = [](const std::string& size) {
     const auto run = played(scene_text("hertz", {{"element = \"quad\"", "element = \"tri\""}, {"0.0045", size}}));
-    EXPECT_NEAR(run.contact().contact_half_width_mm.value(), a, 0.015 * a);
-    return std::abs(run.contact().peak_pressure_MPa.value() / p0 - 1.0);
+    EXPECT_NEAR(run.contact().contact_half_width_mm.value(), Hertz::a, 0.015 * Hertz::a);
+    return std::abs(run.contact().peak_pressure_MPa.value() / Hertz::p0 - 1.0);
   };
   const double coarse = error("0.0045"), fine = error("0.00225");
   EXPECT_LT(coarse, 0.03);
@@ -53,8 +52,8 @@ TEST(ContactLine, HertzOnTriangles) {
 TEST(ContactLine, LowLoadSidesSwapped) {
   const auto run = played(scene_text("hertz_halfplane", {{"secondary = \"face\"", "secondary = \"round\""},
                                                          {"primary   = [\"round\"]", "primary   = [\"face\"]"}}));
-  EXPECT_NEAR(run.contact().peak_pressure_MPa.value(), low_p0, 2e-3 * low_p0);
-  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), low_a, 5e-3 * low_a);
+  EXPECT_NEAR(run.contact().peak_pressure_MPa.value(), LowHertz::p0, 2e-3 * LowHertz::p0);
+  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), LowHertz::a, 5e-3 * LowHertz::a);
 }
 
 // The L2 error of the pressure must fall at a slope of 0.9 or more: the square-root edge allows 1.
@@ -69,9 +68,10 @@ TEST(ContactLine, PressureConverges) {
 TEST(ContactLine, LowLoadInside) {
   const auto run = played(scene_text("hertz_halfplane"));
   const auto& s = run.surface(sim::Side::secondary);
-  EXPECT_LT(largest_error(profile(s, s.pressure_MPa), 0.8 * low_a, [](double x) { return hertz(x, low_a, low_p0); }),
-            2e-3 * low_p0);
-  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), low_a, 5e-3 * low_a);
+  EXPECT_LT(largest_error(profile(s, s.pressure_MPa), 0.8 * LowHertz::a,
+                          [](double x) { return hertz(x, LowHertz::a, LowHertz::p0); }),
+            2e-3 * LowHertz::p0);
+  EXPECT_NEAR(run.contact().contact_half_width_mm.value(), LowHertz::a, 5e-3 * LowHertz::a);
 }
 
 // A half disc on a stiff block (references C4): u_y at (8, 0) within 2 %, a and p0 within 1 %.

@@ -6,11 +6,16 @@ using namespace reye::verification;
 
 namespace {
 
-constexpr double a = 0.0913360, c = 0.0645843, c_unloaded = 0.0790993, p0 = 836.410, mu = 0.6;  // references B2
+/// Half widths of the stick zone of geo/cattaneo_mindlin (references B2) [mm].
+struct Stick {
+  static constexpr double loaded = 0.0645843, unloaded = 0.0790993;
+};
 
-double mindlin(double x, double stick, double limit) { return hertz(x, a, limit) - hertz(x, stick, limit * stick / a); }
-double loaded(double x) { return mindlin(x, c, mu * p0); }
-double unloaded(double x) { return loaded(x) - mindlin(x, c_unloaded, 2.0 * mu * p0); }
+double mindlin(double x, double stick, double limit) {
+  return hertz(x, Hertz::a, limit) - hertz(x, stick, limit * stick / Hertz::a);
+}
+double loaded(double x) { return mindlin(x, Stick::loaded, Hertz::mu * Hertz::p0); }
+double unloaded(double x) { return loaded(x) - mindlin(x, Stick::unloaded, 2.0 * Hertz::mu * Hertz::p0); }
 
 const std::map<std::string, sim::Frame>& frames() {
   static const auto all = frames_of(scene_text("cattaneo_mindlin"));
@@ -22,7 +27,8 @@ const sim::SurfaceRecord& flat(const std::string& step) { return frames().at(ste
 /// L2 error of the shear in parts of the full-slip traction's norm.
 double shear_error(const std::string& step, const Curve& exact) {
   const auto& s = flat(step);
-  return l2_error(profile(s, s.shear_MPa), 2.0 * a, exact) / (mu * p0 * std::sqrt(4.0 / 3.0 * a));
+  return l2_error(profile(s, s.shear_MPa), 2.0 * Hertz::a, exact) /
+         (Hertz::mu * Hertz::p0 * std::sqrt(4.0 / 3.0 * Hertz::a));
 }
 
 double largest(const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); }
@@ -32,27 +38,27 @@ double largest(const std::vector<double>& v) { return *std::max_element(v.begin(
 // At Q = mu P / 2 the stick half width must be within 1 % of Cattaneo and Mindlin's at 40 elements across; the shear on
 // the flat, which the cylinder drags towards +x, must be positive along increasing x.
 TEST(PartialSlip, Loading) {
-  EXPECT_NEAR(sim::stick_half_width(flat("load"), mu).value(), c, 0.01 * c);
+  EXPECT_NEAR(sim::stick_half_width(flat("load"), Hertz::mu).value(), Stick::loaded, 0.01 * Stick::loaded);
   EXPECT_LT(shear_error("load", loaded), 0.03);
   EXPECT_GT(flat("load").shear_MPa[flat("load").shear_MPa.size() / 2], 0.0);
 }
 
 // The largest shear, a cusp at the stick edge, must come within one element's fall of mu p0 sqrt(Q / mu P).
 TEST(PartialSlip, PeakShear) {
-  const double h = 0.0045, exact = mu * p0 * std::sqrt(0.5);
-  EXPECT_NEAR(largest(flat("load").shear_MPa), exact, exact - loaded(c - h));
+  const double h = 0.0045, exact = Hertz::mu * Hertz::p0 * std::sqrt(0.5);
+  EXPECT_NEAR(largest(flat("load").shear_MPa), exact, exact - loaded(Stick::loaded - h));
 }
 
 // Back at Q = 0 reversed slip must reach in to c', the locked-in shear must follow the superposed profile.
 TEST(PartialSlip, Unloading) {
   sim::SurfaceRecord change = flat("unload");
   for (std::size_t i = 0; i < change.node.size(); ++i) change.shear_MPa[i] -= flat("load").shear_MPa[i];
-  EXPECT_NEAR(sim::stick_half_width(change, 2.0 * mu).value(), c_unloaded, 0.01 * c_unloaded);
+  EXPECT_NEAR(sim::stick_half_width(change, 2.0 * Hertz::mu).value(), Stick::unloaded, 0.01 * Stick::unloaded);
   EXPECT_LT(shear_error("unload", unloaded), 0.06);
 }
 
 // Fully reversed, the shear must be the mirror image of the first loading.
 TEST(PartialSlip, Reversal) {
-  EXPECT_NEAR(sim::stick_half_width(flat("reverse"), mu).value(), c, 0.01 * c);
+  EXPECT_NEAR(sim::stick_half_width(flat("reverse"), Hertz::mu).value(), Stick::loaded, 0.01 * Stick::loaded);
   EXPECT_LT(shear_error("reverse", [](double x) { return -loaded(x); }), 0.03);
 }

@@ -119,8 +119,8 @@ void expect_uniform(const Shear& c, double shear, int status) {
   EXPECT_LT(stress_error(run.frame, c.degrees, 10.0), 1e-9);
 }
 
-const char* const force = "{ force_N_per_mm = 20.0, history = \"h\" }";
-const char* const motion = "{ motion_mm = 3.000001e-4, history = \"h\" }";
+const char* const driven_by_force = "{ force_N_per_mm = 20.0, history = \"h\" }";
+const char* const driven_by_motion = "{ motion_mm = 3.000001e-4, history = \"h\" }";
 
 }  // namespace
 
@@ -143,8 +143,8 @@ TEST(ContactPatch, NonMatchingEitherSideTurned) {
 // Sticking blocks under uniform shear below mu p, meshes 2:3 and 7:5, straight and turned, either side secondary.
 TEST(ContactPatch, StickUniform) {
   for (const double degrees : {0.0, 30.0}) {
-    expect_uniform({degrees, 2, 3, 2.0, force}, 2.0, 1);
-    expect_uniform({degrees, 7, 5, 2.0, force, "base_top", "slider_bottom"}, 2.0, 1);
+    expect_uniform({degrees, 2, 3, 2.0, driven_by_force}, 2.0, 1);
+    expect_uniform({degrees, 7, 5, 2.0, driven_by_force, "base_top", "slider_bottom"}, 2.0, 1);
   }
 }
 
@@ -152,7 +152,7 @@ TEST(ContactPatch, StickUniform) {
 // their ends: blocks of 3e-4 mm shear stay in line.
 TEST(ContactPatch, SlipUniform) {
   for (const double degrees : {0.0, 30.0}) {
-    expect_uniform({degrees, 2, 3, 3.0, motion}, 3.0, 2);
-    expect_uniform({degrees, 7, 5, 3.0, motion, "base_top", "slider_bottom"}, 3.0, 2);
+    expect_uniform({degrees, 2, 3, 3.0, driven_by_motion}, 3.0, 2);
+    expect_uniform({degrees, 7, 5, 3.0, driven_by_motion, "base_top", "slider_bottom"}, 3.0, 2);
   }
 }

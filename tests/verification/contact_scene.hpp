@@ -11,6 +11,16 @@ namespace reye::verification {
 inline double root(double x) { return x > 0.0 ? std::sqrt(x) : 0.0; }
 inline double hertz(double x, double a, double p0) { return p0 * root(1.0 - x * x / (a * a)); }
 
+/// geo/hertz and, with friction, geo/cattaneo_mindlin (references B1b, B2): mm and MPa.
+struct Hertz {
+  static constexpr double a = 0.0913360, p0 = 836.410, mu = 0.6;
+};
+
+/// geo/hertz_halfplane (references B1): a low load.
+struct LowHertz {
+  static constexpr double a = 0.2, p0 = 109.89011;
+};
+
 /// Node values about the pressure centroid.
 struct Profile {
   std::vector<double> x, value;
@@ -40,6 +50,14 @@ inline double l2_error(const Profile& p, double bound, const Curve& exact) {
     }
   }
   return std::sqrt(sum);
+}
+
+/// L2 of the pressure of geo/hertz_halfplane, over its norm.
+inline double low_hertz_error(const Played& run) {
+  constexpr double a = LowHertz::a, p0 = LowHertz::p0;
+  const auto& side = run.surface(sim::Side::secondary);
+  const auto error = l2_error(profile(side, side.pressure_MPa), 2.0 * a, [](double x) { return hertz(x, a, p0); });
+  return error / (p0 * std::sqrt(4.0 * a / 3.0));
 }
 
 /// Largest |value - exact| at nodes with |x| < bound.

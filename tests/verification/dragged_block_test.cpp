@@ -10,7 +10,7 @@ namespace reye::verification {
 
 namespace {
 
-const std::string blocks = R"(SetFactory("OpenCASCADE");
+const std::string dragged_geo = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {1, 0, 0, 2, 1};
 Rectangle(2) = {0, -1, 0, 4, 1};
 Physical Surface("slider") = {1};
@@ -22,7 +22,7 @@ Physical Curve("base_bottom") = {5};
 Physical Curve("base_top") = {7};
 )";
 
-const std::string scene = R"(geometry = ["reye_dragged.geo"]
+const std::string dragged_scene = R"(geometry = ["reye_dragged.geo"]
 [material.steel]
 E_MPa = 200e3
 nu    = 0.3
@@ -62,12 +62,12 @@ increments = 8
 cycles = 1
 )";
 
-constexpr double mu_N = 0.3 * 20.0;  ///< N/mm
-constexpr double path = 4.0 * 0.1;   ///< mm in a cycle
+constexpr double mu_N = 0.3 * 20.0;            ///< N/mm
+constexpr double path_of_a_cycle = 4.0 * 0.1;  ///< mm in a cycle
 
 Played rubbed(const Replacements& changes = {}) {
-  std::ofstream(support::temporary_folder() + "reye_dragged.geo") << blocks;
-  return played(replaced(scene, changes));
+  std::ofstream(support::temporary_folder() + "reye_dragged.geo") << dragged_geo;
+  return played(replaced(dragged_scene, changes));
 }
 
 double along(const sim::IncrementRecord& r) { return r.support_forces[0].x(); }
@@ -85,14 +85,15 @@ TEST(DraggedBlock, FeelsAllOfFriction) {
     EXPECT_NEAR(along(run.records[i]) / mu_N, way, 1e-9) << i;
   }
   for (std::size_t i : {2U, 5U, 6U, 8U})
-    EXPECT_NEAR((run.records[i].energy_mJ - run.records[i - 1].energy_mJ) / (mu_N * path / 8.0), 1.0, 1e-9) << i;
+    EXPECT_NEAR((run.records[i].energy_mJ - run.records[i - 1].energy_mJ) / (mu_N * path_of_a_cycle / 8.0), 1.0, 1e-9)
+        << i;
 }
 
 /// All of the way but the springs of the block is slip, and wears.
 TEST(DraggedBlock, WearsWithAllOfItsWork) {
   const Played run = rubbed();
-  EXPECT_NEAR(run.contact().dissipated_energy / (mu_N * path), 1.0, 2e-3);
-  EXPECT_NEAR(run.contact().secondary.worn_area / (1e-9 * mu_N * path), 1.0, 2e-3);
+  EXPECT_NEAR(run.contact().dissipated_energy / (mu_N * path_of_a_cycle), 1.0, 2e-3);
+  EXPECT_NEAR(run.contact().secondary.worn_area / (1e-9 * mu_N * path_of_a_cycle), 1.0, 2e-3);
   EXPECT_LT(run.contact().ledger_relative_error.value(), 1e-12);
 }
 

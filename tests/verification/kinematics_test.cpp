@@ -17,21 +17,19 @@ struct Case {
   std::string text;
 };
 
-std::string number(double x) { return std::to_string(x); }
-
 std::string strained(const std::string& text, const std::string& kinematics) {
   return replaced(text, {{"KINEMATICS", "kinematics = \"" + kinematics + "\""}});
 }
 
 /// A soft half disc on a stiff block, under force.
-Case disc(double share) {
+Case disc_case(double share) {
   return {"disc", scene_text("hertz_block", {{"E_MPa = 200.0", "law = \"hencky\"\nE_MPa = 200.0"},
                                              {"material = \"soft\"", "material = \"soft\"\nKINEMATICS"},
                                              {"-0.625", number(-0.625 * share)}})};
 }
 
 /// A rubber pin pressed on a rigid plate and drawn to one side.
-Case pin(double share) {
+Case pin_case(double share) {
   return {"pin",
           scene_text("rubber_pin_wear", {{"kinematics = \"finite\"", "KINEMATICS"},
                                          {"= -0.4", "= " + number(-0.4 * share)},
@@ -42,14 +40,14 @@ Case pin(double share) {
 }
 
 /// A block pressed on a wider one and drawn along it.
-Case blocks(double share) {
+Case blocks_case(double share) {
   return {"blocks", scene_text("two_blocks_finite", {{"kinematics = \"finite\"", "KINEMATICS"},
                                                      {"= -0.15", "= " + number(-0.15 * share)},
                                                      {"= 1.2", "= " + number(1.2 * share)}})};
 }
 
 /// A ring pressed between dies, which turns more than it is strained.
-Case ring(double share) {
+Case ring_case(double share) {
   auto text = scene_text("pressed_ring_plastic", {{"kinematics = \"finite\"", "KINEMATICS"},
                                                   {"hencky_j2", "hencky"},
                                                   {"= -4.0", "= " + number(-4.0 * share)},
@@ -60,7 +58,7 @@ Case ring(double share) {
 }
 
 /// A slender column pressed on a base by its head, which is then moved to one side.
-Case column(double share) {
+Case column_case(double share) {
   return {"column", "geometry = [\"" + std::string(REYE_SOURCE_DIR) + R"(/geo/column/column.geo"]
 [material.soft]
 law   = "hencky"
@@ -119,7 +117,7 @@ double strain_energy(const Played& p) {
 }
 
 /// Largest relative difference in peak pressure, contact width, normal force and strain energy.
-double apart(const Played& a, const Played& b) {
+double difference_of_figures(const Played& a, const Played& b) {
   const auto difference = [](double x, double y) { return std::abs(x / y - 1.0); };
   double largest = std::max({difference(peak(a), peak(b)), difference(strain_energy(a), strain_energy(b)),
                              difference(a.contact().normal_force, b.contact().normal_force)});
@@ -128,7 +126,7 @@ double apart(const Played& a, const Played& b) {
   return largest;
 }
 
-void expect_same(const Played& a, const Played& b, const char* name) {
+void expect_same_run(const Played& a, const Played& b, const char* name) {
   EXPECT_EQ(a.state.solution.q.high, b.state.solution.q.high) << name;
   ASSERT_EQ(a.state.solution.contacts.size(), b.state.solution.contacts.size());
   for (std::size_t c = 0; c < a.state.solution.contacts.size(); ++c)
@@ -140,9 +138,9 @@ void expect_same(const Played& a, const Played& b, const char* name) {
 
 // Below the bound `auto` must play the small-strain run, bit by bit, and report the estimate that it used.
 TEST(Kinematics, AutoIsSmallWhereThatIsEnough) {
-  for (const Case& c : {disc(0.1), pin(0.01), ring(0.01), column(0.05)}) {
+  for (const Case& c : {disc_case(0.1), pin_case(0.01), ring_case(0.01), column_case(0.05)}) {
     const auto chosen = played(strained(c.text, "auto")), small = played(strained(c.text, "small"));
-    expect_same(chosen, small, c.name);
+    expect_same_run(chosen, small, c.name);
     ASSERT_TRUE(chosen.summary.error_small_strain) << c.name;
     EXPECT_GT(*chosen.summary.error_small_strain, 0.0) << c.name;
     EXPECT_LE(*chosen.summary.error_small_strain, sim::small_strain_bound) << c.name;
@@ -152,16 +150,16 @@ TEST(Kinematics, AutoIsSmallWhereThatIsEnough) {
 
 // Beyond the bound it must play the finite-strain run, bit by bit.
 TEST(Kinematics, AutoIsFiniteWhereThatIsNeeded) {
-  for (const Case& c : {disc(1.0), pin(0.1), ring(0.06), column(0.3)}) {
+  for (const Case& c : {disc_case(1.0), pin_case(0.1), ring_case(0.06), column_case(0.3)}) {
     const auto chosen = played(strained(c.text, "auto")), finite = played(strained(c.text, "finite"));
-    expect_same(chosen, finite, c.name);
+    expect_same_run(chosen, finite, c.name);
     EXPECT_FALSE(chosen.summary.error_small_strain) << c.name;
   }
 }
 
 // Near the bound the estimate must cover the error of small strain, and not be more than eight times as large.
 TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
-  for (const Case& c : {disc(0.15), pin(0.018), blocks(0.04), ring(0.013), column(0.06)}) {
+  for (const Case& c : {disc_case(0.15), pin_case(0.018), blocks_case(0.04), ring_case(0.013), column_case(0.06)}) {
     const auto small = played(strained(c.text, "small")), finite = played(strained(c.text, "finite"));
     auto told = small.problem;
     for (std::size_t b = 0; b < told.kinematics.size(); ++b)
@@ -169,7 +167,7 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
     sim::Cache cache;
     const double estimate =
         sim::small_strain_error(told, small.state, sim::system_of(told, small.state, cache)).value();
-    const double error = apart(small, finite);
+    const double error = difference_of_figures(small, finite);
     EXPECT_GT(estimate, 0.5 * sim::small_strain_bound) << c.name;
     EXPECT_LT(estimate, 2.0 * sim::small_strain_bound) << c.name;
     EXPECT_GT(estimate, error) << c.name;
@@ -180,7 +178,7 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
 // A linear elastic body that needs finite strain must get the Hencky law of the same constants, and the plan say so;
 // one whose small strain is good enough must stay as it is.
 TEST(Kinematics, LinearElasticBecomesHencky) {
-  const auto linear = replaced(strained(disc(1.0).text, "auto"), {{"law = \"hencky\"\n", ""}});
+  const auto linear = replaced(strained(disc_case(1.0).text, "auto"), {{"law = \"hencky\"\n", ""}});
   const auto problem = prepared(linear);
   ASSERT_TRUE(std::holds_alternative<material::Hencky>(problem.inputs[0].material));
   EXPECT_EQ(std::get<material::Hencky>(problem.inputs[0].material).E_MPa, 200.0);
@@ -197,8 +195,8 @@ TEST(Kinematics, LinearElasticBecomesHencky) {
 // A run whose small strain turns out not to be good enough, for what comes is more than the trial met, must say so once
 // and report the larger estimate.
 TEST(Kinematics, RunWarnsWhenTheEstimatePassesTheBound) {
-  auto problem = prepared(
-      replaced(strained(disc(0.1).text, "auto"), {{"increments = 10", "increments = 2\ncycles = 3\nwear = false"}}));
+  auto problem = prepared(replaced(strained(disc_case(0.1).text, "auto"),
+                                   {{"increments = 10", "increments = 2\ncycles = 3\nwear = false"}}));
   problem.scene.histories.at("press").back()[1] = 10.0;
   auto state = sim::initial_state(problem);
   const double trial = state.small_strain_error.value();

@@ -8,6 +8,7 @@
 #include "verification/contact_scene.hpp"
 
 using namespace reye;
+using verification::number;
 
 /// Interference that is drawn, several elements deep, against closed forms.
 namespace {
@@ -43,8 +44,6 @@ double ring_compliance() {
   return (1.0 + nu_hub) / E_hub * (bore * bore * (1.0 - 2.0 * nu_hub) + outside * outside) /
          (outside * outside - bore * bore);
 }
-
-std::string number(double x) { return std::to_string(x); }
 
 /// Largest deviation of the pressure of a fit from Lame's, relative: ring of bore 1 and radius 2 on a shaft that is
 /// 0.05 larger.

@@ -85,8 +85,6 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return most;
 }
 
-constexpr double p0 = 836.410, mu = 0.6;  // references B2
-
 /// Integral over all bodies of the accumulated plastic strain.
 double plastic_strain(const Bench& bench) {
   double sum = 0.0;
@@ -128,9 +126,9 @@ TEST(Remesh, ShearIsHistory) {
   const auto before = bench.secondary();
   for (int n = 0; n < 20; ++n) bench.renew(1, both_kept);
   const auto after = bench.secondary();
-  EXPECT_LT(largest_difference(before.shear_MPa, after.shear_MPa), 0.02 * mu * p0);
-  const double width = sim::stick_half_width(before, mu).value();
-  EXPECT_NEAR(sim::stick_half_width(after, mu).value(), width, 0.01 * width);
+  EXPECT_LT(largest_difference(before.shear_MPa, after.shear_MPa), 0.02 * Hertz::mu * Hertz::p0);
+  const double width = sim::stick_half_width(before, Hertz::mu).value();
+  EXPECT_NEAR(sim::stick_half_width(after, Hertz::mu).value(), width, 0.01 * width);
 }
 
 // Divided into other facets and back, it must keep its shear as well as facets can resolve: next to stick and contact
@@ -149,9 +147,11 @@ TEST(Remesh, ShearOnOtherFacets) {
   EXPECT_LT(profile_change(before, after, before.shear_MPa, after.shear_MPa), 0.02);
   for (std::size_t j = 0; j < before.x_mm.size(); ++j)
     if (std::abs(std::abs(before.x_mm[j]) - stick) > 3.0 * h && std::abs(before.x_mm[j]) < 0.08) {
-      EXPECT_NEAR(before.shear_MPa[j], after.shear_MPa[j], 0.01 * mu * p0) << before.x_mm[j];
+      EXPECT_NEAR(before.shear_MPa[j], after.shear_MPa[j], 0.01 * Hertz::mu * Hertz::p0) << before.x_mm[j];
     }
 }
+
+namespace {
 
 /// Two bodies pressed far beyond yield.
 struct Indented {
@@ -195,6 +195,8 @@ void expect_quiet(const std::vector<sim::RemeshRecord>& records) {
     EXPECT_GT(record.energy_jump, 0.0);
   }
 }
+
+}  // namespace
 
 // Bodies held where they have indented each other, at the yield surface throughout, must keep the integral of their
 // plastic strain to round-off of the transfer, at small and at finite strain; and pressed farther, must flow as far as

@@ -25,8 +25,6 @@ Played block_on_ring(bool quadratic) {
   return played(scene_text("block_on_ring", words));
 }
 
-constexpr double low_a = 0.2, low_p0 = 109.89011;  // references B1, low load
-
 /// Root of the mean square error of Hertz's pressure at middle nodes with |x| < 0.7 a, over two positions of the mesh
 /// with facets of the given length.
 double middle_error(double size, const std::string& dual) {
@@ -41,8 +39,8 @@ double middle_error(double size, const std::string& dual) {
     const auto run = played(scene_text("hertz_halfplane", words));
     const auto p = profile(run.surface(Side::secondary), run.surface(Side::secondary).pressure_MPa);
     for (std::size_t i = 1; i < p.x.size(); i += 2) {
-      if (std::abs(p.x[i]) > 0.7 * low_a) continue;
-      sum += std::pow(p.value[i] / low_p0 - hertz(p.x[i], low_a, 1.0), 2);
+      if (std::abs(p.x[i]) > 0.7 * LowHertz::a) continue;
+      sum += std::pow(p.value[i] / LowHertz::p0 - hertz(p.x[i], LowHertz::a, 1.0), 2);
       ++count;
     }
   }

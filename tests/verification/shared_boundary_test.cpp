@@ -14,11 +14,13 @@ namespace reye::verification {
 
 namespace {
 
-constexpr double way = 4.0, first_rate = 1e-6 * 0.2 * 20.0,
-                 second_rate = 3e-6 * 0.1 * 10.0;  ///< alpha mu F [mm^2 per mm of way]
+struct TwoPins {
+  static constexpr double way = 4.0, cycles = 40.0;  ///< way in mm
+  static constexpr double first_rate = 1e-6 * 0.2 * 20.0,
+                          second_rate = 3e-6 * 0.1 * 10.0;  ///< alpha mu F [mm^2 per mm of way]
+};
 
 const Replacements shorter{{"cycles     = 100", "cycles     = 40"}, {"jump       = 20", "jump       = 10"}};
-constexpr double cycles = 40.0;
 
 /// The pins deform and carry the multipliers, the flat is the primary side of both contacts.
 const Replacements exchanged{
@@ -26,11 +28,6 @@ const Replacements exchanged{
     {"secondary = \"track\"\nprimary   = [\"second_foot\"]", "secondary = \"second_foot\"\nprimary   = [\"track\"]"},
     {"rigid = true\nmesh  = { far_size_mm = 0.05 }", "material = \"polymer\"\nmesh  = { far_size_mm = 0.045 }"},
     {"secondary_mm3_per_J", "primary_mm3_per_J"}};
-
-Replacements operator+(Replacements a, const Replacements& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
 
 /// Mean depth where both pins have gone over and neither turned, by the table of one contact.
 double depth_in_the_middle(const sim::SurfaceRecord& s, double from, double to) {
@@ -55,20 +52,21 @@ const char* name_of(sim::Side side) { return side == sim::Side::secondary ? "sec
 void expect_two_tracks(const Played& run, sim::Side side, double tolerance) {
   const auto& all = run.summary.contacts;
   const auto worn = [&](int c) { return side == sim::Side::secondary ? all[c].secondary : all[c].primary; };
-  const double alpha[] = {1e-6, 3e-6}, rate[] = {first_rate, second_rate};
+  const double alpha[] = {1e-6, 3e-6}, rate[] = {TwoPins::first_rate, TwoPins::second_rate};
   for (int c : {0, 1}) {
     EXPECT_NEAR(worn(c).worn_area / (alpha[c] * all[c].dissipated_energy), 1.0, 1e-12) << c;
-    EXPECT_NEAR(worn(c).worn_area / (cycles * rate[c] * way), 1.0, 0.02) << c;  // elastic way at the turns
+    EXPECT_NEAR(worn(c).worn_area / (TwoPins::cycles * rate[c] * TwoPins::way), 1.0, 0.02)
+        << c;  // elastic way at the turns
     EXPECT_LT(all[c].ledger_relative_error.value(), 1e-10) << c;
   }
   EXPECT_NEAR(area_lost(run, 0) / (worn(0).worn_area + worn(1).worn_area), 1.0, 1e-9);
-  const double both = cycles * 2.0 * (first_rate + second_rate);
+  const double both = TwoPins::cycles * 2.0 * (TwoPins::first_rate + TwoPins::second_rate);
   for (int c : {0, 1}) {
     const auto& s = run.frame.surfaces.at(2 * static_cast<std::size_t>(c) + (side == sim::Side::secondary ? 0 : 1));
     EXPECT_NEAR(depth_in_the_middle(s, 3.9, 4.1) / both, 1.0, tolerance) << c;  // of both, in the table of either
   }
   const auto& first = run.frame.surfaces.at(side == sim::Side::secondary ? 0 : 1);
-  EXPECT_NEAR(depth_in_the_middle(first, 2.88, 3.22) / (cycles * 2.0 * first_rate), 1.0, tolerance);
+  EXPECT_NEAR(depth_in_the_middle(first, 2.88, 3.22) / (TwoPins::cycles * 2.0 * TwoPins::first_rate), 1.0, tolerance);
   for (const auto& row : run.records) {  // supports: base, first, second
     base::Vec2 sum = base::Vec2::Zero();
     for (const auto& force : row.support_forces) sum += force;
@@ -105,12 +103,12 @@ TEST(SharedBoundary, AcrossRemeshes) {
 
 /// A limit of depth must watch what all have worn, whichever contact it names.
 TEST(SharedBoundary, ALimitWatchesTheSum) {
-  const double half = 0.5 * cycles * 2.0 * (first_rate + second_rate);
+  const double half = 0.5 * TwoPins::cycles * 2.0 * (TwoPins::first_rate + TwoPins::second_rate);
   const Replacements limit{
       {"[history]", "[limit.deep]\ncontact = \"second\"\ndepth_mm = " + std::to_string(half) + "\n\n[history]"}};
   const auto run = played(scene_text("two_pins", shorter + limit));
   ASSERT_TRUE(run.summary.life_cycles.at("deep").has_value());
-  EXPECT_NEAR(*run.summary.life_cycles.at("deep"), 0.5 * cycles, 0.6);
+  EXPECT_NEAR(*run.summary.life_cycles.at("deep"), 0.5 * TwoPins::cycles, 0.6);
 }
 
 /// What one pin has left in the gap the other must find gone: with all wear waiting there a pin sinks as far as into a
@@ -153,7 +151,7 @@ TEST(SharedBoundary, OneWithoutFriction) {
       shorter + Replacements{{"friction  = 0.1\nwear      = { law = \"energy\", secondary_mm3_per_J = 3e-3 }",
                               "friction  = 0.0"}}));
   const auto& all = run.summary.contacts;
-  EXPECT_NEAR(all[0].secondary.worn_area / (cycles * first_rate * way), 1.0, 0.02);
+  EXPECT_NEAR(all[0].secondary.worn_area / (TwoPins::cycles * TwoPins::first_rate * TwoPins::way), 1.0, 0.02);
   EXPECT_EQ(all[1].secondary.worn_area, 0.0);
   EXPECT_EQ(all[1].dissipated_energy, 0.0);
   EXPECT_NEAR(all[1].normal_force, 10.0, 1e-3);

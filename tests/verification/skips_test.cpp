@@ -97,14 +97,14 @@ std::string fretting(const Replacements& changes = {}) {
 }
 
 /// Finite strain: a rubber pin that wears. No fresh mesh: another rounding is enough for other elements.
-std::string pin() {
+std::string rubber_pin() {
   return scene_text("rubber_pin_wear", {{"size_mm = 0.08", "size_mm = 0.16"},
                                         {"increments = 40", "increments = 20"},
                                         {"cycles = 200", "cycles = 20"},
                                         {"[output]", "[remesh]\nautomatic = false\n[output]"}});
 }
 
-const std::pair<const char*, std::string> scenes[] = {{"fretting", fretting()}, {"pin", pin()}};
+const std::pair<const char*, std::string> scenes[] = {{"fretting", fretting()}, {"pin", rubber_pin()}};
 
 /// Plays a scene as runs do, and once more after `change` has made a player not leave something out. True: they took
 /// different paths, decided by the last digits.

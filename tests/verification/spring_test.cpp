@@ -9,10 +9,13 @@ namespace reye::verification {
 
 namespace {
 
-constexpr double E = 200e3, width = 10.0, height = 5.0, block_stiffness = E * width / height;  // N/mm per mm
+struct SteelBlock {
+  static constexpr double E = 200e3, width = 10.0, height = 5.0;  ///< MPa and mm
+  static constexpr double stiffness = E * width / height;         ///< N/mm per mm
+};
 
 /// Two frictionless blocks of steel without lateral strain; `holder` and `base`: what the supports do along y.
-Played blocks(const std::string& holder, const std::string& base = "\"fixed\"", const Replacements& more = {}) {
+Played spring_blocks(const std::string& holder, const std::string& base = "\"fixed\"", const Replacements& more = {}) {
   Replacements words{{"E_MPa = 200e6", "E_MPa = 200e3"},
                      {"traction_MPa = [0.0, 3.0]", "traction_MPa = [0.0, 0.0]"},
                      {"traction_MPa = [0.0, -3.0]", "traction_MPa = [0.0, 0.0]"},
@@ -37,7 +40,7 @@ void expect_force(const Played& run, double force, double accuracy) {
   EXPECT_NEAR(run.contact().normal_force / force, 1.0, accuracy);
   EXPECT_NEAR(run.records.back().support_forces[0].y() / -force, 1.0, accuracy);
   EXPECT_NEAR(run.records.back().support_forces[1].y() / force, 1.0, accuracy);
-  EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, force / width), accuracy);
+  EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, force / SteelBlock::width), accuracy);
 }
 
 }  // namespace
@@ -45,25 +48,26 @@ void expect_force(const Played& run, double force, double accuracy) {
 /// A spring whose far end moves presses with the stiffness of the series of spring and blocks.
 TEST(Spring, FarEndMoves) {
   const double k = 1000.0;
-  expect_force(blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }"),
-               0.1 * series({k, block_stiffness, block_stiffness}), 1e-9);
+  expect_force(spring_blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }"),
+               0.1 * series({k, SteelBlock::stiffness, SteelBlock::stiffness}), 1e-9);
 }
 
 /// A force beside a spring is shared between the spring and the contact.
 TEST(Spring, ForceBesideSpring) {
-  const double k = 2e5, contact = series({block_stiffness, block_stiffness});
+  const double k = 2e5, contact = series({SteelBlock::stiffness, SteelBlock::stiffness});
   const double u = 100.0 / (k + contact);
-  expect_force(blocks("{ spring_N_per_mm2 = 2e5, force_N_per_mm = -100.0, history = \"press\" }"), contact * u, 1e-9);
+  expect_force(spring_blocks("{ spring_N_per_mm2 = 2e5, force_N_per_mm = -100.0, history = \"press\" }"), contact * u,
+               1e-9);
 }
 
 /// A spring alone is a support: a block that floats on it goes down by force / k, and comes back with all that was put
 /// in.
 TEST(Spring, HoldsAFloatingBlockAndGivesItsEnergyBack) {
   const Played run =
-      blocks("{ force_N_per_mm = -100.0, history = \"press\" }", "{ spring_N_per_mm2 = 500.0 }",
-             {{"press = [[0.0, 0.0], [1.0, 1.0]]", "press = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"},
-              {"play = [\"press\"]\n", "play = [\"press\"]\nincrements = 8\n"},
-              {"[history]", "[output.probes]\nlow = { body = \"base\", at_mm = [5.0, -5.0] }\n[history]"}});
+      spring_blocks("{ force_N_per_mm = -100.0, history = \"press\" }", "{ spring_N_per_mm2 = 500.0 }",
+                    {{"press = [[0.0, 0.0], [1.0, 1.0]]", "press = [[0.0, 0.0], [0.5, 1.0], [1.0, 0.0]]"},
+                     {"play = [\"press\"]\n", "play = [\"press\"]\nincrements = 8\n"},
+                     {"[history]", "[output.probes]\nlow = { body = \"base\", at_mm = [5.0, -5.0] }\n[history]"}});
   ASSERT_EQ(run.records.size(), 8U);
   for (const auto& row : run.records) {
     const double force = 100.0 * (row.progress <= 0.5 ? 2.0 * row.progress : 2.0 - 2.0 * row.progress);
@@ -75,30 +79,31 @@ TEST(Spring, HoldsAFloatingBlockAndGivesItsEnergyBack) {
 /// A rigid block on a spring, pressed by an elastic one: springs in series.
 TEST(Spring, UnderARigidBody) {
   const Played run =
-      blocks("{ motion_mm = -0.05, history = \"press\" }", "{ spring_N_per_mm2 = 3000.0 }",
-             {{"[body.base]                                  # the meshes do not match\nmaterial = \"cork\"\n",
-               "[body.base]\nrigid = true\n"},
-              {"mesh     = { element = \"quad\", far_size_mm = 0.7 }", ""}});
-  expect_force(run, 0.05 * series({3000.0, block_stiffness}), 1e-9);
+      spring_blocks("{ motion_mm = -0.05, history = \"press\" }", "{ spring_N_per_mm2 = 3000.0 }",
+                    {{"[body.base]                                  # the meshes do not match\nmaterial = \"cork\"\n",
+                      "[body.base]\nrigid = true\n"},
+                     {"mesh     = { element = \"quad\", far_size_mm = 0.7 }", ""}});
+  expect_force(run, 0.05 * series({3000.0, SteelBlock::stiffness}), 1e-9);
 }
 
 /// A finitely strained block behind a spring: its stiffness differs by its strain, 1e-4, alone.
 TEST(Spring, BehindANonlinearBody) {
-  const Played run = blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }", "\"fixed\"",
-                            {{"nu    = 0.0\n", "nu    = 0.0\nlaw = \"hencky\"\n"},
-                             {"[body.slider]\n", "[body.slider]\nkinematics = \"finite\"\n"}});
-  expect_force(run, 0.1 * series({1000.0, block_stiffness, block_stiffness}), 2e-4);
+  const Played run = spring_blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }", "\"fixed\"",
+                                   {{"nu    = 0.0\n", "nu    = 0.0\nlaw = \"hencky\"\n"},
+                                    {"[body.slider]\n", "[body.slider]\nkinematics = \"finite\"\n"}});
+  expect_force(run, 0.1 * series({1000.0, SteelBlock::stiffness, SteelBlock::stiffness}), 2e-4);
 }
 
 /// What wears behind a spring is relieved by it: p falls by 1 / (1 + k_w K ds / b) in each implicit increment, K of the
 /// series.
 TEST(Spring, WearRelaxes) {
-  const double k = 1000.0, K = series({k, block_stiffness, block_stiffness}), kappa = 1e-7 * K / width * 1e5;
+  const double k = 1000.0, K = series({k, SteelBlock::stiffness, SteelBlock::stiffness}),
+               kappa = 1e-7 * K / SteelBlock::width * 1e5;
   const Played run =
-      blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }", "\"fixed\"",
-             {{"imposed_sliding_mm = 100.0", "imposed_sliding_mm = 1.0e6"},
-              {"geometry = [", "shape = \"off\"\ngeometry = ["},
-              {"wear = false\n", "wear = false\n\n[[step]]\nname = \"slide\"\nincrements = 10\ncycles = 1\n"}});
+      spring_blocks("{ spring_N_per_mm2 = 1000.0, motion_mm = -0.1, history = \"press\" }", "\"fixed\"",
+                    {{"imposed_sliding_mm = 100.0", "imposed_sliding_mm = 1.0e6"},
+                     {"geometry = [", "shape = \"off\"\ngeometry = ["},
+                     {"wear = false\n", "wear = false\n\n[[step]]\nname = \"slide\"\nincrements = 10\ncycles = 1\n"}});
   expect_force(run, 0.1 * K / std::pow(1.0 + kappa, 10.0), 1e-8);
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 using sim::Side;
 
-const std::string sides = "secondary = \"slider_bottom\"\nprimary   = [\"base_top\"]";
+const std::string block_sides = "secondary = \"slider_bottom\"\nprimary   = [\"base_top\"]";
 const std::string swapped_sides = "secondary = \"base_top\"\nprimary   = [\"slider_bottom\"]";
-const std::string coefficients = "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4";
+const std::string both_coefficients = "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.5e-4";
 
 /// The counter body 5 mm wider on either side, under the same pressure and shear beside the slider.
 Replacements wider(const std::string& E, const std::string& lean) {
@@ -29,12 +29,7 @@ Replacements wider(const std::string& E, const std::string& lean) {
           {"[history]\n", beside("left", "[0.0, 5.0]") + beside("right", "[15.0, 20.0]") + "[history]\n"}};
 }
 
-Replacements operator+(Replacements a, const Replacements& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-void expect_book(const Played& run, double secondary, double primary) {
+void expect_block_book(const Played& run, double secondary, double primary) {
   EXPECT_NEAR(run.contact().dissipated_energy / 30000.0, 1.0, 1e-10);
   EXPECT_NEAR(run.contact().secondary.worn_area, secondary * 10.0, 1e-10 * 3e-3);
   EXPECT_NEAR(run.contact().primary.worn_area, primary * 10.0, 1e-10 * 3e-3);
@@ -42,7 +37,7 @@ void expect_book(const Played& run, double secondary, double primary) {
 }
 
 void expect_both_worn(const Played& run) {
-  expect_book(run, 3e-4, 1.5e-4);
+  expect_block_book(run, 3e-4, 1.5e-4);
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, 3e-4), 1e-10);
   EXPECT_LT(worst(run.surface(Side::primary).wear_depth_mm, 1.5e-4), 1e-10);
 }
@@ -81,13 +76,13 @@ TEST(WearBlock, BothWearMatching) {
 }
 
 TEST(WearBlock, BothWearRolesExchanged) {
-  expect_both_worn(played(scene_text("sliding_block", {{sides, swapped_sides}})));
+  expect_both_worn(played(scene_text("sliding_block", {{block_sides, swapped_sides}})));
 }
 
 TEST(WearBlock, OnlyOneWears) {
-  const Played run =
-      played(scene_text("sliding_block", {{coefficients, "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.0"}}));
-  expect_book(run, 3e-4, 0.0);
+  const Played run = played(
+      scene_text("sliding_block", {{both_coefficients, "secondary_mm3_per_J = 1.0e-4, primary_mm3_per_J = 0.0"}}));
+  expect_block_book(run, 3e-4, 0.0);
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, 3e-4), 1e-10);
 }
 
@@ -105,7 +100,7 @@ TEST(WearBlock, SlidingOfEitherSign) {
 /// In full slip Archard's law with k = alpha mu is the energy law.
 TEST(WearBlock, ArchardAgreesWithEnergy) {
   const Replacements archard{{"law = \"energy\"", "law = \"archard\""},
-                             {coefficients, "secondary_per_MPa = 0.3e-7, primary_per_MPa = 0.15e-7"}};
+                             {both_coefficients, "secondary_per_MPa = 0.3e-7, primary_per_MPa = 0.15e-7"}};
   expect_both_worn(played(scene_text("sliding_block", archard)));
 }
 
@@ -113,21 +108,21 @@ TEST(WearBlock, ArchardAgreesWithEnergy) {
 TEST(WearBlock, NarrowerWearsAsSecondary) {
   const Played run = played(
       scene_text("sliding_block", wider("200e6", "3.0e-7") + Replacements{{", primary_mm3_per_J = 0.5e-4", ""}}));
-  expect_book(run, 3e-4, 0.0);
+  expect_block_book(run, 3e-4, 0.0);
   EXPECT_LT(worst(run.surface(Side::secondary).wear_depth_mm, 3e-4), 1e-10);
 }
 
 TEST(WearBlock, NarrowerWearsAsPrimary) {
   const Played run = played(scene_text(
-      "sliding_block",
-      wider("200e6", "3.0e-7") + Replacements{{sides, swapped_sides}, {coefficients, "primary_mm3_per_J = 1.0e-4"}}));
-  expect_book(run, 0.0, 3e-4);
+      "sliding_block", wider("200e6", "3.0e-7") + Replacements{{block_sides, swapped_sides},
+                                                               {both_coefficients, "primary_mm3_per_J = 1.0e-4"}}));
+  expect_block_book(run, 0.0, 3e-4);
   EXPECT_LT(worst(run.surface(Side::primary).wear_depth_mm, 3e-4), 1e-10);
 }
 
 /// Where the wider body wears, what is wrong at the ends of its scar falls with the element size.
 TEST(WearBlock, WiderWearsAsSecondary) {
-  const Replacements roles{{sides, swapped_sides}, {coefficients, "secondary_mm3_per_J = 1.0e-4"}};
+  const Replacements roles{{block_sides, swapped_sides}, {both_coefficients, "secondary_mm3_per_J = 1.0e-4"}};
   const double coarse = end_effect_of_wider(roles, Side::secondary, "0.6"),
                fine = end_effect_of_wider(roles, Side::secondary, "0.15");
   EXPECT_LT(coarse, 0.08);
@@ -135,7 +130,7 @@ TEST(WearBlock, WiderWearsAsSecondary) {
 }
 
 TEST(WearBlock, WiderWearsAsPrimary) {
-  const Replacements roles{{coefficients, "primary_mm3_per_J = 1.0e-4"}};
+  const Replacements roles{{both_coefficients, "primary_mm3_per_J = 1.0e-4"}};
   const double coarse = end_effect_of_wider(roles, Side::primary, "0.6"),
                fine = end_effect_of_wider(roles, Side::primary, "0.15");
   EXPECT_LT(coarse, 0.08);
@@ -145,8 +140,9 @@ TEST(WearBlock, WiderWearsAsPrimary) {
 /// A node that its neighbours' wear opens lets go: would it pull, more work than mu P s would be booked (seen: 1.5 %).
 TEST(WearBlock, OpenedByNeighbours) {
   const Replacements mesh{{"far_size_mm = 0.5", "far_size_mm = 0.125"}, {"far_size_mm = 0.7", "far_size_mm = 0.175"}};
-  const Played run = played(scene_text(
-      "sliding_block", wider("200e3", "3.0e-4") + mesh + Replacements{{coefficients, "primary_mm3_per_J = 1.0e-4"}}));
+  const Played run =
+      played(scene_text("sliding_block", wider("200e3", "3.0e-4") + mesh +
+                                             Replacements{{both_coefficients, "primary_mm3_per_J = 1.0e-4"}}));
   EXPECT_NEAR(run.contact().dissipated_energy / 30000.0, 1.0, 1e-6);
   for (double p : run.surface(Side::secondary).pressure_MPa) EXPECT_GE(p, 0.0);
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "confined_column.hpp"
 #include "sim/problem/records.hpp"
 #include "wear_scene.hpp"
 
@@ -7,8 +8,6 @@
 namespace reye::verification {
 
 namespace {
-
-constexpr double M = 2e5 * 0.7 / (1.3 * 0.4), K = M / 10.0, compression = 0.01, k = 1e-7;
 
 Played column(const Replacements& replacements = {}) { return played(scene_text("column", replacements)); }
 
@@ -21,12 +20,13 @@ std::string shown(double v) {
 
 /// One wear increment of kappa = k K ds: p = p0 / (1 + kappa), whatever the complementarity factor.
 void expect_one_step(double kappa, const std::string& c0) {
-  const Played run = column(
-      {{"increments = 10", "increments = 1"},
-       {"imposed_sliding_mm = 1000.0", "imposed_sliding_mm = " + shown(kappa / (k * K)) + "\nc_normal = " + c0}});
-  const double p = K * compression / (1.0 + kappa);
+  const Played run =
+      column({{"increments = 10", "increments = 1"},
+              {"imposed_sliding_mm = 1000.0",
+               "imposed_sliding_mm = " + shown(kappa / (Column::k * Column::K)) + "\nc_normal = " + c0}});
+  const double p = Column::K * Column::compression / (1.0 + kappa);
   EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, p), 1e-9) << "kappa " << kappa << ", c0 " << c0;
-  EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, kappa * p / K), 1e-9);
+  EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, kappa * p / Column::K), 1e-9);
   EXPECT_LE(run.records.back().newton, 4);
   EXPECT_EQ(run.summary.counts.cutbacks, 0);
 }
@@ -44,10 +44,10 @@ double half_life(const std::string& jump) {
 /// Ten implicit steps give the backward Euler values to solver tolerance.
 TEST(WearColumn, BackwardEuler) {
   const Played run = column();
-  const double p = K * compression / std::pow(1.0 + k * K * 100.0, 10.0);
+  const double p = Column::K * Column::compression / std::pow(1.0 + Column::k * Column::K * 100.0, 10.0);
   EXPECT_NEAR(p, 24.815257, 1e-6);
   EXPECT_LT(worst(run.surface(sim::Side::secondary).pressure_MPa, p), 1e-9);
-  EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, compression - p / K), 1e-9);
+  EXPECT_LT(worst(run.surface(sim::Side::secondary).wear_depth_mm, Column::compression - p / Column::K), 1e-9);
   EXPECT_NEAR(run.contact().secondary.max_depth_mm, 9.0782905e-3, 1e-9);
   EXPECT_LT(run.contact().ledger_relative_error.value(), 1e-12);
 }
@@ -66,7 +66,7 @@ TEST(WearColumn, OneStepFierce) {
 
 /// The life is the exact one, ln 2 / (k K) mm, up to the first order of the jump.
 TEST(WearColumn, LifeFallsToTheExactOneWithTheJump) {
-  const double exact = std::log(2.0) / (k * K);
+  const double exact = std::log(2.0) / (Column::k * Column::K);
   const double e100 = half_life("100") - exact, e50 = half_life("50") - exact, e25 = half_life("25") - exact;
   EXPECT_LT(std::abs(e25), 0.05 * exact);
   EXPECT_GT(std::log2(std::abs(e100 / e50)), 0.8);

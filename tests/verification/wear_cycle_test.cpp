@@ -16,17 +16,17 @@ Replacements short_fretting(int increments, const std::string& last_step) {
       {"cycles = 18000\njump = 100", last_step}};
 }
 
-const std::string law =
+const std::string fretting_law =
     "wear      = { law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5 }";
-const std::string limit =
+const std::string life_limit =
     "[limit.life]                                 # the first cycle at which it is reached; the run continues unless "
     "stop = true\n"
     "contact  = \"pad\"\nside     = \"secondary\"\ndepth_mm = 0.0025\n";
 
 Played without_wear(int increments) {
   auto r = short_fretting(increments, "");
-  r.push_back({law, ""});
-  r.push_back({limit, ""});
+  r.push_back({fretting_law, ""});
+  r.push_back({life_limit, ""});
   return played(scene_text("fretting_mccoll", r));
 }
 
@@ -87,7 +87,7 @@ TEST(WearCycle, EnergyCloses) {
 /// A wear coefficient that vanishes leaves the run without wear.
 TEST(WearCycle, VanishingWear) {
   auto r = short_fretting(20, "cycles = 2");
-  r.push_back({limit, ""});
+  r.push_back({life_limit, ""});
   r.push_back({"secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5",
                "secondary_mm3_per_J = 1e-18, primary_mm3_per_J = 1e-18"});
   const Played faint = played(scene_text("fretting_mccoll", r));
@@ -100,7 +100,7 @@ TEST(WearCycle, VanishingWear) {
 /// Both sides of a fretting contact lose exactly coefficient x energy, through the motion of the shape.
 TEST(WearCycle, BookOfBothSides) {
   auto r = short_fretting(20, "cycles = 300\njump = 100");
-  r.push_back({limit, ""});
+  r.push_back({life_limit, ""});
   const Played run = played(scene_text("fretting_mccoll", r));
   const auto& c = run.contact();
   EXPECT_LT(c.ledger_relative_error.value(), 1e-9);
@@ -111,7 +111,7 @@ TEST(WearCycle, BookOfBothSides) {
 /// In full slip Archard's law with k = alpha mu wears as the energy law does.
 TEST(WearCycle, ArchardAgreesWithEnergy) {
   auto r = short_fretting(20, "cycles = 200\njump = 100");
-  r.push_back({limit, ""});
+  r.push_back({life_limit, ""});
   const Played energy = played(scene_text("fretting_mccoll", r));
   r.push_back({"law = \"energy\", secondary_mm3_per_J = 3.2222222222e-5, primary_mm3_per_J = 2.1111111111e-5",
                "law = \"archard\", secondary_per_MPa = 2.9e-8, primary_per_MPa = 1.9e-8"});

@@ -11,9 +11,11 @@ namespace {
 
 using sim::Side;
 
-constexpr double a0 = 0.0358622, p0 = 328.409, R = 6.0;
+struct LineContact {
+  static constexpr double a0 = 0.0358622, p0 = 328.409, R = 6.0;  ///< mm and MPa
+};
 
-const std::string fine = "half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018";
+const std::string line_zone = "half_width_mm = 0.1, depth_mm = 0.05, size_mm = 0.0018";
 /// The round may carry the multipliers only when its ends lie on no rigid edge.
 const std::string rigid_holder = R"(edge     = "top"
 x        = "fixed"
@@ -33,7 +35,7 @@ edge         = "top"
 pressure_MPa = 1.5416667
 history      = "press"
 )";
-const std::string sides = "secondary = \"face\"\nprimary   = [\"round\"]";
+const std::string line_sides = "secondary = \"face\"\nprimary   = [\"round\"]";
 
 /// A column of a surface at x by linear interpolation.
 double at(const sim::SurfaceRecord& s, const std::vector<double>& column, double x) {
@@ -46,7 +48,8 @@ double at(const sim::SurfaceRecord& s, const std::vector<double>& column, double
 /// Depth of both bodies in the middle, in units of a0^2 / (2 R).
 double depth(const Played& run) {
   const auto &s = run.surface(Side::secondary), &p = run.surface(Side::primary);
-  return (at(s, s.wear_depth_mm, 0.0) + at(p, p.wear_depth_mm, 0.0)) * 2.0 * R / (a0 * a0);
+  return (at(s, s.wear_depth_mm, 0.0) + at(p, p.wear_depth_mm, 0.0)) * 2.0 * LineContact::R /
+         (LineContact::a0 * LineContact::a0);
 }
 
 /// The scene without the step named and those after it.
@@ -57,10 +60,12 @@ std::string up_to(const std::string& step, const Replacements& replacements) {
   return text.substr(0, from);
 }
 
-void expect_book(const Played& run, double S) {
+void expect_line_book(const Played& run, double S) {
   EXPECT_LT(run.contact().ledger_relative_error.value(), 1e-9);
   const double area = run.contact().secondary.worn_area + run.contact().primary.worn_area;
-  EXPECT_NEAR(area * 2.0 * R / (a0 * a0 * a0) / (0.5 * std::numbers::pi * S), 1.0, 1e-4);
+  EXPECT_NEAR(area * 2.0 * LineContact::R / (LineContact::a0 * LineContact::a0 * LineContact::a0) /
+                  (0.5 * std::numbers::pi * S),
+              1.0, 1e-4);
   EXPECT_NEAR(run.contact().secondary.worn_area / run.contact().primary.worn_area, 2.0, 1e-9);
 }
 
@@ -68,30 +73,31 @@ void expect_book(const Played& run, double S) {
 
 /// At S = 0.1 depth and pressure in the middle lie on the universal curve, with half the elements of the case.
 TEST(WearLine, ToATenth) {
-  const Played run = played(up_to("to S = 1", {{fine, "half_width_mm = 0.06, depth_mm = 0.05, size_mm = 0.0036"}}));
+  const Played run =
+      played(up_to("to S = 1", {{line_zone, "half_width_mm = 0.06, depth_mm = 0.05, size_mm = 0.0036"}}));
   const auto& s = run.surface(Side::secondary);
   EXPECT_NEAR(depth(run) / 0.0984, 1.0, 0.01);
-  EXPECT_NEAR(at(s, s.pressure_MPa, 0.0) / p0 / 0.9681, 1.0, 0.01);
-  expect_book(run, 0.1);
+  EXPECT_NEAR(at(s, s.pressure_MPa, 0.0) / LineContact::p0 / 0.9681, 1.0, 0.01);
+  expect_line_book(run, 0.1);
 }
 
 TEST(WearLine, ToOne) {
-  const Played run = played(up_to("to S = 10", {{fine, "half_width_mm = 0.07, depth_mm = 0.05, size_mm = 0.0036"},
+  const Played run = played(up_to("to S = 10", {{line_zone, "half_width_mm = 0.07, depth_mm = 0.05, size_mm = 0.0036"},
                                                 {"cycles = 50\njump = 1", "cycles = 50\njump = 5"}}));
   const auto& s = run.surface(Side::secondary);
   EXPECT_NEAR(depth(run) / 0.8594, 1.0, 0.01);
-  EXPECT_NEAR(at(s, s.pressure_MPa, 0.0) / p0 / 0.7437, 1.0, 0.01);
-  expect_book(run, 1.0);
+  EXPECT_NEAR(at(s, s.pressure_MPa, 0.0) / LineContact::p0 / 0.7437, 1.0, 0.01);
+  expect_line_book(run, 1.0);
 }
 
 /// Which body carries the multipliers matters no more than the mesh does: depth by 0.2 % at 20 elements across.
 TEST(WearLine, SidesExchanged) {
   const auto ends = [](const std::string& size, bool exchanged) {
-    Replacements r{{fine, "half_width_mm = 0.06, depth_mm = 0.05, size_mm = " + size},
+    Replacements r{{line_zone, "half_width_mm = 0.06, depth_mm = 0.05, size_mm = " + size},
                    {"cycles = 50\njump = 1", "cycles = 50\njump = 5"},
                    {rigid_holder, pressed_holder}};
     if (exchanged) {
-      r.push_back({sides, "secondary = \"round\"\nprimary   = [\"face\"]"});
+      r.push_back({line_sides, "secondary = \"round\"\nprimary   = [\"face\"]"});
       r.push_back({"secondary_per_MPa = 2.0e-8, primary_per_MPa = 1.0e-8",
                    "secondary_per_MPa = 1.0e-8, primary_per_MPa = 2.0e-8"});
     }

@@ -7,7 +7,7 @@ namespace reye::verification {
 
 namespace {
 
-const std::string rings = R"(// A half-round ring of radius 3 about r = 10 on a flat ring.
+const std::string rings_geo = R"(// A half-round ring of radius 3 about r = 10 on a flat ring.
 SetFactory("OpenCASCADE");
 Point(1) = {7, 3, 0};
 Point(2) = {10, 0, 0};
@@ -37,7 +37,7 @@ Physical Curve("plate_bottom") = {4};
 Physical Curve("plate_top") = {6};
 )";
 
-const std::string scene = R"(title    = "Half-round ring on a flat ring"
+const std::string rings_scene = R"(title    = "Half-round ring on a flat ring"
 analysis = "axisymmetric"
 geometry = ["reye_rings.geo"]
 
@@ -93,8 +93,8 @@ cycles = 8
 
 /// Removed volume is coefficient x work on both rings, and the work is k F s but for the slope of the surface.
 TEST(WearRing, BookOfBothSides) {
-  std::ofstream(support::temporary_folder() + "reye_rings.geo") << rings;
-  const Played run = played(scene);
+  std::ofstream(support::temporary_folder() + "reye_rings.geo") << rings_geo;
+  const Played run = played(rings_scene);
   const auto& c = run.contact();
   EXPECT_LT(c.ledger_relative_error.value(), 1e-9);
   EXPECT_NEAR(c.normal_force / 1e5, 1.0, 2e-3);

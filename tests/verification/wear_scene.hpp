@@ -18,6 +18,13 @@ namespace reye::verification {
 
 using Replacements = std::vector<std::pair<std::string, std::string>>;
 
+inline Replacements operator+(Replacements a, const Replacements& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+inline std::string number(double x) { return std::to_string(x); }
+
 /// A run that has ended.
 struct Played {
   sim::Problem problem;
