@@ -32,7 +32,7 @@ Field random_field(std::size_t items, int components) {
   return field;
 }
 
-double largest_difference(const Field& a, const Field& b) {
+double largest_field_difference(const Field& a, const Field& b) {
   EXPECT_EQ(a.values.size(), b.values.size());
   double largest = 0.0;
   for (std::size_t k = 0; k < a.values.size(); ++k) largest = std::max(largest, std::abs(a.values[k] - b.values[k]));
@@ -71,7 +71,7 @@ TEST(Transfer, AffineFieldsAreExact) {
         const auto to = turned(rectangle({.nx = n, .ny = n + 2, .kind = other, .distortion = 0.7}), 0.3);
         const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
         ASSERT_EQ(result.failure, "");
-        EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
+        EXPECT_LT(largest_field_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
       }
 }
 
@@ -83,7 +83,7 @@ TEST(Transfer, AffineFieldsAreExactFromRuinedMeshes) {
     ASSERT_LT(mesh::poorest_cell(from).scaled_jacobian, -0.1);
     const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
     ASSERT_EQ(result.failure, "");
-    EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
+    EXPECT_LT(largest_field_difference(result.fields[0], nodal(to, affine_field)), 1e-13);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(Transfer, FineBoxMoves) {
   const auto from = fine_at(0.9), to = fine_at(1.1);
   const auto result = transfer(from, {nodal(from, affine_field)}, to, 1e-12);
   ASSERT_EQ(result.failure, "");
-  EXPECT_LT(largest_difference(result.fields[0], nodal(to, affine_field)), 1e-12);
+  EXPECT_LT(largest_field_difference(result.fields[0], nodal(to, affine_field)), 1e-12);
 }
 
 // A smooth field loses at second order of the old mesh size, on curved bodies too, where new nodes lie outside.
@@ -125,7 +125,7 @@ TEST(Transfer, NodesJustOutside) {
   ASSERT_EQ(result.failure, "");
   EXPECT_NEAR(result.largest_distance, 0.002 * std::sqrt(2.0), 1e-14);
   const auto clamped = mapped(to, [](Vec2 x) { return Vec2(x.cwiseMin(1.0)); });
-  EXPECT_LT(largest_difference(result.fields[0], nodal(clamped, affine_field)), 1e-13);
+  EXPECT_LT(largest_field_difference(result.fields[0], nodal(clamped, affine_field)), 1e-13);
 }
 
 // A mesh that does not belong to the body is refused: which node, where, how far, the bound; no field comes back.

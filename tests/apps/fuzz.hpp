@@ -21,7 +21,7 @@ inline std::string shared(const std::string& file) { return read(std::string(REY
 inline Trial damaged_scene(unsigned seed) {
   static const std::vector<Trial> sound = [] {
     std::vector<Trial> all;
-    for (const char* scene : {blocks, wearing, worn_pin})
+    for (const std::string& scene : {std::string(blocks), wearing, worn_pin})
       all.push_back({"", {{"scene.toml", scene}, {"blocks.geo", blocks_geo}, {"wearing.geo", wearing_geo}}});
     for (const auto& folder : fs::directory_iterator(std::string(REYE_SOURCE_DIR) + "/geo")) {
       if (!folder.is_directory()) continue;

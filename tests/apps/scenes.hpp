@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 
 /// Small scenes for the command: wearing contacts of a second, and two blocks that show errors of geometry.
 namespace reye::test {
@@ -24,8 +25,8 @@ Physical Curve("bottom") = {4};
 Physical Curve("face") = {6};
 )";
 
-inline const char* const wearing = R"(title    = "Small wearing contact"
-geometry = ["wearing.geo"]
+/// The bodies of both scenes of the disc.
+inline const std::string disc_on_flat = R"(geometry = ["wearing.geo"]
 
 [material.steel]
 E_MPa = 200e3
@@ -39,7 +40,9 @@ mesh     = { far_size_mm = 0.35, growth = 1.8 }
 material = "steel"
 mesh     = { far_size_mm = 0.35, growth = 1.8 }
 
-[contact.pad]
+)";
+
+inline const std::string wearing = "title    = \"Small wearing contact\"\n" + disc_on_flat + R"([contact.pad]
 secondary = "face"
 primary   = ["round"]
 friction  = 0.5
@@ -87,22 +90,7 @@ probes = { edge = { body = "flat", at_mm = [0.5, 0.0] } }
 
 /// The disc of the wearing contact, worn flat by imposed sliding: six blocks, both bodies remeshed and drawn after
 /// each.
-inline const char* const worn_pin = R"(title    = "Small pin worn flat"
-geometry = ["wearing.geo"]
-
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-
-[body.disc]
-material = "steel"
-mesh     = { far_size_mm = 0.35, growth = 1.8 }
-
-[body.flat]
-material = "steel"
-mesh     = { far_size_mm = 0.35, growth = 1.8 }
-
-[contact.pad]
+inline const std::string worn_pin = "title    = \"Small pin worn flat\"\n" + disc_on_flat + R"([contact.pad]
 secondary = "round"
 primary   = ["face"]
 friction  = 0.3

@@ -122,7 +122,7 @@ TEST(Codes, Report) {
 // A run that cannot continue must end with 1, with the reason and the last good state on disk.
 TEST(Codes, FailedSolve) {
   const WithScenes place;
-  place.write("hard.toml", std::string(test::wearing) + "\n[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
+  place.write("hard.toml", test::wearing + "\n[solver]\nmax_newton = 1\nmax_cutbacks = 0\n");
   const auto told = place.reye({"run", "hard.toml", "--quiet"});
   EXPECT_EQ(told.code, 1);
   const auto summary = test::read(place / "hard.out/summary.json");

@@ -1,6 +1,7 @@
 #pragma once
 #include "problem_of.hpp"
 #include "sim/problem/problem.hpp"
+#include "support/scene_words.hpp"
 
 /// Half a disc of R = 1 mm pressed with 60 N/mm on a flat of 2 x 1: by Hertz 2 a = 0.0527 mm.
 namespace reye::test {
@@ -22,17 +23,10 @@ Physical Curve("bottom") = {11}; Physical Curve("rest") = {13}; Physical Curve("
 )";
 }
 
-inline const char* const disc_scene = R"(geometry = ["disc.geo"]
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-[body.disc]
-material = "steel"
-mesh     = { far_size_mm = 0.35, growth = 1.8 }
-[body.flat]
-material = "steel"
-mesh     = { far_size_mm = 0.35, growth = 1.8 }
-[contact.pad]
+inline const std::string disc_scene = "geometry = [\"disc.geo\"]\n" +
+                                      support::steel_bodies({{"disc", "far_size_mm = 0.35, growth = 1.8"},
+                                                             {"flat", "far_size_mm = 0.35, growth = 1.8"}}) +
+                                      R"([contact.pad]
 secondary = "face"
 primary   = ["round"]
 fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.06, depth_mm = 0.02, size_mm = 0.005 }
@@ -45,14 +39,7 @@ y        = { force_N_per_mm = -60.0, history = "press" }
 edge     = "bottom"
 x        = "fixed"
 y        = "fixed"
-[history]
-press = [[0.0, 0.0], [1.0, 1.0]]
-[[step]]
-name = "press"
-play = ["press"]
-increments = 2
-wear = false
-)";
+)" + support::press_step(2);
 
 inline sim::Problem disc_problem(const Changes& changes = {}, const std::string& end = "0.5") {
   return support::problem_from({{"disc.geo", disc_geo(end)}, {"scene.toml", with(disc_scene, changes)}});

@@ -6,6 +6,7 @@
 
 #include "sim/study/run.hpp"
 #include "support/problem.hpp"
+#include "support/scene_words.hpp"
 
 using namespace reye;
 
@@ -26,17 +27,9 @@ Physical Curve("shim_top") = {7};
 )";
 }
 
-const char* const shim_scene = R"(geometry = ["shim.geo"]
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-[body.block]
-material = "steel"
-mesh     = { far_size_mm = 0.5 }
-[body.shim]
-material = "steel"
-mesh     = { far_size_mm = 0.1 }
-[contact.bond]
+const std::string shim_scene = "geometry = [\"shim.geo\"]\n" +
+                               support::steel_bodies({{"block", "far_size_mm = 0.5"}, {"shim", "far_size_mm = 0.1"}}) +
+                               R"([contact.bond]
 secondary = "shim_bottom"
 primary   = ["block_top"]
 friction  = 0.3
@@ -50,14 +43,7 @@ edge         = "shim_top"
 pressure_MPa = 100.0
 interval_mm  = [5.0, 7.0]
 history      = "press"
-[history]
-press = [[0, 0], [1, 1]]
-[[step]]
-name = "press"
-play = ["press"]
-increments = 2
-wear = false
-)";
+)" + support::press_step(2);
 
 /// A cylinder pressed on a coat of 20 um that nothing but friction holds on its substrate.
 const char* const coated_geometry = R"(SetFactory("OpenCASCADE");
@@ -71,20 +57,11 @@ Physical Surface("coat") = {4};
 Physical Surface("substrate") = {5};
 )";
 
-const char* const coated_scene = R"(geometry = ["coated.geo"]
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-[body.cylinder]
-material = "steel"
-mesh     = { far_size_mm = 1.0 }
-[body.coat]
-material = "steel"
-mesh     = { far_size_mm = 0.05 }
-[body.substrate]
-material = "steel"
-mesh     = { far_size_mm = 1.0 }
-[boundary]
+const std::string coated_scene =
+    "geometry = [\"coated.geo\"]\n" +
+    support::steel_bodies(
+        {{"cylinder", "far_size_mm = 1.0"}, {"coat", "far_size_mm = 0.05"}, {"substrate", "far_size_mm = 1.0"}}) +
+    R"([boundary]
 top    = { body = "cylinder", nearest_mm = [0, 6.02] }
 round  = { body = "cylinder", type = "circle" }
 face   = { body = "coat", nearest_mm = [0, 0.02] }
@@ -110,14 +87,7 @@ y        = { force_N_per_mm = -120.0, history = "press" }
 edge = "bottom"
 x    = "fixed"
 y    = "fixed"
-[history]
-press = [[0, 0], [1, 1]]
-[[step]]
-name = "press"
-play = ["press"]
-increments = 5
-wear = false
-)";
+)" + support::press_step(5);
 
 }  // namespace
 

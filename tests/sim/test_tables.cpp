@@ -6,6 +6,7 @@
 #include "sim/measure/surfaces.hpp"
 #include "sim/study/run.hpp"
 #include "support/problem.hpp"
+#include "support/scene_words.hpp"
 
 using namespace reye;
 
@@ -24,18 +25,9 @@ Physical Curve("round") = {1, 2}; Physical Curve("top") = {3}; Physical Curve("f
 )";
 
 std::string scene(const std::string& contact, const std::string& disc_size) {
-  return R"(geometry = ["disc.geo"]
-[material.steel]
-E_MPa = 200e3
-nu = 0.3
-[body.disc]
-material = "steel"
-mesh = { far_size_mm = )" +
-         disc_size + R"( }
-[body.block]
-material = "steel"
-mesh = { far_size_mm = 0.06 }
-[contact.pad]
+  return "geometry = [\"disc.geo\"]\n" +
+         support::steel_bodies({{"disc", "far_size_mm = " + disc_size}, {"block", "far_size_mm = 0.06"}}) +
+         R"([contact.pad]
 secondary = "round"
 primary = ["face"]
 )" + contact +

@@ -9,6 +9,7 @@
 #include "sim/measure/surfaces.hpp"
 #include "sim/study/run.hpp"
 #include "support/problem.hpp"
+#include "support/scene_words.hpp"
 
 using namespace reye;
 
@@ -30,20 +31,11 @@ Physical Curve("right_top") = {11};
 )";
 
 /// Two blocks on one, pressed by 40 and 20 N/mm and dragged; the right one is meshed finer.
-const char* const two_sliders = R"(geometry = ["blocks.geo"]
-[material.steel]
-E_MPa = 200e3
-nu = 0.3
-[body.base]
-material = "steel"
-mesh = { far_size_mm = 0.5 }
-[body.left]
-material = "steel"
-mesh = { far_size_mm = 0.5 }
-[body.right]
-material = "steel"
-mesh = { far_size_mm = 0.2 }
-[contact.pair]
+const std::string two_sliders =
+    "geometry = [\"blocks.geo\"]\n" +
+    support::steel_bodies(
+        {{"base", "far_size_mm = 0.5"}, {"left", "far_size_mm = 0.5"}, {"right", "far_size_mm = 0.2"}}) +
+    R"([contact.pair]
 secondary = "base_top"
 primary = ["right_bottom", "left_bottom"]
 friction = 0.3

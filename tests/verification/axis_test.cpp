@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "sim/problem/records.hpp"
+#include "support/scene_words.hpp"
 #include "wear_scene.hpp"
 
 /// Contacts that reach the axis of axisymmetry, and sliding about it.
@@ -11,16 +12,7 @@ namespace {
 
 const std::string axis_head = R"(analysis = "axisymmetric"
 geometry = ["reye_axis.geo"]
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-[body.upper]
-material = "steel"
-mesh     = { far_size_mm = 0.5 }
-[body.lower]
-material = "steel"
-mesh     = { far_size_mm = 0.5 }
-)";
+)" + support::steel_bodies({{"upper", "far_size_mm = 0.5"}, {"lower", "far_size_mm = 0.5"}});
 
 const std::string surface_names = R"(Physical Surface("upper") = {1};
 Physical Surface("lower") = {2};
@@ -96,14 +88,7 @@ y    = "fixed"
 edge = "ball_top"
 x    = "fixed"
 y    = { force_N = -1833.0, history = "press" }
-[history]
-press = [[0.0, 0.0], [1.0, 1.0]]
-[[step]]
-name = "press"
-play = ["press"]
-increments = 4
-wear = false
-)";
+)" + support::press_step(4);
 
 Played on_plate(const Replacements& changes = {}) {
   std::ofstream(support::temporary_folder() + "reye_axis.geo") << ball_geo;

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "sim/problem/records.hpp"
+#include "support/scene_words.hpp"
 #include "wear_scene.hpp"
 
 /// A block pressed on its top and dragged to and fro by its side, over a base: the node at the side slides as all
@@ -22,17 +23,9 @@ Physical Curve("base_bottom") = {5};
 Physical Curve("base_top") = {7};
 )";
 
-const std::string dragged_scene = R"(geometry = ["reye_dragged.geo"]
-[material.steel]
-E_MPa = 200e3
-nu    = 0.3
-[body.slider]
-material = "steel"
-mesh     = { far_size_mm = 0.25 }
-[body.base]
-material = "steel"
-mesh     = { far_size_mm = 0.25 }
-[contact.pad]
+const std::string dragged_scene =
+    "geometry = [\"reye_dragged.geo\"]\n" +
+    support::steel_bodies({{"slider", "far_size_mm = 0.25"}, {"base", "far_size_mm = 0.25"}}) + R"([contact.pad]
 secondary = "slider_bottom"
 primary   = ["base_top"]
 friction  = 0.3

@@ -2,6 +2,7 @@
 
 #include "confined_column.hpp"
 #include "sim/problem/records.hpp"
+#include "support/scene_words.hpp"
 #include "wear_scene.hpp"
 
 /// Sliding that is imposed with sign and history: what slides forth and back wears as what slides forth alone.
@@ -49,17 +50,10 @@ Physical Surface("lower") = {1}; Physical Surface("upper") = {2};
 Physical Curve("foot") = {1}; Physical Curve("crown") = {3}; Physical Curve("tread") = {12}; Physical Curve("hub") = {14};
 )";
 
-const std::string teeth = R"(geometry = ["reye_teeth.geo"]
-[material.steel]
-E_MPa = 210e3
-nu    = 0.3
-[body.lower]
-material = "steel"
-mesh     = { far_size_mm = 0.5 }
-[body.upper]
-material = "steel"
-mesh     = { far_size_mm = 0.5 }
-[contact.flank]
+const std::string teeth =
+    "geometry = [\"reye_teeth.geo\"]\n" +
+    support::steel_bodies({{"lower", "far_size_mm = 0.5"}, {"upper", "far_size_mm = 0.5"}}, "210e3") +
+    R"([contact.flank]
 secondary = "crown"
 primary   = ["tread"]
 imposed_sliding_mm = 0.05
@@ -76,14 +70,8 @@ edge     = "hub"
 x        = "fixed"
 rotation = "fixed"
 y        = { force_N_per_mm = -200.0, history = "press" }
-[history]
-press = [[0.0, 0.0], [1.0, 1.0]]
-[[step]]
-name = "press"
-play = ["press"]
-increments = 4
-wear = false
-[[step]]
+)" + support::press_step(4) +
+    R"([[step]]
 name = "mesh"
 cycles = 4e4
 jump = 4000
