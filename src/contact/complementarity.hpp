@@ -67,7 +67,7 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
   if (c.friction == 0.0) r.drag = T(0.0);  // the rounding error of the shear does no work
   if (status == ContactStatus::slip && !c.held)
-    r.work = wear::work(c.law, wear::Sliding<T>{r.lambda_n, r.drag, r.slip, s.D + s.off}, c.start);
+    r.work = wear::work(c.law, wear::along_a_line(r.lambda_n, r.drag, r.slip, T(s.D + s.off)), c.start);
   r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
   if (c.compliance > 0.0) r.normal += c.compliance * (s.D + s.off) * (r.lambda_n - c.held_pressure);
   if ((c.held && !c.anchor) || (c.unmoved && status == ContactStatus::stick)) {

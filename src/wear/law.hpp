@@ -25,24 +25,31 @@ struct Law {
   bool wears() const { return kind != LawKind::none && (secondary > 0.0 || primary > 0.0); }
 };
 
-/// The work of a node's slip on the surface, before the coefficient: frictional work |lambda_t slip| (energy)
-/// or |lambda_n slip| (archard). lambda [MPa], weighted slip [mm^2 per mm] give [mJ per mm].
-template <class T>
-T work(const Law& law, const T& lambda_n, const T& lambda_t, const T& weighted_slip) {
-  using std::abs;
-  if (law.kind == LawKind::none) return T(0.0);
-  if (law.kind == LawKind::energy) return abs(lambda_t * weighted_slip);
-  return abs(lambda_n *
-             abs(weighted_slip));  // a node that just closed, at zero pressure, has the slope of either direction
-}
-
-/// A slipping secondary node.
+/// A slipping secondary node in one increment, in scalars, whatever the dimension and the direction.
 template <class T>
 struct Sliding {
-  T lambda_n{}, lambda_t{};  ///< MPa
-  T weighted_slip{};         ///< in this increment
-  T D{};                     ///< covered length: slip = weighted_slip / D [mm]
+  T pressure{};  ///< MPa
+  T friction{};  ///< work of the traction along the slip, not negative [mJ per mm]
+  T distance{};  ///< of the slip, weighted by the covered length, not negative [mm^2 per mm]
+  T covered{};   ///< length: slip = distance / covered [mm]
 };
+
+/// Sliding along a line, with the signs of shear [MPa] and weighted slip [mm^2 per mm].
+template <class T>
+Sliding<T> along_a_line(const T& pressure, const T& shear, const T& slip, const T& covered) {
+  using std::abs;
+  return {pressure, abs(shear * slip), abs(slip), covered};
+}
+
+/// The work of the slip before the coefficient, without exponents and threshold: frictional work (energy) or
+/// |pressure distance| (archard) [mJ per mm]. A node that just closed, at zero pressure, wears with the pressure that
+/// comes, whichever way it slides.
+template <class T>
+T plain_work(const Law& law, const Sliding<T>& s) {
+  using std::abs;
+  if (law.kind == LawKind::none) return T(0.0);
+  return law.kind == LawKind::energy ? s.friction : abs(s.pressure * s.distance);
+}
 
 /// Further data of a node that the laws need, fixed while the equations of one increment are solved.
 struct Start {
@@ -75,13 +82,12 @@ T beyond_threshold(double threshold, const Start& start, const T& work) {
 /// Without exponents and threshold bit by bit the plain work.
 template <class T>
 T work(const Law& law, const Sliding<T>& s, const Start& start) {
-  using std::abs;
-  T w = work(law, s.lambda_n, s.lambda_t, s.weighted_slip);
+  T w = plain_work(law, s);
   if (law.kind == LawKind::none) return w;
   if (law.threshold > 0.0) w = beyond_threshold(law.threshold, start, w);
-  if (law.pressure_exponent != 0.0) w *= power(s.lambda_n / law.pressure_ref, law.pressure_exponent);
+  if (law.pressure_exponent != 0.0) w *= power(s.pressure / law.pressure_ref, law.pressure_exponent);
   if (law.speed_exponent != 0.0)
-    w *= power(abs(s.weighted_slip) / (start.duration_s * law.speed_ref * s.D), law.speed_exponent);
+    w *= power(s.distance / (start.duration_s * law.speed_ref * s.covered), law.speed_exponent);
   return w;
 }
 

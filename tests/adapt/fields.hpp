@@ -10,9 +10,9 @@
 /// Fields and meshes for tests of transfers.
 namespace reye::support {
 
-constexpr std::array linear_kinds{CellKind::tri3, CellKind::quad4};
-constexpr std::array transfer_ways{adapt::GaussTransfer::nearest, adapt::GaussTransfer::patch,
-                                   adapt::GaussTransfer::l2};
+inline constexpr std::array linear_kinds{CellKind::tri3, CellKind::quad4};
+inline constexpr std::array transfer_ways{adapt::GaussTransfer::nearest, adapt::GaussTransfer::patch,
+                                          adapt::GaussTransfer::l2};
 
 inline Vec2 affine_field(const Vec2& x) { return {3.0 + 2.0 * x.x() - x.y(), -1.0 + 0.5 * x.x() + 4.0 * x.y()}; }
 inline Vec2 smooth_field(const Vec2& x) {

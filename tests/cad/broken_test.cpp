@@ -39,14 +39,19 @@ TEST(broken, vtu) {
   }
 }
 
-// A node number beyond 2^32 is not the node that is left of it in 32 bits.
+// A node number beyond 2^32 is not the node that is left of it in 32 bits: it must be what a sound file is refused for.
 TEST(broken, node_beyond_32_bits) {
   std::ifstream file(data("broken/off_first0.vtu"));
   std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto at = text.find("connectivity");
-  const auto first = text.find_first_of("0123456789", text.find('>', at));
-  text.replace(first, text.find_first_of(" \n", first) - first, "4294967296");
-  EXPECT_TRUE(refusal_of_broken(temporary_file("far_node.vtu", text)).starts_with("geometry = "));
+  const auto put_first = [&](const std::string& array, const std::string& number) {
+    const auto first = text.find_first_of("0123456789", text.find('>', text.find('"' + array + '"')));
+    text.replace(first, text.find_first_of(" \n", first) - first, number);
+  };
+  put_first("offsets", "4");
+  EXPECT_EQ(refusal_of_file(temporary_file("sound.vtu", text), 2, -0.5), "");
+  put_first("connectivity", "4294967296");
+  const std::string told = refusal_of_file(temporary_file("far_node.vtu", text), 2, -0.5);
+  EXPECT_NE(told.find("4294967296"), std::string::npos) << told;
 }
 
 // One bad file among sound ones must be reported alone, with what is wrong with it.

@@ -110,7 +110,8 @@ TEST(conditions, unmoved) {
 TEST(conditions, wear_of_a_node_that_just_closed) {
   using One = base::Dual<1>;
   for (double slip : {0.7, -0.7}) {
-    const One work = wear::work(wear::Law{.kind = LawKind::archard}, One::variable(0.0, 0), One(0.0), One(slip));
+    const One work = wear::plain_work(wear::Law{.kind = LawKind::archard},
+                                      wear::along_a_line(One::variable(0.0, 0), One(0.0), One(slip), One(1.0)));
     EXPECT_DOUBLE_EQ(work.d[0], 0.7);
   }
 }

@@ -12,8 +12,8 @@
 /// What the tests of materials share: the laws by name, small tensor algebra, the rate of a linearisation.
 namespace reye::material::test {
 
-constexpr double E = 200e3, nu = 0.3;
-const double mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
+inline constexpr double E = 200e3, nu = 0.3;
+inline const double mu = E / (2 * (1 + nu)), lambda = E * nu / ((1 + nu) * (1 - 2 * nu));
 
 struct Named {
   std::string name;
@@ -67,7 +67,8 @@ inline double equivalent(const Voigt<double>& stress) {
   return std::sqrt(1.5) * s.norm();
 }
 
-constexpr std::array analyses{base::Analysis::plane_strain, base::Analysis::axisymmetric, base::Analysis::plane_stress};
+inline constexpr std::array analyses{base::Analysis::plane_strain, base::Analysis::axisymmetric,
+                                     base::Analysis::plane_stress};
 
 /// Plastic loading in two steps that share no axes: a state with history, its F and a next F.
 struct Loaded {

@@ -15,7 +15,7 @@ using body::Drive;
 using support::Assembly;
 using support::moved;
 
-constexpr double pi = std::numbers::pi, radius = 10.0, hub = 5.0, force = 100.0;
+inline constexpr double pi = std::numbers::pi, radius = 10.0, hub = 5.0, force = 100.0;
 
 /// A closed ring about (0, radius) with outline `rim` and bore `hub`.
 inline mesh::Mesh wheel(int around, int across) {

@@ -6,21 +6,26 @@
 namespace {
 
 using namespace reye;
+using wear::along_a_line;
 using wear::Law;
 using wear::LawKind;
-using wear::Sliding;
 using wear::Start;
 using Two = base::Dual<2>;
 using Four = base::Dual<4>;
+
+template <class T>
+T plain(const Law& law, const T& pressure, const T& shear, const T& slip) {
+  return wear::plain_work(law, along_a_line(pressure, shear, slip, T(1.0)));
+}
 
 // The energy law must count |shear x slip|, Archard's |pressure x slip|, none nothing; signs do not matter.
 TEST(law, work) {
   const Law energy{LawKind::energy, 1e-7, 0.0}, archard{LawKind::archard, 1e-8, 0.0}, none;
   for (double sign : {-1.0, 1.0}) {
-    EXPECT_EQ(wear::work(energy, 10.0, sign * 3.0, 0.5), 1.5);
-    EXPECT_EQ(wear::work(energy, 10.0, 3.0, sign * 0.5), 1.5);
-    EXPECT_EQ(wear::work(archard, 10.0, sign * 3.0, -0.5), 5.0);
-    EXPECT_EQ(wear::work(none, 10.0, 3.0, 0.5), 0.0);
+    EXPECT_EQ(plain(energy, 10.0, sign * 3.0, 0.5), 1.5);
+    EXPECT_EQ(plain(energy, 10.0, 3.0, sign * 0.5), 1.5);
+    EXPECT_EQ(plain(archard, 10.0, sign * 3.0, -0.5), 5.0);
+    EXPECT_EQ(plain(none, 10.0, 3.0, 0.5), 0.0);
   }
 }
 
@@ -28,14 +33,14 @@ TEST(law, work) {
 TEST(law, archard_and_energy_agree_in_full_slip) {
   const double mu = 0.3, k = 2e-8, p = 120.0, slip = 0.7;
   const Law energy{LawKind::energy, k / mu, 0.0}, archard{LawKind::archard, k, 0.0};
-  EXPECT_NEAR(energy.secondary * wear::work(energy, p, mu * p, slip),
-              archard.secondary * wear::work(archard, p, mu * p, slip), 1e-22);
+  EXPECT_NEAR(energy.secondary * plain(energy, p, mu * p, slip), archard.secondary * plain(archard, p, mu * p, slip),
+              1e-22);
 }
 
 // The derivative of the work must carry the sign of the product.
 TEST(law, derivative) {
   const Law energy{LawKind::energy, 1.0, 0.0};
-  const Two w = wear::work(energy, Two(10.0), Two::variable(-3.0, 0), Two::variable(0.5, 1));
+  const Two w = plain(energy, Two(10.0), Two::variable(-3.0, 0), Two::variable(0.5, 1));
   EXPECT_EQ(w.v, 1.5);
   EXPECT_EQ(w.d[0], -0.5);
   EXPECT_EQ(w.d[1], 3.0);
@@ -47,7 +52,7 @@ TEST(law, plain_without_exponents_and_threshold) {
     const Law law{.kind = kind, .secondary = 1e-7, .pressure_ref = 3.0, .speed_ref = 7.0};
     for (int i = 1; i < 50; ++i) {
       const double n = 10.0 / i, t = 0.3 * n * std::cos(i), u = 0.01 * std::sin(i), D = 0.1 + 0.01 * i;
-      EXPECT_EQ(wear::work(law, Sliding<double>{n, t, u, D}, {3.0, 0.7, 0.1 * i, 0.2}), wear::work(law, n, t, u));
+      EXPECT_EQ(wear::work(law, along_a_line(n, t, u, D), {3.0, 0.7, 0.1 * i, 0.2}), plain(law, n, t, u));
     }
   }
 }
@@ -56,7 +61,7 @@ TEST(law, plain_without_exponents_and_threshold) {
 TEST(law, factors_of_pressure_and_speed) {
   Law law{.kind = LawKind::energy, .secondary = 1.0, .pressure_exponent = 0.5, .pressure_ref = 40.0};
   const Start start{.jump = 100.0, .duration_s = 0.25};
-  const Sliding<double> s{10.0, -3.0, -0.6, 0.2};  // 3 mm in 0.25 s: 12 mm/s
+  const auto s = along_a_line(10.0, -3.0, -0.6, 0.2);  // 3 mm in 0.25 s: 12 mm/s
   EXPECT_NEAR(wear::work(law, s, start), 1.8 * 0.5, 1e-15);
   law.speed_exponent = -2.0 / 3.0;
   law.speed_ref = 1.5;
@@ -68,7 +73,7 @@ TEST(law, factors_of_pressure_and_speed) {
 // Nothing must wear below the threshold, the part beyond it in the increment that crosses, all from then on.
 TEST(law, threshold) {
   const Law law{.kind = LawKind::energy, .secondary = 1.0, .threshold = 20.0};
-  const Sliding<double> s{10.0, 3.0, 0.5, 0.2};  // work 1.5
+  const auto s = along_a_line(10.0, 3.0, 0.5, 0.2);  // work 1.5
   const auto work = [&](double energy) {
     return wear::work(law, s, {.jump = 4.0, .duration_s = 0.0, .energy = energy, .area = 0.5});
   };
@@ -83,7 +88,7 @@ TEST(law, threshold) {
 Four differentiated(const Law& law, const std::array<double, 4>& x, const Start& start) {
   return wear::work(
       law,
-      Sliding<Four>{Four::variable(x[0], 0), Four::variable(x[1], 1), Four::variable(x[2], 2), Four::variable(x[3], 3)},
+      along_a_line(Four::variable(x[0], 0), Four::variable(x[1], 1), Four::variable(x[2], 2), Four::variable(x[3], 3)),
       start);
 }
 
@@ -94,8 +99,8 @@ TEST(law, derivative_with_factors_and_threshold) {
   for (const double energy : {7.0, 12.0}) {
     const Start start{3.0, 0.25, energy, 0.5};
     const auto at = [&](double h) {
-      return wear::work(
-          law, Sliding<double>{x[0] + h * way[0], x[1] + h * way[1], x[2] + h * way[2], x[3] + h * way[3]}, start);
+      return wear::work(law, along_a_line(x[0] + h * way[0], x[1] + h * way[1], x[2] + h * way[2], x[3] + h * way[3]),
+                        start);
     };
     const auto w = differentiated(law, x, start);
     EXPECT_EQ(w.v, at(0.0));
