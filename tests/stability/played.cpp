@@ -85,7 +85,7 @@ class Watch {
     sim::count_from_renewal(controls, p_, system, state);
     const auto forces = sim::support_forces(p_, system, solver::reactions(system, state.solution, controls));
     std::vector<Vec2> sum(p_.inputs.size(), Vec2::Zero());
-    for (std::size_t s = 0; s < forces.size(); ++s) sum[p_.supports[s].body] += forces[s];
+    for (std::size_t s = 0; s < forces.size(); ++s) sum[p_.support_body[s]] += forces[s];
     for (std::size_t c = 0; c < system.contacts.size(); ++c) {
       const auto& contact = state.solution.contacts[c];
       for (std::size_t j = 0; j < contact.lambda.size(); ++j) {

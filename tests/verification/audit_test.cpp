@@ -30,8 +30,8 @@ double content(const mesh::Mesh& mesh, base::Analysis analysis) {
 /// Forces of all supports on one body at the end of the run.
 base::Vec2 held_by_supports(const Played& run, int body) {
   base::Vec2 force = base::Vec2::Zero();
-  for (std::size_t s = 0; s < run.problem.supports.size(); ++s)
-    if (run.problem.supports[s].body == body) force += run.records.back().support_forces[s];
+  for (std::size_t s = 0; s < run.problem.support_body.size(); ++s)
+    if (run.problem.support_body[s] == body) force += run.records.back().support_forces[s];
   return force;
 }
 

@@ -3,6 +3,7 @@
 
 #include "fem/finite.hpp"
 #include "sim/measure/small_strain.hpp"
+#include "sim/place/place.hpp"
 #include "sim/study/kinematics.hpp"
 #include "verification/wear_scene.hpp"
 
@@ -154,6 +155,22 @@ TEST(Kinematics, AutoIsFiniteWhereThatIsNeeded) {
     const auto chosen = played(strained(c.text, "auto")), finite = played(strained(c.text, "finite"));
     expect_same_run(chosen, finite, c.name);
     EXPECT_FALSE(chosen.summary.error_small_strain) << c.name;
+  }
+}
+
+// The problem must follow from its scene: what the trial decided stands there, and placed again it is the same problem.
+TEST(Kinematics, DecisionsStandInTheScene) {
+  for (const Case& c : {disc_case(0.1), pin_case(0.1)}) {
+    const auto decided = played(strained(c.text, "auto")).problem;
+    sim::Cache cache;
+    const auto again = sim::place(decided.scene, cache);
+    for (int b = 0; b < decided.body_count(); ++b) {
+      if (decided.rigid[b]) continue;
+      EXPECT_TRUE(decided.scene.body_material.at(decided.inputs[b].name).kinematics) << c.name;
+      EXPECT_EQ(again.inputs[b].kinematics, decided.inputs[b].kinematics) << c.name;
+      EXPECT_EQ(again.inputs[b].material.index(), decided.inputs[b].material.index()) << c.name;
+      EXPECT_FALSE(again.kinematics[b]) << c.name;
+    }
   }
 }
 

@@ -220,7 +220,7 @@ void check_solution(const Problem& problem, const State& state, const solver::Sy
 }
 
 void check_beside(const Problem& problem, const State& state) {
-  require(optional(state.renewed_at.size(), problem.supports.size()) && finite(state.renewed_at),
+  require(optional(state.renewed_at.size(), problem.scene.supports.size()) && finite(state.renewed_at),
           "the position of a support is not a number");
   require(optional(state.displaced.size(), state.shapes.size()) && finite(state.displaced),
           "the displacement of a body is not a number");

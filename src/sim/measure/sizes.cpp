@@ -40,12 +40,12 @@ void warn_of_motions(Problem& problem) {
   Eigen::AlignedBox2d all;
   for (const auto& shape : problem.shapes) all.extend(box_of(shape->mesh));
   const double reach = all.diagonal().norm();
-  for (const auto& placed : problem.supports)
-    for (const auto* motion : {&placed.support.x, &placed.support.y}) {
+  for (const auto& support : problem.scene.supports)
+    for (const auto* motion : {&support.x, &support.y}) {
       const double way = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::moved || way <= reach) continue;
       warn(problem.warnings,
-           {"units", "support " + placed.support.name,
+           {"units", "support " + support.name,
             base::formatted("It moves by %.4g mm, farther than all bodies reach together (%.4g mm); a motion in "
                             "um must be divided by 1000.",
                             way, reach),

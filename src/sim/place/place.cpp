@@ -34,20 +34,20 @@ namespace {
 using base::Issue;
 
 void place_supports(Problem& p, Resolver& resolve) {
-  for (const auto& support : p.scene.supports) {
-    PlacedSupport placed{support, -1};
+  for (auto support : p.scene.supports) {
+    int body = -1;
     if (support.point_mm) {
-      placed.body = resolve.body_at(support.body, *support.point_mm);
+      body = resolve.body_at(support.body, *support.point_mm);
     } else {
       const auto ref = resolve.boundary(support.edge, "support." + support.name + ".edge");
-      placed.body = ref.body;
-      placed.support.edge = ref.boundary;
+      body = ref.body;
+      support.edge = ref.boundary;
     }
-    if (placed.body >= 0) {
-      p.inputs[placed.body].supports.push_back(placed.support);
-      p.support_of[placed.body].push_back(static_cast<int>(p.supports.size()));
+    if (body >= 0) {
+      p.inputs[body].supports.push_back(support);
+      p.support_of[body].push_back(static_cast<int>(p.support_body.size()));
     }
-    p.supports.push_back(placed);
+    p.support_body.push_back(body);
   }
 }
 
@@ -173,11 +173,9 @@ body::BodyInput body_input(const scene::Scene& scene, const cad::BodyOptions& bo
   input.name = body.name;
   input.analysis = scene.analysis;
   if (body.rigid) return input;
-  const auto& choice = scene.body_material.at(body.name);
-  input.material = scene.materials.at(choice.material);
-  input.kinematics = choice.kinematics.value_or(base::Kinematics::small);
-  input.b_bar = choice.b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
-                                      scene.analysis != base::Analysis::plane_stress);
+  take_material(scene, input);
+  input.b_bar = scene.body_material.at(body.name).b_bar.value_or(body.mesh.element == mesh::CellKind::quad4 &&
+                                                                 scene.analysis != base::Analysis::plane_stress);
   return input;
 }
 
@@ -198,6 +196,15 @@ void refuse_endless_steps(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+void take_material(const scene::Scene& scene, body::BodyInput& input) {
+  const auto& choice = scene.body_material.at(input.name);
+  input.material = scene.materials.at(choice.material);
+  input.kinematics = choice.kinematics.value_or(base::Kinematics::small);
+  if (input.kinematics == base::Kinematics::finite)
+    if (const auto* linear = std::get_if<material::LinearElastic>(&input.material))
+      input.material = material::Hencky{linear->E_MPa, linear->nu};
+}
 
 Problem place(const scene::Scene& scene, Cache& cache) {
   refuse_endless_steps(scene);

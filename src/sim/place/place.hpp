@@ -10,4 +10,8 @@ namespace reye::sim {
 /// base::SolveError.
 Problem place(const scene::Scene& scene, Cache& cache);
 
+/// The material and the kinematics of a deformable body, as its scene says; small strain where that is not decided yet.
+/// LinearElastic, which is not a law of finite strain, becomes Hencky's law with its constants there.
+void take_material(const scene::Scene& scene, body::BodyInput& input);
+
 }  // namespace reye::sim

@@ -36,10 +36,10 @@ struct Point {
 /// The points of loads and supports.
 std::vector<Point> acting_points(const Problem& problem) {
   std::vector<Point> points;
-  for (const auto& placed : problem.supports)
-    if (placed.support.point_mm && placed.body >= 0)
-      points.push_back({"support", placed.support.name, "support." + placed.support.name + ".point_mm", placed.body,
-                        *placed.support.point_mm});
+  for (std::size_t s = 0; s < problem.support_body.size(); ++s)
+    if (const auto& support = problem.scene.supports[s]; support.point_mm && problem.support_body[s] >= 0)
+      points.push_back({"support", support.name, "support." + support.name + ".point_mm", problem.support_body[s],
+                        *support.point_mm});
   for (int b = 0; b < problem.body_count(); ++b)
     for (const auto& load : problem.inputs[b].point_loads)
       points.push_back({"load", load.name, "load." + load.name + ".point_mm", b, load.point_mm});

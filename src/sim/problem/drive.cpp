@@ -193,9 +193,9 @@ void count_from_renewal(solver::Controls& controls, const Problem& problem, cons
 
 std::vector<std::optional<double>> support_moments(const Problem& problem, const solver::System& system,
                                                    const Vector& reactions) {
-  std::vector<std::optional<double>> moments(problem.supports.size());
+  std::vector<std::optional<double>> moments(problem.scene.supports.size());
   for (std::size_t s = 0; s < moments.size(); ++s)
-    if (problem.scene.analysis != base::Analysis::axisymmetric && problem.supports[s].support.rigid) moments[s] = 0.0;
+    if (problem.scene.analysis != base::Analysis::axisymmetric && problem.scene.supports[s].rigid) moments[s] = 0.0;
   for (int b = 0; b < problem.body_count(); ++b)
     for (const auto& column : body::support_columns(system.bodies[b]))
       if (auto& moment = moments[problem.support_of[b][column.support]]; moment && column.motion == 2)
@@ -204,7 +204,7 @@ std::vector<std::optional<double>> support_moments(const Problem& problem, const
 }
 
 std::vector<Vec2> support_forces(const Problem& problem, const solver::System& system, const Vector& reactions) {
-  std::vector<Vec2> forces(problem.supports.size(), Vec2::Zero());
+  std::vector<Vec2> forces(problem.scene.supports.size(), Vec2::Zero());
   for (int b = 0; b < problem.body_count(); ++b)
     for (const auto& column : body::support_columns(system.bodies[b]))
       forces[problem.support_of[b][column.support]] += reactions[system.offset[b] + column.column] * column.direction;

@@ -11,12 +11,6 @@
 
 namespace reye::sim {
 
-/// A support of the scene with the body it acts on.
-struct PlacedSupport {
-  body::Support support;
-  int body = 0;
-};
-
 /// The gap or overlap of the two sides of a contact on the drawing.
 struct DrawnGap {
   double gap_mm = 0.0;      ///< shortest way between them; 0: they touch or overlap
@@ -58,11 +52,11 @@ struct Problem {
   Problem& operator=(Problem&&) noexcept;
   ~Problem();
 
-  scene::Scene scene;
-  std::vector<body::BodyInput> inputs;       ///< per body
-  std::vector<char> rigid;                   ///< per body
+  scene::Scene scene;                   ///< decided: what a user may leave to the run (sizes, kinematics) stands in it
+  std::vector<body::BodyInput> inputs;  ///< per body
+  std::vector<char> rigid;              ///< per body
   std::vector<std::vector<int>> support_of;  ///< per body: scene support of each of its own supports
-  std::vector<PlacedSupport> supports;       ///< in the order of the scene
+  std::vector<int> support_body;             ///< per support of the scene: the body it acts on
   std::vector<PlacedContact> contacts;
   std::vector<PlacedContact> bonds;    ///< in `solver::System` and `State` they come after the contacts
   std::vector<body::ShapePtr> shapes;  ///< at the start

@@ -48,7 +48,7 @@ RemeshReason reason_of(const Problem& problem, const body::Shape& before, const 
 
 /// Stores the positions of the supports of a body when its reference is renewed.
 void note_supports(const Problem& problem, const State& state, const solver::System& system, int b, State& next) {
-  next.renewed_at.resize(problem.supports.size());
+  next.renewed_at.resize(problem.scene.supports.size());
   const Vector q = system.part(state.solution.q.high, b);
   for (const auto& column : std::get<body::NonlinearBody>(system.bodies[b]).support_columns())
     next.renewed_at[problem.support_of[b][column.support]][column.motion] += q[column.column];

@@ -214,11 +214,6 @@ scene::Scene coarser(const Problem& problem, const State& state) {
   for (std::size_t b = 0; b < scene.geometry.bodies.size(); ++b) {
     auto& body = scene.geometry.bodies[b];
     body.mesh.far_size_mm = coarsening * far_size(body, problem.shapes[b]->mesh);
-    if (body.rigid) continue;
-    auto& choice = scene.body_material.at(body.name);  // decisions of the run stay
-    choice.kinematics = problem.inputs[b].kinematics;
-    choice.material = "of " + body.name;
-    scene.materials[choice.material] = problem.inputs[b].material;
   }
   if (state.step < static_cast<int>(scene.steps.size())) {  // a limit has ended the run
     scene.steps.resize(static_cast<std::size_t>(state.step) + 1);

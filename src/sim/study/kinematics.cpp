@@ -8,6 +8,7 @@
 #include "fem/frame.hpp"
 #include "sim/march/march.hpp"
 #include "sim/measure/small_strain.hpp"
+#include "sim/place/place.hpp"
 #include "sim/problem/observer.hpp"
 
 namespace reye::sim {
@@ -44,12 +45,6 @@ void keep_largest(KinematicsChoice& choice, const fem::Distortion& now) {
   if (now.error() > choice.largest.error()) choice.largest = now;
 }
 
-void take_finite(body::BodyInput& input) {
-  input.kinematics = base::Kinematics::finite;
-  if (const auto* linear = std::get_if<material::LinearElastic>(&input.material))
-    input.material = material::Hencky{linear->E_MPa, linear->nu};
-}
-
 }  // namespace
 
 void choose_kinematics(Problem& problem, Cache& cache) {
@@ -71,9 +66,11 @@ void choose_kinematics(Problem& problem, Cache& cache) {
   for (std::size_t b = 0; b < choices.size(); ++b) {
     if (!choices[b]) continue;
     if (summary.status == RunStatus::failed) choices[b]->failure = summary.reason;
-    if (!decided(choices[b]) && choices[b]->failure.empty()) continue;
-    take_finite(problem.inputs[b]);
-    cache.shapes.clear();
+    const bool finite = decided(choices[b]) || !choices[b]->failure.empty();
+    problem.scene.body_material.at(problem.inputs[b].name).kinematics =
+        finite ? base::Kinematics::finite : base::Kinematics::small;
+    take_material(problem.scene, problem.inputs[b]);
+    if (finite) cache.shapes.clear();
   }
 }
 
