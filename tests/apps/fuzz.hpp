@@ -88,7 +88,12 @@ inline Told ended(Running running, double asked_s, double most_s) {
 /// `check` of a trial, and where that is content and `also_run` is wished, `run`. Damage may ask for a mesh of so many
 /// elements that gmsh takes minutes: such a check must end at once when it is asked to.
 inline void expect_an_end(const Trial& trial, unsigned seed, bool also_run) {
-  constexpr double most_s = 60.0, asked_s = 20.0, meshing_s = 40.0;
+#if defined(__SANITIZE_ADDRESS__)
+  constexpr double slower = 4.0;
+#else
+  constexpr double slower = 1.0;
+#endif
+  constexpr double most_s = 60.0 * slower, asked_s = 20.0, meshing_s = 40.0;
   constexpr int asked_to_end = 128 + SIGINT;
   const Place place;
   for (const auto& [name, text] : trial.files) place.write(name, text);
