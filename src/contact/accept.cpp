@@ -15,7 +15,7 @@ void Interface::book(int node, ContactState& next) const {
     add(j, area[j] / worn_length_[j]);
     for (const auto& [k, per_volume] : between_[j]) add(static_cast<std::size_t>(k), 0.5 * area[k] / worn_length_[j]);
   };
-  next.slip[j] += options_.jump * std::abs(c.slip) / (rows_[j].D + shares_between(node));
+  next.slip[j] += options_.jump * std::abs(c.slip) / (at_.rows[j].D + shares_between(node));
   next.frictional_work += friction_work;
   spread([&](std::size_t k, double share) { next.energy_secondary[k] += share * friction_work; });
   if (!options_.wear || !law.wears()) return;
@@ -27,7 +27,7 @@ void Interface::book(int node, ContactState& next) const {
     next.removed_secondary[k] += share * law.secondary * work;
   });
   if (law.primary == 0.0) return;
-  for (const auto& [l, T] : cover_[j]) {
+  for (const auto& [l, T] : at_.cover[j]) {
     const double volume = primary_volume(node, T, c.work);
     next.pending_primary[l] += volume;
     next.removed_primary[l] += volume;
@@ -37,15 +37,15 @@ void Interface::book(int node, ContactState& next) const {
 ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   ContactState next = *before_;
   next.lambda = lambda;
-  next.normal = normal_;
-  next.status = status_;
-  next.reference = rows_;
+  next.normal = at_.normal;
+  next.status = decision_.status;
+  next.reference = at_.rows;
   next.friction = friction_;
   for (std::size_t j = 0; j < lambda.size(); ++j)
     if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
   if (options_.held || setup_->options.bonded) return next;
-  for (std::size_t j = 0; j < rows_.size(); ++j)
-    if (status_[j] == ContactStatus::slip && !next.lambda[j].isZero(0.0)) book(static_cast<int>(j), next);
+  for (std::size_t j = 0; j < at_.rows.size(); ++j)
+    if (decision_.status[j] == ContactStatus::slip && !next.lambda[j].isZero(0.0)) book(static_cast<int>(j), next);
   return next;
 }
 

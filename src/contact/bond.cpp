@@ -24,7 +24,7 @@ Vec2 Interface::turned_offset(int node) const {
 /// The directions along which a node stays on the point opposite to it. Where supports hold both along one direction,
 /// only across it: along that direction the bond has no force to carry.
 std::array<Vec2, 2> Interface::directions(int node) const {
-  const Vec2& first = unmoved_[node] ? setup_->freedom[node].direction : normal_[node];
+  const Vec2& first = decision_.unmoved[node] ? setup_->freedom[node].direction : at_.normal[node];
   return {first, Vec2(-first.y(), first.x())};
 }
 
@@ -33,27 +33,27 @@ void Interface::integrate_bond(const Points& xs, const Points& xm) {
     placement_.xs = setup_->secondary.X;
     placement_.xm = setup_->primary.X;
     integrate_here();
-    drawn_offset_ = offset_;
+    drawn_offset_ = at_.offset;
   }
   placement_.xs = xs;
   placement_.xm = xm;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    offset_[j].setZero();
-    for (const auto& [k, share] : rows_[j].off) offset_[j] += share * (xs[k] - xs[j]);
-    for (const auto& [l, M] : rows_[j].M) offset_[j] += M * (xs[j] - xm[l]);
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
+    at_.offset[j].setZero();
+    for (const auto& [k, share] : at_.rows[j].off) at_.offset[j] += share * (xs[k] - xs[j]);
+    for (const auto& [l, M] : at_.rows[j].M) at_.offset[j] += M * (xs[j] - xm[l]);
   }
   sum_start_of_increment();
 }
 
 void Interface::evaluate_bond(const std::vector<Vec2>& lambda) {
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const int node = static_cast<int>(j);
     auto& c = condition_[j] = {};
     if (!active(node)) continue;
-    const Vec2 apart = offset_[j] - turned_offset(node), n = normal_[j], tangent(-n.y(), n.x());
+    const Vec2 apart = at_.offset[j] - turned_offset(node), n = at_.normal[j], tangent(-n.y(), n.x());
     const auto [first, second] = directions(node);
     c.normal = apart.dot(first);
-    c.tangential = unmoved_[j] ? lambda[j].dot(second) : apart.dot(second);
+    c.tangential = decision_.unmoved[j] ? lambda[j].dot(second) : apart.dot(second);
     c.lambda_n = lambda[j].dot(n);
     c.lambda_t = lambda[j].dot(tangent);
   }
@@ -61,7 +61,7 @@ void Interface::evaluate_bond(const std::vector<Vec2>& lambda) {
 
 void Interface::linearise_bond(Linearised& out) const {
   const int shift = placement_.secondary_dofs();
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const int node = static_cast<int>(j);
     if (!active(node)) continue;
     const auto facet = carrier(node);
@@ -74,16 +74,16 @@ void Interface::linearise_bond(Linearised& out) const {
         for (int i = 0; i < 2; ++i)
           if (slope[i] != 0.0) out.rows.push_back({2 * node + t, column + i, slope[i]});
       };
-      if (t == 1 && unmoved_[j]) {
+      if (t == 1 && decision_.unmoved[j]) {
         push(placement_.dofs() + 2 * node, d);
         continue;
       }
       double own = 0.0;
-      for (const auto& [k, share] : rows_[j].off) {
+      for (const auto& [k, share] : at_.rows[j].off) {
         own -= share;
         push(2 * k, share * d);
       }
-      for (const auto& [l, M] : rows_[j].M) {
+      for (const auto& [l, M] : at_.rows[j].M) {
         own += M;
         push(shift + 2 * l, -M * d);
       }

@@ -19,18 +19,18 @@ bool yields_along(const body::NodeFreedom& freedom, const Vec2& d) {
 /// The slip that supports impose on a node held along the surface, opposite to one that is held as well. Empty where
 /// one of the two can move: there the node is judged like others.
 std::optional<double> Interface::support_slip(int node) const {
-  if (mobility_.secondary.empty() || !mobility_.secondary[node] || rows_[node].M.empty()) return std::nullopt;
+  if (mobility_.secondary.empty() || !mobility_.secondary[node] || at_.rows[node].M.empty()) return std::nullopt;
   const Vec2& free = setup_->freedom[node].direction;
   const Vec2 held(-free.y(), free.x());
   const Vec2& x = placement_.xs[node];
   const auto& xm = placement_.xm;
   const auto aside = [&](int l) { return std::abs(held.dot(xm[l] - x)); };
-  int opposite = rows_[node].M.front().first;
-  for (const auto& [l, M] : rows_[node].M)
+  int opposite = at_.rows[node].M.front().first;
+  for (const auto& [l, M] : at_.rows[node].M)
     if (aside(l) < aside(opposite)) opposite = l;
   if (yields_along(mobility_.primary[opposite], held)) return std::nullopt;
   const Vec2 moved = x - placement_.xs_before[node] - (xm[opposite] - placement_.xm_before[opposite]);
-  const Vec2 tangent(-normal_[node].y(), normal_[node].x());
+  const Vec2 tangent(-at_.normal[node].y(), at_.normal[node].x());
   return moved.dot(held) * held.dot(tangent);  // the motion that closes the gap is not slip
 }
 
@@ -53,15 +53,15 @@ double Interface::sliding_sign() const {
 double Interface::others_wear(int node) const {
   const double own_volume = setup_->options.wear.secondary * options_.jump * condition_[node].work;
   double others = 0.0;
-  for (const auto& [l, M] : rows_[node].M) {
-    others += M * (primary_depth_[l] - primary_start_[l]);
-    for (const auto& [k, T] : cover_[node])
-      if (k == l && rows_[node].D > 0.0)
+  for (const auto& [l, M] : at_.rows[node].M) {
+    others += M * (depth_.primary[l] - start_.primary[l]);
+    for (const auto& [k, T] : at_.cover[node])
+      if (k == l && at_.rows[node].D > 0.0)
         others -= M * primary_volume(node, T, condition_[node].work) * primary_opening(l);
   }
-  for (const auto& [k, share] : rows_[node].off) {
+  for (const auto& [k, share] : at_.rows[node].off) {
     if (!setup_->between(k)) continue;
-    others += share * (secondary_depth_[k] - secondary_start_[k]);
+    others += share * (depth_.secondary[k] - start_.secondary[k]);
     for (const auto& [own, per_volume] : between_[node])
       if (own == k) others -= share * per_volume * own_volume;
   }
@@ -69,8 +69,8 @@ double Interface::others_wear(int node) const {
 }
 
 void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start from) {
-  status_last_ = status_;
-  sign_last_ = sign_;
+  last_.status = decision_.status;
+  last_.sign = decision_.sign;
   const auto& o = setup_->options;
   const bool searching = iteration < 5;
   Judgement by{};
@@ -81,15 +81,15 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   by.c_normal = searching ? o.c_normal : 1.0;
   by.c_tangential = searching ? o.c_tangential : 1.0;
   by.sliding = o.imposed ? sliding_sign() : 1.0;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const int node = static_cast<int>(j);
     if (setup_->cut[j] || !touching(node)) {
-      status_[j] = ContactStatus::inactive;
+      decision_.status[j] = ContactStatus::inactive;
     } else if (o.bonded) {
-      status_[j] = ContactStatus::stick;
-      unmoved_[j] = support_slip(node).has_value();
+      decision_.status[j] = ContactStatus::stick;
+      decision_.unmoved[j] = support_slip(node).has_value();
     } else if (const Pressed pressed = decide_normal(node, lambda[j], by); !pressed.active) {
-      status_[j] = ContactStatus::inactive;
+      decision_.status[j] = ContactStatus::inactive;
     } else {
       decide_tangential(node, lambda[j], pressed, by);
     }
@@ -99,9 +99,9 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
 /// Whether a node carries pressure.
 Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const Judgement& by) const {
   const double stiffness = setup_->stiffness[node], faint = setup_->faint;
-  const double lambda_n = lambda.dot(normal_[node]);
-  const double opened = (gap_[node] + worn_before_[node] + (by.spread ? others_wear(node) : 0.0)) / rows_[node].D;
-  const bool was = status_last_[node] != ContactStatus::inactive;
+  const double lambda_n = lambda.dot(at_.normal[node]);
+  const double opened = (at_.gap[node] + at_.worn_gap[node] + (by.spread ? others_wear(node) : 0.0)) / at_.rows[node].D;
+  const bool was = last_.status[node] != ContactStatus::inactive;
   // A node that has just closed has no pressure yet: its bound is the pressure that its overlap announces.
   // As a sticking node it would be dragged by the whole slip of the increment, and open and close for ever.
   const double bound = was ? lambda_n : lambda_n - by.c_normal * stiffness * opened;
@@ -117,17 +117,17 @@ Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const 
 
 /// Whether an active node sticks or slips, and in which direction.
 void Interface::decide_tangential(int node, const Vec2& lambda, const Pressed& pressed, const Judgement& by) {
-  unmoved_[node] = 0;
+  decision_.unmoved[node] = 0;
   if (setup_->options.imposed || friction_ == 0.0) {
-    status_[node] = ContactStatus::slip;
-    sign_[node] = setup_->options.out_of_plane ? 0.0 : by.sliding;
+    decision_.status[node] = ContactStatus::slip;
+    decision_.sign[node] = setup_->options.out_of_plane ? 0.0 : by.sliding;
   } else if (const auto slip = support_slip(node); slip && !options_.held) {
-    unmoved_[node] = std::abs(*slip) <= least_slip * setup_->length[node];
-    status_[node] = unmoved_[node] ? ContactStatus::stick : ContactStatus::slip;
-    sign_[node] = *slip < 0.0 ? -1.0 : 1.0;
+    decision_.unmoved[node] = std::abs(*slip) <= least_slip * setup_->length[node];
+    decision_.status[node] = decision_.unmoved[node] ? ContactStatus::stick : ContactStatus::slip;
+    decision_.sign[node] = *slip < 0.0 ? -1.0 : 1.0;
   } else if (by.unjudged || options_.held) {
-    status_[node] = ContactStatus::stick;
-    unmoved_[node] = by.from == Start::sheared && !options_.held;
+    decision_.status[node] = ContactStatus::stick;
+    decision_.unmoved[node] = by.from == Start::sheared && !options_.held;
   } else {
     decide_free(node, lambda, pressed, by.c_tangential);
   }
@@ -135,16 +135,16 @@ void Interface::decide_tangential(int node, const Vec2& lambda, const Pressed& p
 
 /// Coulomb's law where nothing imposes the motion.
 void Interface::decide_free(int node, const Vec2& lambda, const Pressed& pressed, double c_tangential) {
-  const Vec2 tangent(-normal_[node].y(), normal_[node].x());
+  const Vec2 tangent(-at_.normal[node].y(), at_.normal[node].x());
   const double trial =
-      lambda.dot(tangent) + c_tangential * setup_->stiffness[node] * tangent.dot(motion(node)) / rows_[node].D;
+      lambda.dot(tangent) + c_tangential * setup_->stiffness[node] * tangent.dot(motion(node)) / at_.rows[node].D;
   const double bound = friction_ * pressed.bound;
   const double sign = trial < 0.0 ? -1.0 : 1.0;
   // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
-  const bool reverses = status_last_[node] == ContactStatus::slip && sign_[node] * sign < 0.0;
-  const double yields = status_last_[node] == ContactStatus::stick ? bound + setup_->faint : bound;
-  status_[node] = reverses || std::abs(trial) < yields ? ContactStatus::stick : ContactStatus::slip;
-  sign_[node] = sign;
+  const bool reverses = last_.status[node] == ContactStatus::slip && decision_.sign[node] * sign < 0.0;
+  const double yields = last_.status[node] == ContactStatus::stick ? bound + setup_->faint : bound;
+  decision_.status[node] = reverses || std::abs(trial) < yields ? ContactStatus::stick : ContactStatus::slip;
+  decision_.sign[node] = sign;
 }
 
 }  // namespace reye::contact

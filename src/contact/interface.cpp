@@ -44,9 +44,9 @@ void Interface::begin(const Setup& setup, const ContactState& before, Points xs,
   placement_.analysis = setup.analysis;
   placement_.measure = setup.measure;
   placement_.search = setup.search;
-  status_ = before.status;
-  sign_.assign(setup.secondary.X.size(), 0.0);
-  unmoved_.assign(setup.secondary.X.size(), 0);
+  decision_.status = before.status;
+  decision_.sign.assign(setup.secondary.X.size(), 0.0);
+  decision_.unmoved.assign(setup.secondary.X.size(), 0);
   left_.assign(setup.secondary.X.size(), 0);
   mobility_ = {};
   condition_.assign(setup.secondary.X.size(), {});
@@ -60,10 +60,11 @@ void Interface::place_primary(const Points& xm) {
 }
 
 void Interface::expect(const std::vector<ContactStatus>& status, const std::vector<Vec2>& lambda) {
-  status_ = status;
-  for (std::size_t j = 0; j < status_.size(); ++j) {
+  decision_.status = status;
+  for (std::size_t j = 0; j < decision_.status.size(); ++j) {
     const Vec2& n = before_->normal[j];
-    if (status_[j] == ContactStatus::slip) sign_[j] = n.x() * lambda[j].y() - n.y() * lambda[j].x() < 0.0 ? -1.0 : 1.0;
+    if (decision_.status[j] == ContactStatus::slip)
+      decision_.sign[j] = n.x() * lambda[j].y() - n.y() * lambda[j].x() < 0.0 ? -1.0 : 1.0;
   }
 }
 
@@ -87,16 +88,16 @@ void Interface::integrate_here() {
 void Interface::sum_rows() {
   const auto ns = setup_->secondary.X.size();
   record_of_.assign(ns, {-1, -1});
-  rows_.resize(ns);
-  cover_.resize(ns);
-  gap_.assign(ns, 0.0);
-  offset_.assign(ns, Vec2::Zero());
-  drift_.assign(ns, Vec2::Zero());
+  at_.rows.resize(ns);
+  at_.cover.resize(ns);
+  at_.gap.assign(ns, 0.0);
+  at_.offset.assign(ns, Vec2::Zero());
+  at_.drift.assign(ns, Vec2::Zero());
   for (std::size_t j = 0; j < ns; ++j) {
-    rows_[j].D = rows_[j].cover = rows_[j].covered = 0.0;
-    rows_[j].off.clear();
-    rows_[j].M.clear();
-    cover_[j].clear();
+    at_.rows[j].D = at_.rows[j].cover = at_.rows[j].covered = 0.0;
+    at_.rows[j].off.clear();
+    at_.rows[j].M.clear();
+    at_.cover[j].clear();
   }
   const bool spread = setup_->options.wear.primary > 0.0;
   for (std::size_t r = 0; r < records_->size(); ++r) {
@@ -105,7 +106,7 @@ void Interface::sum_rows() {
     for (int e = 0; e < record.count; ++e) {
       const int node = facet[e];
       record_of_[node][e == 1 ? 0 : 1 - e / 2] = static_cast<int>(r);
-      auto& row = rows_[node];
+      auto& row = at_.rows[node];
       row.D += record.value.D[e];
       row.cover += record.value.on_X[e];
       row.covered += record.value.on_X[e];
@@ -114,38 +115,38 @@ void Interface::sum_rows() {
         gather(row.off, facet[k], record.value.off[e][k]);
         row.covered += record.value.on_X[k];
       }
-      gap_[node] += record.value.gap[e];
-      offset_[node] += plain(record.value.offset[e]);
-      drift_[node] += plain(record.value.drift[e]);
+      at_.gap[node] += record.value.gap[e];
+      at_.offset[node] += plain(record.value.offset[e]);
+      at_.drift[node] += plain(record.value.drift[e]);
       for (std::size_t l = 0; l < record.primaries.size(); ++l) {
         gather(row.M, record.primaries[l], record.value.M[e][l]);
-        if (spread) gather(cover_[node], record.primaries[l], record.value.cover[e][l]);
+        if (spread) gather(at_.cover[node], record.primaries[l], record.value.cover[e][l]);
       }
     }
   }
-  spread_.assign(ns, 0.0);
+  at_.spread.assign(ns, 0.0);
   for (std::size_t j = 0; j < ns; ++j)
     if (setup_->secondary.order == 1)
-      spread_[j] = rows_[j].D;
+      at_.spread[j] = at_.rows[j].D;
     else
-      for (const auto& [l, T] : cover_[j]) spread_[j] += T;
+      for (const auto& [l, T] : at_.cover[j]) at_.spread[j] += T;
 }
 
 /// Normals, and the gap that earlier wear has opened.
 void Interface::sum_start_of_increment() {
-  const auto ns = static_cast<int>(rows_.size());
-  normal_.resize(ns);
-  worn_before_.assign(ns, 0.0);
+  const auto ns = static_cast<int>(at_.rows.size());
+  at_.normal.resize(ns);
+  at_.worn_gap.assign(ns, 0.0);
   for (int j = 0; j < ns; ++j) {
     const auto st = stencil(j);
     std::array<Pair<double>, 3> x;
     for (int i = 0; i < 3; ++i)
       if (st.nodes[i] >= 0) x[i] = {placement_.xs[st.nodes[i]].x(), placement_.xs[st.nodes[i]].y()};
-    normal_[j] = plain(mortar::nodal_normal(st, x));
-    worn_before_[j] = rows_[j].D * secondary_start_[j];
-    for (const auto& [l, M] : rows_[j].M) worn_before_[j] += M * primary_start_[l];
-    for (const auto& [k, share] : rows_[j].off)
-      if (goes_with_neighbours(k)) worn_before_[j] += share * secondary_start_[k];
+    at_.normal[j] = plain(mortar::nodal_normal(st, x));
+    at_.worn_gap[j] = at_.rows[j].D * start_.secondary[j];
+    for (const auto& [l, M] : at_.rows[j].M) at_.worn_gap[j] += M * start_.primary[l];
+    for (const auto& [k, share] : at_.rows[j].off)
+      if (goes_with_neighbours(k)) at_.worn_gap[j] += share * start_.secondary[k];
   }
 }
 
@@ -180,26 +181,27 @@ mortar::NormalStencil Interface::stencil(int node) const {
 bool Interface::uses_drift(int node) const {
   if (options_.held) return true;  // the reference belongs to the shape before
   const auto& reference = before_->reference[node];
-  return reference.D <= 0.0 || std::abs(rows_[node].covered - reference.covered) > 1e-6 * setup_->secondary.area[node];
+  return reference.D <= 0.0 ||
+         std::abs(at_.rows[node].covered - reference.covered) > 1e-6 * setup_->secondary.area[node];
 }
 
 /// Weighted motion of the secondary against the primary in this increment: the objective form
 /// (D_n - D) x_s - (M_n - M) x_m taken about x_j, or the drift.
 Vec2 Interface::motion(int node) const {
-  if (uses_drift(node)) return drift_[node];
+  if (uses_drift(node)) return at_.drift[node];
   const auto& reference = before_->reference[node];
   const Vec2& x = placement_.xs[node];
   Vec2 earlier = Vec2::Zero();
   for (const auto& [k, share] : reference.off) earlier += share * (placement_.xs[k] - x);
   for (const auto& [l, M] : reference.M) earlier += M * (x - placement_.xm[l]);
-  return earlier - offset_[node];
+  return earlier - at_.offset[node];
 }
 
 /// The traction of the anchor beyond its held shear, per pressure, times this node's pressure.
 double Interface::share(int node, const std::vector<Vec2>& lambda) const {
   const int k = options_.anchor;
   if (k < 0) return 0.0;
-  const Vec2 tangent(-normal_[k].y(), normal_[k].x());
+  const Vec2 tangent(-at_.normal[k].y(), at_.normal[k].x());
   return (lambda[k].dot(tangent) - options_.held_shear[k]) / options_.held_pressure[k] * options_.held_pressure[node];
 }
 
@@ -207,8 +209,8 @@ NodeConstants Interface::constants(int node) const {
   NodeConstants c;
   const auto& o = setup_->options;
   c.friction = friction_;
-  c.sign = sign_[node];
-  c.depth = secondary_start_[node];
+  c.sign = decision_.sign[node];
+  c.depth = start_.secondary[node];
   c.law = o.wear;
   if (!options_.wear) c.law.kind = wear::LawKind::none;
   // The energy of control points that wear with the node is stored at them: the node's density counts for all of its
@@ -227,7 +229,7 @@ NodeConstants Interface::constants(int node) const {
   c.out_of_plane = o.out_of_plane;
   c.held = options_.held;
   c.anchor = node == options_.anchor;
-  c.unmoved = unmoved_[node] != 0;
+  c.unmoved = decision_.unmoved[node] != 0;
   if (c.held)
     c.held_shear = options_.held_shear[node];
   else if (c.unmoved)
@@ -246,31 +248,31 @@ void Interface::evaluate(const std::vector<Vec2>& lambda) {
     NodeScalars<double> s;
     const Vec2 v = motion(node);
     s.lambda = {lambda[j].x(), lambda[j].y()};
-    s.normal = {normal_[j].x(), normal_[j].y()};
-    s.gap = gap_[j];
+    s.normal = {at_.normal[j].x(), at_.normal[j].y()};
+    s.gap = at_.gap[j];
     s.motion = {v.x(), v.y()};
-    s.D = rows_[j].D;
+    s.D = at_.rows[j].D;
     s.off = shares_between(node);
     s.worn_others = worn_others(node);
     s.share = share(node, lambda);
-    return conditions(s, constants(node), status_[j]);
+    return conditions(s, constants(node), decision_.status[j]);
   };
-  for (std::size_t j = 0; j < rows_.size(); ++j)
+  for (std::size_t j = 0; j < at_.rows.size(); ++j)
     condition_[j] = active(static_cast<int>(j)) ? at(j) : NodeConditions<double>{};
   spread_wear();
   if (!wear_spreads()) return;
-  for (std::size_t j = 0; j < rows_.size(); ++j)
+  for (std::size_t j = 0; j < at_.rows.size(); ++j)
     if (active(static_cast<int>(j))) condition_[j] = at(j);
 }
 
 Vector Interface::forces(const std::vector<Vec2>& lambda) const {
   Vector f = Vector::Zero(placement_.dofs());
   const int shift = placement_.secondary_dofs();
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     if (lambda[j].isZero(0.0)) continue;
-    f.segment<2>(2 * static_cast<int>(j)) += rows_[j].D * lambda[j];
-    for (const auto& [k, share] : rows_[j].off) f.segment<2>(2 * k) += share * lambda[j];
-    for (const auto& [l, M] : rows_[j].M) f.segment<2>(shift + 2 * l) -= M * lambda[j];
+    f.segment<2>(2 * static_cast<int>(j)) += at_.rows[j].D * lambda[j];
+    for (const auto& [k, share] : at_.rows[j].off) f.segment<2>(2 * k) += share * lambda[j];
+    for (const auto& [l, M] : at_.rows[j].M) f.segment<2>(shift + 2 * l) -= M * lambda[j];
   }
   return f;
 }

@@ -62,6 +62,28 @@ struct Entry {
   double value = 0.0;
 };
 
+/// What the mortar integrals give each node of the secondary side in one place.
+struct Integrals {
+  std::vector<MortarRow> rows;
+  std::vector<std::vector<std::pair<int, double>>> cover;  ///< T_jl: its parts in the cover of primary nodes
+  std::vector<double> spread;                              ///< sum_l T_jl
+  std::vector<double> gap, worn_gap;                       ///< weighted: without wear; what earlier wear has opened
+  std::vector<Vec2> offset, drift, normal;
+};
+
+/// What a contact has decided for each node.
+struct Decision {
+  std::vector<ContactStatus> status;
+  std::vector<double> sign;   ///< of friction, on a slip node
+  std::vector<char> unmoved;  ///< it keeps its shear: both sides are held along the surface and nothing slides, or the
+                              ///< start is `sheared`
+};
+
+/// Depths of worn layers in the gap, per node of each side.
+struct Depths {
+  std::vector<double> secondary, primary;
+};
+
 /// The equations of one contact linearised about (x, lambda).
 struct Linearised {
   std::vector<Entry> force;  ///< d(contact force)/dx, row and column surface dofs
@@ -108,8 +130,8 @@ class Interface {
   void decide(const std::vector<Vec2>& lambda, int iteration, Start from = Start::sticking);
   /// Reverts the last decision on a node.
   void keep(int node) {
-    status_[node] = status_last_[node];
-    sign_[node] = sign_last_[node];
+    decision_.status[node] = last_.status[node];
+    decision_.sign[node] = last_.sign[node];
   }
 
   /// Conditions of all active nodes, this increment's wear included.
@@ -124,14 +146,14 @@ class Interface {
   ContactState accepted(const std::vector<Vec2>& lambda) const;
 
   /// Takes D and M of the present positions as slip reference.
-  void renew_reference(ContactState& state) const { state.reference = rows_; }
+  void renew_reference(ContactState& state) const { state.reference = at_.rows; }
 
-  bool active(int node) const { return status_[node] != ContactStatus::inactive; }
-  const std::vector<ContactStatus>& status() const { return status_; }
-  const std::vector<MortarRow>& rows() const { return rows_; }
-  const std::vector<double>& gap() const { return gap_; }  ///< weighted, without wear
-  double worn_gap(int node) const { return worn_before_[node]; }
-  const std::vector<Vec2>& normal() const { return normal_; }
+  bool active(int node) const { return decision_.status[node] != ContactStatus::inactive; }
+  const std::vector<ContactStatus>& status() const { return decision_.status; }
+  const std::vector<MortarRow>& rows() const { return at_.rows; }
+  const std::vector<double>& gap() const { return at_.gap; }  ///< weighted, without wear
+  double worn_gap(int node) const { return at_.worn_gap[node]; }
+  const std::vector<Vec2>& normal() const { return at_.normal; }
   double residual_normal(int node) const { return condition_[node].normal; }
   double residual_tangential(int node) const { return condition_[node].tangential; }
   const NodeConditions<double>& condition(int node) const { return condition_[node]; }
@@ -140,11 +162,11 @@ class Interface {
   int dofs() const { return placement_.dofs(); }
   /// Whether the tangential condition of a node is one of tractions, not of slip.
   bool shear_is_given(int node) const {
-    if (setup_->options.bonded) return unmoved_[node];
-    return options_.held || status_[node] == ContactStatus::slip || unmoved_[node];
+    if (setup_->options.bonded) return decision_.unmoved[node];
+    return options_.held || decision_.status[node] == ContactStatus::slip || decision_.unmoved[node];
   }
   bool touching(int node) const {
-    return !left_[node] && rows_[node].cover > minimum_cover * setup_->secondary.area[node];
+    return !left_[node] && at_.rows[node].cover > minimum_cover * setup_->secondary.area[node];
   }
   /// Length on X of a facet of the secondary that is covered.
   double covered(int facet) const;
@@ -204,7 +226,7 @@ class Interface {
   /// Wear of the primary side by a work density (c.work) of a secondary node: the volume that a primary node loses, of
   /// which T is its part of the node's cover, and the opening of the gap per volume there.
   double primary_volume(int node, double T, double work) const {
-    return setup_->options.wear.primary * options_.jump * work * T / spread_[node];
+    return setup_->options.wear.primary * options_.jump * work * T / at_.spread[node];
   }
   double primary_opening(int l) const { return thickness(options_.thickness_primary, l) / setup_->primary.area[l]; }
   double shares_between(int node) const;
@@ -238,19 +260,12 @@ class Interface {
   std::vector<std::array<int, 2>> record_of_;
   std::vector<char> differentiated_;
   std::vector<char> left_;  ///< per node: another contact's in this iteration
-  std::vector<MortarRow> rows_;
-  std::vector<std::vector<std::pair<int, double>>> cover_;
-  std::vector<double> gap_, worn_before_, sign_, sign_last_;
-  std::vector<double> primary_start_, primary_depth_, secondary_start_, secondary_depth_;
-  std::vector<double> spread_;       ///< sum_l T_jl
+  Integrals at_;
+  Decision decision_, last_;
+  Depths start_, depth_;             ///< before this increment's wear, and with it
   std::vector<double> worn_length_;  ///< A_j, and half of it from each control point that wears with j
   std::vector<std::vector<std::pair<int, double>>> between_;  ///< those control points, depth there per volume of j
-  std::vector<Vec2> offset_, drift_, normal_;
-  std::vector<Vec2> drawn_offset_;  ///< of a bond, on X; empty until it is integrated
-  std::vector<ContactStatus> status_, status_last_;
-  /// Per node: keeps its shear, because both sides are held along the surface and nothing slides, or as a `sheared`
-  /// start.
-  std::vector<char> unmoved_;
+  std::vector<Vec2> drawn_offset_;                            ///< of a bond, on X; empty until it is integrated
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
   std::vector<double> column_sum_;                                       ///< of `add_up`, zero between its calls

@@ -32,7 +32,7 @@ void Interface::leave(const std::vector<int>& nodes, const std::vector<int>& fac
 /// of the facet, or forces would be lost there: the dual functions of the others alone do not add up to one.
 bool Interface::leave_out_slivers() {
   bool found = false;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const int node = static_cast<int>(j);
     if (placement_.cut[j] || record_of_[node] == std::array{-1, -1} || touching(node)) continue;
     placement_.cut[j] = found = true;

@@ -24,14 +24,14 @@ NodeConditions<Interface::Eleven> Interface::node_duals(int node, const std::vec
   const Vec2 v = motion(node);
   NodeScalars<Eleven> s;
   s.lambda = {Eleven::variable(lambda[node].x(), lambda_x), Eleven::variable(lambda[node].y(), lambda_y)};
-  s.normal = {Eleven::variable(normal_[node].x(), normal_x), Eleven::variable(normal_[node].y(), normal_y)};
-  s.gap = Eleven::variable(gap_[static_cast<std::size_t>(node)], Direction::gap_);
+  s.normal = {Eleven::variable(at_.normal[node].x(), normal_x), Eleven::variable(at_.normal[node].y(), normal_y)};
+  s.gap = Eleven::variable(at_.gap[static_cast<std::size_t>(node)], Direction::gap_);
   s.motion = {Eleven::variable(v.x(), motion_x), Eleven::variable(v.y(), motion_y)};
-  s.D = Eleven::variable(rows_[node].D, cover_D);
+  s.D = Eleven::variable(at_.rows[node].D, cover_D);
   s.off = Eleven::variable(shares_between(node), off_);
   s.worn_others = Eleven::variable(worn_others(node), worn_);
   s.share = Eleven::variable(share(node, lambda), share_);
-  return conditions(s, constants(node), status_[node]);
+  return conditions(s, constants(node), decision_.status[node]);
 }
 
 /// add(column, value) for slope . d(normal)/dx.
@@ -124,7 +124,7 @@ void Interface::force_entries(int node, const Vec2& lambda, std::vector<Entry>& 
 
 /// Leaves one entry per column: every active node that a primary node meets repeats its list.
 void Interface::add_up(std::vector<WearEntry>& entries) {
-  column_sum_.resize(static_cast<std::size_t>(placement_.dofs()) + 2 * rows_.size(), 0.0);
+  column_sum_.resize(static_cast<std::size_t>(placement_.dofs()) + 2 * at_.rows.size(), 0.0);
   std::size_t kept = 0;
   for (const auto& entry : entries) {
     double& sum = column_sum_[entry.col];
@@ -137,12 +137,12 @@ void Interface::add_up(std::vector<WearEntry>& entries) {
 
 /// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
 void Interface::collect_primary_wear(int node, const Eleven& work) {
-  const double D = spread_[node];
+  const double D = at_.spread[node];
   const bool linear = setup_->secondary.order == 1;
   std::vector<WearEntry> own;
   chain(node, work, [&](int col, double value) { own.push_back({col, value}); });
   add_up(own);
-  for (const auto& [l, T] : cover_[node]) {
+  for (const auto& [l, T] : at_.cover[node]) {
     const double factor = primary_volume(node, D, 1.0) * primary_opening(l);  // times T / D
     auto& slopes = primary_slope_[l];
     for (const auto& entry : own) slopes.push_back({entry.col, factor * T / D * entry.value});
@@ -178,22 +178,22 @@ void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) co
   for_records(node, [&](const FacetRecord& record, int e) {
     for (int k = 0; k < record.count; ++k) {
       const int other = setup_->secondary.facets[record.facet][k];
-      if (k == e || !goes_with_neighbours(other) || secondary_depth_[other] == 0.0) continue;
+      if (k == e || !goes_with_neighbours(other) || depth_.secondary[other] == 0.0) continue;
       const double* doff = record.row(record.off(e, k));
       for (std::size_t i = 0; i < record.dofs.size(); ++i)
-        out.push_back({2 * node, record.dofs[i], slope * secondary_depth_[other] * doff[i]});
+        out.push_back({2 * node, record.dofs[i], slope * depth_.secondary[other] * doff[i]});
     }
     for (std::size_t l = 0; l < record.primaries.size(); ++l) {
-      const double depth = primary_depth_[record.primaries[l]];
+      const double depth = depth_.primary[record.primaries[l]];
       if (depth == 0.0) continue;
       const double* dM = record.row(record.M(e, static_cast<int>(l)));
       for (std::size_t i = 0; i < record.dofs.size(); ++i)
         out.push_back({2 * node, record.dofs[i], slope * depth * dM[i]});
     }
   });
-  for (const auto& [l, M] : rows_[node].M)
+  for (const auto& [l, M] : at_.rows[node].M)
     for (const auto& entry : primary_slope_[l]) out.push_back({2 * node, entry.col, slope * M * entry.value});
-  for (const auto& [k, share] : rows_[node].off)
+  for (const auto& [k, share] : at_.rows[node].off)
     if (setup_->between(k))
       for (const auto& entry : secondary_slope_[k]) out.push_back({2 * node, entry.col, slope * share * entry.value});
 }
@@ -207,7 +207,7 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   for (auto* side : {&primary_slope_, &secondary_slope_})
     for (auto& slopes : *side) slopes.clear();
   std::vector<std::pair<int, NodeConditions<Eleven>>> duals;
-  for (int node = 0; node < static_cast<int>(rows_.size()); ++node) {
+  for (int node = 0; node < static_cast<int>(at_.rows.size()); ++node) {
     if (!active(node)) continue;
     for (int r : record_of_[node])
       if (r >= 0 && !differentiated_[r]) {
@@ -219,7 +219,7 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   }
   if (wear_spreads())
     for (const auto& [node, c] : duals)
-      if (c.work.v != 0.0 || status_[node] == ContactStatus::slip) {
+      if (c.work.v != 0.0 || decision_.status[node] == ContactStatus::slip) {
         collect_primary_wear(node, c.work);
         collect_wear_between(node, c.work);
       }

@@ -13,9 +13,9 @@ void Interface::begin_wear() {
       depth[k] = (volume[k] + elsewhere(of_others, k)) / on.area[k] * thickness(factors, static_cast<int>(k));
     return depth;
   };
-  primary_depth_ = primary_start_ =
+  depth_.primary = start_.primary =
       depths(before_->pending_primary, options_.waiting_primary, setup_->primary, options_.thickness_primary);
-  secondary_depth_ = secondary_start_ =
+  depth_.secondary = start_.secondary =
       depths(before_->pending_secondary, options_.waiting_secondary, s, options_.thickness_secondary);
   worn_length_ = s.area;
   between_.assign(s.X.size(), {});
@@ -42,16 +42,16 @@ bool Interface::wear_spreads() const {
 /// Depth per node from the works of all slip nodes: on the primary side dw_l = coefficient / A_l sum_j T_jl E_j / D_j,
 /// at control points that wear with their neighbours the mean of theirs.
 void Interface::spread_wear() {
-  primary_depth_ = primary_start_;
-  secondary_depth_ = secondary_start_;
+  depth_.primary = start_.primary;
+  depth_.secondary = start_.secondary;
   if (!wear_spreads()) return;
   const double secondary = setup_->options.wear.secondary * options_.jump;
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
+  for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const double work = condition_[j].work;
     if (work == 0.0) continue;
-    for (const auto& [l, T] : cover_[j])
-      primary_depth_[l] += primary_volume(static_cast<int>(j), T, work) * primary_opening(l);
-    for (const auto& [k, per_volume] : between_[j]) secondary_depth_[k] += secondary * work * per_volume;
+    for (const auto& [l, T] : at_.cover[j])
+      depth_.primary[l] += primary_volume(static_cast<int>(j), T, work) * primary_opening(l);
+    for (const auto& [k, per_volume] : between_[j]) depth_.secondary[k] += secondary * work * per_volume;
   }
 }
 
@@ -59,7 +59,7 @@ void Interface::spread_wear() {
 /// carries.
 double Interface::shares_between(int node) const {
   double sum = 0.0;
-  for (const auto& [k, share] : rows_[node].off)
+  for (const auto& [k, share] : at_.rows[node].off)
     if (goes_with_neighbours(k)) sum += share;
   return sum;
 }
@@ -67,9 +67,9 @@ double Interface::shares_between(int node) const {
 /// The opening of this node's gap by the depths of other nodes.
 double Interface::worn_others(int node) const {
   double worn = 0.0;
-  for (const auto& [l, M] : rows_[node].M) worn += M * primary_depth_[l];
-  for (const auto& [k, share] : rows_[node].off)
-    if (goes_with_neighbours(k)) worn += share * secondary_depth_[k];
+  for (const auto& [l, M] : at_.rows[node].M) worn += M * depth_.primary[l];
+  for (const auto& [k, share] : at_.rows[node].off)
+    if (goes_with_neighbours(k)) worn += share * depth_.secondary[k];
   return worn;
 }
 
