@@ -92,4 +92,14 @@ TEST(StickEdge, RecedingZoneIsWarnedOf) {
                            {"cycles = 20\njump = 10", "cycles = 4000\njump = 200"}})));
 }
 
+// An edge is known to one element: a run whose depth hangs on it must say so, and not on the mesh of the scene.
+TEST(StickEdge, FewElementsAreWarnedOf) {
+  const auto told = [](const Played& run) {
+    const auto& all = run.summary.warnings;
+    return std::count_if(all.begin(), all.end(), [](const sim::Warning& w) { return w.kind == "stick_elements"; });
+  };
+  EXPECT_EQ(told(coarse({})), 1);
+  EXPECT_EQ(told(coarse({{"size_mm = 0.012", "size_mm = 0.0045"}})), 0);
+}
+
 }  // namespace reye::verification

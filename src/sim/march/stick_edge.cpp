@@ -14,6 +14,7 @@ namespace {
 
 constexpr double most_lost =
     2.5;  ///< elements that a stick zone may lose: one at either end depends on which node is the last
+constexpr double most_unresolved = 0.2;  ///< of the largest depth in the end, by one element of the stick zone
 constexpr int fewest_stuck =
     3;  ///< stick nodes of a zone: fewer may be a node on an axis, or one that has just touched
 
@@ -70,6 +71,21 @@ std::optional<Warning> receding(const std::string& contact, const Widths& now, C
   return Warning{"stick_zone", "contact " + contact, words, lost / watch.stick_mm};
 }
 
+/// A warning of a stick zone of few elements: its edge is known to one of them, and the depth in the end hangs on it.
+std::optional<Warning> unresolved(const std::string& contact, const ContactWatch& watch) {
+  if (!(watch.stick_mm > watch.facet_mm) || watch.stick_mm >= watch.contact_mm) return std::nullopt;
+  const double share = watch.stick_mm / watch.contact_mm, less = (watch.stick_mm - watch.facet_mm) / watch.contact_mm;
+  const double error = limit_depth(less) / limit_depth(share) - 1.0;
+  if (error <= most_unresolved) return std::nullopt;
+  return Warning{
+      "stick_elements", "contact " + contact,
+      base::formatted("its stick zone of %.3g mm has %.0f elements, and its edge is known to one of them: by "
+                      "the estimate for a round contact the largest depth is uncertain by %.0f %% in the "
+                      "end; elements of %.2g mm would leave a tenth",
+                      watch.stick_mm, watch.stick_mm / watch.facet_mm, 100.0 * error, watch.facet_mm * 0.1 / error),
+      error};
+}
+
 std::string text_of(const Loaded& nodes) {
   const double share = nodes.stick / static_cast<double>(nodes.stick + nodes.slip), left = receded(share);
   std::string estimate = "; by the estimate for a round contact it vanishes";
@@ -109,10 +125,11 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
     const auto& o = problem.contacts[c].options;
     if (o.friction == 0.0 || o.imposed || !o.wear.wears()) continue;
     const auto& contact = state.solution.contacts[c];
-    if (forced && c < state.watch.size())
-      if (auto warning =
-              receding(o.name, widths(system.contacts[c], contact, slip_before[c]), state.watch[c], state.cycle))
-        warn(state, observer, std::move(*warning));
+    if (forced && c < state.watch.size()) {
+      const Widths now = widths(system.contacts[c], contact, slip_before[c]);
+      for (const auto& warning : {receding(o.name, now, state.watch[c], state.cycle), unresolved(o.name, state.watch[c])})
+        if (warning) warn(state, observer, *warning);
+    }
     if (system.contacts[c].secondary.order != 1) continue;
     const Loaded nodes = count(state.solution.contacts[c], slip_before[c]);
     if (nodes.stick >= fewest_stuck && nodes.slip > 0)

@@ -26,8 +26,8 @@ double limit_depth(double stick_share);
 std::vector<std::vector<double>> slip_paths(const State& state);
 
 /// After a block on unchanged meshes: warns of each contact of first order that wears while some of its nodes never
-/// slipped in it, and of each, of either order, whose stick zone has receded by more than two elements though forces
-/// alone drive it.
+/// slipped in it, and of each, of either order, that forces alone drive, where the stick zone has receded by more than
+/// two elements, or has so few that its edge leaves the depth open.
 void warn_of_stick_edge(const Problem& problem, const solver::System& system,
                         const std::vector<std::vector<double>>& slip_before, State& state, const Observer& observer);
 
