@@ -87,6 +87,16 @@ double length(const Points& X, const Boundary& boundary, int order) {
 
 Vec2 outward_normal(const Vec2& a, const Vec2& b) { return base::right_of(b - a).normalized(); }
 
+double nearest_parameter(const Vec2& a, const Vec2& b, const Vec2& x) {
+  const Vec2 e = b - a, r = x - a;
+  return std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0);
+}
+
+double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& x) {
+  const Vec2 e = b - a, r = x - a;
+  return (r - nearest_parameter(a, b, x) * e).norm();
+}
+
 std::vector<double> arc_lengths(const Points& X, const Chain& chain, int order) {
   const std::vector<double> pieces = steps(X, chain, order);
   std::vector<double> arc{0.0};

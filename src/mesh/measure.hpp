@@ -27,6 +27,12 @@ double length(const Points& X, const Boundary& boundary, int order = 1);
 /// Outward unit normal of the straight edge from a to b, body on the left.
 Vec2 outward_normal(const Vec2& a, const Vec2& b);
 
+/// Parameter in [0, 1] of the point of the straight edge from a to b that is nearest to x.
+double nearest_parameter(const Vec2& a, const Vec2& b, const Vec2& x);
+
+/// Distance of x from the straight edge from a to b [mm].
+double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& x);
+
 /// Position of each node along a chain from its first one on [mm], aligned with the chain; of a closed one the last
 /// entry is its whole length.
 std::vector<double> arc_lengths(const Points& X, const Chain& chain, int order = 1);

@@ -1,7 +1,8 @@
 #include "mesh/place.hpp"
 
-#include <algorithm>
 #include <limits>
+
+#include "mesh/measure.hpp"
 
 namespace reye::mesh {
 
@@ -13,7 +14,7 @@ Place place_of(const Mesh& mesh, const Vec2& point) {
       const Vec2 &a = mesh.X[loop[k - 1]], &b = mesh.X[loop[k]], e = b - a, r = point - a;
       if ((a.y() > point.y()) != (b.y() > point.y()) && point.x() < a.x() + e.x() * r.y() / e.y())
         place.inside = !place.inside;
-      const Vec2 foot = a + std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e;
+      const Vec2 foot = a + nearest_parameter(a, b, point) * e;
       if (const double distance = (point - foot).norm(); distance < place.distance) {
         place.nearest = foot;
         place.distance = distance;

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "cad/meshing/region.hpp"
+#include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 
 namespace reye::cad {
@@ -39,7 +40,7 @@ Points inward_normals(const Region& region, const RegionLoop& loop, const std::v
 }
 
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const double u = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  const double u = mesh::nearest_parameter(a, b, p);
   return (a + u * (b - a) - p).norm();
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/measure.hpp"
+
 namespace reye::cad {
 
 namespace {
@@ -121,7 +123,7 @@ Foot foot_on(const Edge& edge, const Vec2& p) {
   Foot best{0.0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i + 1 < edge.knots.size(); ++i) {
     const Vec2 chord = edge.knots[i + 1] - edge.knots[i];
-    const double u = std::clamp((p - edge.knots[i]).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    const double u = mesh::nearest_parameter(edge.knots[i], edge.knots[i + 1], p);
     const double distance = (edge.knots[i] + u * chord - p).norm();
     if (distance < best.distance) best = {edge.arc[i] + u * (edge.arc[i + 1] - edge.arc[i]), distance};
   }

@@ -28,8 +28,7 @@ struct NearestPoint {
 NearestPoint nearest_point(const mortar::Surface& surface, const base::Points& at, const Vec2& x) {
   NearestPoint best;
   for (const auto& [a, b, c] : surface.facets) {
-    const Vec2 e = at[b] - at[a], r = x - at[a];
-    const double distance = (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
+    const double distance = mesh::distance_to_edge(at[a], at[b], x);
     if (distance < best.distance) best = {distance, mesh::outward_normal(at[a], at[b])};
   }
   return best;

@@ -29,10 +29,7 @@ constexpr int own_increments = 10;         ///< increments of the step that lets
 struct Piece {
   Vec2 a, b;
   Vec2 along() const { return b - a; }
-  double distance(const Vec2& x) const {
-    const Vec2 e = along(), r = x - a;
-    return (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
-  }
+  double distance(const Vec2& x) const { return mesh::distance_to_edge(a, b, x); }
   bool faces(const Piece& other) const {
     return along().dot(other.along()) < -facing * along().norm() * other.along().norm();
   }

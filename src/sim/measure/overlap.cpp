@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include "base/formatted.hpp"
+#include "mesh/measure.hpp"
 
 namespace reye::sim {
 
@@ -63,9 +64,9 @@ double depth_of(const Outline& own, int node, const Outline& other) {
   double depth = std::numeric_limits<double>::infinity();
   const std::array<int, 2>* behind = nullptr;
   for (const auto& piece : other.pieces) {
-    const Vec2 &a = other.x[piece[0]], &b = other.x[piece[1]], e = b - a, r = x - a;
+    const Vec2 &a = other.x[piece[0]], &b = other.x[piece[1]], e = b - a;
     if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + e.x() * (x.y() - a.y()) / e.y()) inside = !inside;
-    const double distance = (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
+    const double distance = mesh::distance_to_edge(a, b, x);
     if (distance >= depth) continue;
     depth = distance;
     behind = &piece;

@@ -92,10 +92,7 @@ std::string out_of_reach(const Seen& c, const solver::System& system, const Stat
   const auto x = solver::positions(system, c.setup, last.solution.q.high);
   double gap = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, mid] : c.setup.primary.facets)
-    for (const Vec2& s : x.secondary) {
-      const Vec2 e = x.primary[b] - x.primary[a], r = s - x.primary[a];
-      gap = std::min(gap, (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm());
-    }
+    for (const Vec2& s : x.secondary) gap = std::min(gap, mesh::distance_to_edge(x.primary[a], x.primary[b], s));
   if (gap <= c.setup.search) return {};
   return base::formatted(
       "the sides of contact %s are %.4g mm apart, and facets are paired no farther than search_mm = %.4g; write "

@@ -1,7 +1,6 @@
 #include "sim/place/held_by_contact.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "mesh/measure.hpp"
 
@@ -12,18 +11,31 @@ namespace {
 constexpr double near_enough = 0.05;  ///< of a facet
 constexpr double pressing = 0.05;     ///< of the motion of a node, along its normal
 
+using EdgeEnds = std::array<Vec2, 2>;
+
 /// The facets of one side on one body.
-std::vector<std::array<Vec2, 2>> facet_ends(const Problem& problem, const contact::BoundaryRef& ref) {
-  std::vector<std::array<Vec2, 2>> facets;
+std::vector<EdgeEnds> facet_ends(const Problem& problem, const contact::BoundaryRef& ref) {
+  std::vector<EdgeEnds> facets;
   const auto& mesh = problem.shapes[ref.body]->mesh;
   for (const auto& chain : mesh.boundaries.at(ref.boundary))
     for (std::size_t i = 1; i < chain.size(); ++i) facets.push_back({mesh.X[chain[i - 1]], mesh.X[chain[i]]});
   return facets;
 }
 
-double distance(const Vec2& x, const std::array<Vec2, 2>& facet) {
-  const Vec2 e = facet[1] - facet[0], r = x - facet[0];
-  return (r - std::clamp(e.dot(r) / e.squaredNorm(), 0.0, 1.0) * e).norm();
+/// Whether an end x of a facet lies on a facet opposite to it.
+bool meets_facet(const EdgeEnds& own, const Vec2& x, const std::vector<EdgeEnds>& opposite) {
+  const double length = (own[1] - own[0]).norm();
+  return std::any_of(opposite.begin(), opposite.end(), [&](const EdgeEnds& f) {
+    return (f[1] - f[0]).dot(own[1] - own[0]) < 0.0 && mesh::distance_to_edge(f[0], f[1], x) <= near_enough * length;
+  });
+}
+
+/// Unit vector along which a motion of a body takes a point; zero at the centre of a rotation.
+Vec2 way_of_motion(const std::string& motion, const Vec2& arm) {
+  const Vec2 way = motion == "translation along x"   ? Vec2(1.0, 0.0)
+                   : motion == "translation along y" ? Vec2(0.0, 1.0)
+                                                     : Vec2(-arm.y(), arm.x());
+  return way.norm() > 0.0 ? way.normalized() : way;
 }
 
 /// The largest closing (> 0) and opening (< 0) of a touching contact by the motion.
@@ -32,18 +44,10 @@ void look(const Problem& problem, const contact::BoundaryRef& own, const contact
   const Vec2 centre = problem.inputs[own.body].centre;
   const auto opposite = facet_ends(problem, other);
   for (const auto& facet : facet_ends(problem, own)) {
-    const double length = (facet[1] - facet[0]).norm();
     const Vec2 normal = mesh::outward_normal(facet[0], facet[1]);
     for (const Vec2& x : facet) {
-      const bool touches = std::any_of(opposite.begin(), opposite.end(), [&](const auto& f) {
-        return (f[1] - f[0]).dot(facet[1] - facet[0]) < 0.0 && distance(x, f) <= near_enough * length;
-      });
-      if (!touches) continue;
-      const Vec2 arm = x - centre;
-      Vec2 way = motion == "translation along x"   ? Vec2(1.0, 0.0)
-                 : motion == "translation along y" ? Vec2(0.0, 1.0)
-                                                   : Vec2(-arm.y(), arm.x());
-      if (way.norm() > 0.0) way.normalize();
+      if (!meets_facet(facet, x, opposite)) continue;
+      const Vec2 way = way_of_motion(motion, x - centre);
       most = std::max(most, normal.dot(way));
       least = std::min(least, normal.dot(way));
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/formatted.hpp"
+#include "mesh/measure.hpp"
 #include "scene/histories.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/measure/roundness.hpp"
@@ -25,10 +26,9 @@ struct NearestFacet {
 NearestFacet nearest_facet(const mortar::Surface& surface, const Vec2& X) {
   NearestFacet best;
   for (const auto& [a, b, mid] : surface.facets) {
-    const Vec2 d = surface.X[b] - surface.X[a];
-    const double t = std::clamp((X - surface.X[a]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    const double distance = (X - surface.X[a] - t * d).norm();
-    if (distance < best.distance) best = {distance, t < 0.5 ? a : b};
+    const double distance = mesh::distance_to_edge(surface.X[a], surface.X[b], X);
+    if (distance < best.distance)
+      best = {distance, mesh::nearest_parameter(surface.X[a], surface.X[b], X) < 0.5 ? a : b};
   }
   return best;
 }
@@ -58,26 +58,37 @@ Touch touch_of(const contact::Setup& setup, const DrawnGap& drawn) {
   return touch;
 }
 
+/// Whether several contacts share the load of a body.
+bool shares_its_load(const Problem& problem, int body) {
+  const auto here = std::count_if(problem.contacts.begin(), problem.contacts.end(), [&](const PlacedContact& c) {
+    return c.secondary.body == body ||
+           std::any_of(c.primary.begin(), c.primary.end(), [&](const auto& ref) { return ref.body == body; });
+  });
+  return here > 1;
+}
+
+/// The largest force along d with which a support loads a body.
+double support_force(const Problem& problem, int body, const Vec2& d) {
+  double force = 0.0;
+  for (const auto& support : problem.inputs[body].supports) {
+    const double angle = support.angle_deg * std::numbers::pi / 180.0;
+    const Vec2 x(std::cos(angle), std::sin(angle));
+    const auto along = [&](const body::Motion& motion, const Vec2& axis) {
+      if (motion.drive == body::Drive::loaded && motion.stiffness == 0.0)
+        force = std::max(force, scene::largest_value(problem.scene, motion.parts) * std::abs(axis.dot(d)));
+    };
+    along(support.x, x);
+    along(support.y, Vec2(-x.y(), x.x()));
+  }
+  return force;
+}
+
 /// Force of a support that presses the two bodies together along d; empty where other contacts share it, or none is
 /// known.
 std::optional<double> pressing_force(const Problem& problem, const PlacedContact& contact, const Vec2& d) {
   double force = 0.0;
   const auto look = [&](int body) {
-    const auto here = std::count_if(problem.contacts.begin(), problem.contacts.end(), [&](const PlacedContact& c) {
-      return c.secondary.body == body ||
-             std::any_of(c.primary.begin(), c.primary.end(), [&](const auto& ref) { return ref.body == body; });
-    });
-    if (here > 1) return;
-    for (const auto& support : problem.inputs[body].supports) {
-      const double angle = support.angle_deg * std::numbers::pi / 180.0;
-      const Vec2 x(std::cos(angle), std::sin(angle));
-      const auto along = [&](const body::Motion& motion, const Vec2& axis) {
-        if (motion.drive == body::Drive::loaded && motion.stiffness == 0.0)
-          force = std::max(force, scene::largest_value(problem.scene, motion.parts) * std::abs(axis.dot(d)));
-      };
-      along(support.x, x);
-      along(support.y, Vec2(-x.y(), x.x()));
-    }
+    if (!shares_its_load(problem, body)) force = std::max(force, support_force(problem, body, d));
   };
   look(contact.secondary.body);
   for (const auto& ref : contact.primary) look(ref.body);
@@ -89,18 +100,23 @@ const cad::FineZone* zone_of(const Problem& problem, const contact::Setup& setup
   return zone_round(*problem.shapes[setup.secondary_nodes.front().body], setup.options.name, setup.secondary.X[j]);
 }
 
-/// Warns where no zone contains, to one of its elements, any of the places at which the sides are nearest.
-void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& touch, const PlacedContact& contact) {
-  const auto* zone = zone_of(problem, setup, touch.secondary);
-  if (!zone) return;
-  double away = std::numeric_limits<double>::infinity();
+/// Way from where the sides are nearest to the nearest node in a fine zone; 0 where a zone contains, to one of its
+/// elements, any of the places at which they are.
+double way_to_zone(const Problem& problem, const contact::Setup& setup, const Touch& touch) {
+  double way = std::numeric_limits<double>::infinity();
   for (int j = 0; j < setup.secondary_count(); ++j) {
     const double size = zone_of(problem, setup, j)->size_mm;
     if (spacing(setup.secondary, j) > coarse_in_zone * size) continue;
-    if (touch.gap[j].distance <= touch.least() + size) return;
-    away = std::min(away, (setup.secondary.X[j] - setup.secondary.X[touch.secondary]).norm());
+    if (touch.gap[j].distance <= touch.least() + size) return 0.0;
+    way = std::min(way, away(setup, j, setup.secondary.X[touch.secondary]));
   }
-  if (farthest_way(problem, contact) >= away) return;
+  return way;
+}
+
+/// Warns where the sides are nearest beside the fine zones, and no support brings them there.
+void warn_of_zone(Problem& problem, const contact::Setup& setup, const Touch& touch, const PlacedContact& contact) {
+  const auto* zone = zone_of(problem, setup, touch.secondary);
+  if (!zone || farthest_way(problem, contact) >= way_to_zone(problem, setup, touch)) return;
   const Vec2& X = setup.secondary.X[touch.secondary];
   const double h = spacing(setup.secondary, touch.secondary);
   warn(problem.warnings,
@@ -129,32 +145,48 @@ bool touch_alone(const mortar::Surface& s, const Touch& touch, double length, do
   return true;
 }
 
+/// Whether the sides touch like a ball on the axis.
+bool touch_on_axis(const Problem& problem, const mortar::Surface& s, int node) {
+  return problem.scene.analysis == base::Analysis::axisymmetric && s.X[node].x() < spacing(s, node);
+}
+
+/// Force that presses the sides together where they touch, of a ring off the axis per length; empty where it is not
+/// known.
+std::optional<double> force_at(const Problem& problem, const mortar::Surface& s, int node,
+                               const PlacedContact& contact) {
+  if (s.before[node] < 0 && s.after[node] < 0) return std::nullopt;
+  const auto& [a, b, mid] = s.facets[s.before[node] >= 0 ? s.before[node] : s.after[node]];
+  auto force = pressing_force(problem, contact, mesh::outward_normal(s.X[a], s.X[b]));
+  if (force && problem.scene.analysis == base::Analysis::axisymmetric && !touch_on_axis(problem, s, node))
+    force = *force / (2.0 * std::numbers::pi * s.X[node].x());
+  return force;
+}
+
+/// Length of the elements where the sides touch, of the coarser side.
+double longer_spacing(const Problem& problem, const contact::Setup& setup, const Touch& touch,
+                      const PlacedContact& contact) {
+  const bool primary_rigid = problem.rigid[contact.primary.front().body];
+  return std::max(spacing(setup.secondary, touch.secondary),
+                  primary_rigid ? 0.0 : spacing(setup.primary, touch.primary));
+}
+
 void warn_of_load(Problem& problem, const contact::Setup& setup, const Touch& touch, const PlacedContact& contact) {
   const auto own = curvature(setup.secondary, touch.secondary), other = curvature(setup.primary, touch.primary);
-  const auto& s = setup.secondary;
-  const int j = touch.secondary;
-  if (s.before[j] < 0 && s.after[j] < 0) return;
-  const int facet = s.before[j] >= 0 ? s.before[j] : s.after[j];
-  const Vec2 chord = s.X[s.facets[facet][1]] - s.X[s.facets[facet][0]];
-  auto force = pressing_force(problem, contact, Vec2(chord.y(), -chord.x()).normalized());
-  if (!force) return;
-  const bool axisymmetric = problem.scene.analysis == base::Analysis::axisymmetric;
-  const double r = s.X[j].x(), h = spacing(s, j), modulus = effective_modulus(problem, contact);
-  const bool ball = axisymmetric && r < h;
-  if (axisymmetric && !ball) force = *force / (2.0 * std::numbers::pi * r);
-  if (!own || !other || *own + *other <= 0.0) return;
+  const auto force = force_at(problem, setup.secondary, touch.secondary, contact);
+  if (!force || !own || !other || *own + *other <= 0.0) return;
+  const bool ball = touch_on_axis(problem, setup.secondary, touch.secondary);
+  const double modulus = effective_modulus(problem, contact);
   const double length = hertz_length(*force, 1.0 / (*own + *other), modulus, ball);
   if (length * std::max(std::abs(*own), std::abs(*other)) > 0.5) {  // not half spaces: the sides conform
+    const double chords = sagitta(setup.secondary, touch.secondary) + sagitta(setup.primary, touch.primary);
     if (!ball)
-      warn_of_facets(problem.warnings, setup.options.name, sagitta(s, j) + sagitta(setup.primary, touch.primary),
-                     2.0 * *force / modulus, h);
-    return;
+      warn_of_facets(problem.warnings, setup.options.name, chords, 2.0 * *force / modulus,
+                     spacing(setup.secondary, touch.secondary));
+  } else if (touch_alone(setup.secondary, touch, length, *own + *other)) {
+    warn_of_resolution(problem.warnings, setup.options.name, length / longer_spacing(problem, setup, touch, contact),
+                       wanted_across(problem, setup.options), length,
+                       base::formatted("by Hertz, %.3g mm of contact under the full load", length));
   }
-  if (!touch_alone(s, touch, length, *own + *other)) return;
-  const bool primary_rigid = problem.rigid[contact.primary.front().body];
-  const double longer = std::max(h, primary_rigid ? 0.0 : spacing(setup.primary, touch.primary));
-  warn_of_resolution(problem.warnings, setup.options.name, length / longer, wanted_across(problem, setup.options),
-                     length, base::formatted("by Hertz, %.3g mm of contact under the full load", length));
 }
 
 }  // namespace
