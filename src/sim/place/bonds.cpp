@@ -13,29 +13,39 @@ namespace {
 /// Share of a facet; facets of coincident curves differ by less where six of them make a quarter turn.
 constexpr double apart = 0.1;
 
-std::string why_unbonded(const contact::Setup& setup) {
+/// How the sides of a bond lie on the drawing.
+struct BondFit {
+  bool bonded = false;  ///< somewhere
+  int worst = -1;       ///< the node farthest from the other side of those too far from it; -1: there is none
+  double distance = 0.0;
+};
+
+BondFit fit_of(const contact::Setup& setup) {
   contact::Interface face;
   const auto fresh = contact::fresh_state(setup);
   face.begin(setup, fresh, setup.secondary.X, setup.primary.X, {});
   face.integrate(setup.secondary.X, setup.primary.X);
-  bool bonded = false;
-  int worst = -1;
-  double largest = 0.0;
+  BondFit fit;
   for (int j = 0; j < setup.secondary_count(); ++j) {
     if (setup.cut[j] || !face.touching(j)) continue;
-    bonded = true;
+    fit.bonded = true;
     const double distance = std::abs(face.gap()[j]) / face.rows()[j].D;
-    if (distance <= apart * setup.length[j] || distance <= largest) continue;
-    largest = distance;
-    worst = j;
+    if (distance <= apart * setup.length[j] || distance <= fit.distance) continue;
+    fit.distance = distance;
+    fit.worst = j;
   }
-  if (!bonded) return "no facet of the secondary side lies on a primary one";
-  if (worst < 0) return {};
-  const Vec2& x = setup.secondary.X[worst];
+  return fit;
+}
+
+std::string why_unbonded(const contact::Setup& setup) {
+  const BondFit fit = fit_of(setup);
+  if (!fit.bonded) return "no facet of the secondary side lies on a primary one";
+  if (fit.worst < 0) return {};
+  const Vec2& x = setup.secondary.X[fit.worst];
   return base::formatted(
       "its sides are %.3g mm apart at (%.4g, %.4g) mm, where facets are %.3g mm long; a bond joins what "
       "lies on one another: draw the sides so, or make it a contact",
-      largest, x.x(), x.y(), setup.length[worst]);
+      fit.distance, x.x(), x.y(), setup.length[fit.worst]);
 }
 
 bool keeps_direction(const Problem& p, int b) {

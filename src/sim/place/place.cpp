@@ -124,19 +124,23 @@ void place_joints(Problem& p, const std::string& kind, const std::vector<contact
   }
 }
 
+/// Whether a whole facet of a boundary lies between nodes of the list.
+bool has_facet_between(const mesh::Boundary& boundary, const std::vector<int>& list) {
+  const std::set<int> nodes(list.begin(), list.end());
+  for (const auto& chain : boundary)
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      if (nodes.contains(chain[i - 1]) && nodes.contains(chain[i])) return true;
+  return false;
+}
+
 void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
   for (const auto& contact : p.contacts) {
     const auto& mesh = p.shapes[contact.secondary.body]->mesh;
     for (const auto& support : p.inputs[contact.secondary.body].supports) {
       if (!support.rigid || support.edge.empty()) continue;
-      const auto list = mesh::nodes_of(mesh.boundaries.at(support.edge));
-      const std::set<int> held(list.begin(), list.end());
+      const auto held = mesh::nodes_of(mesh.boundaries.at(support.edge));
       // A shared end node carries no multiplier; a whole facet on the rigid edge could not take part.
-      bool facet = false;
-      for (const auto& chain : mesh.boundaries.at(contact.secondary.boundary))
-        for (std::size_t i = 1; i < chain.size(); ++i)
-          facet = facet || (held.contains(chain[i - 1]) && held.contains(chain[i]));
-      if (facet)
+      if (has_facet_between(mesh.boundaries.at(contact.secondary.boundary), held))
         issues.push_back(
             {"contact." + contact.options.name + ".secondary", base::quoted(contact.options.secondary),
              "lies on the rigid edge of support " + base::quoted(support.name) + "; its nodes must be free to move"});
@@ -146,22 +150,26 @@ void check_secondary_edges(const Problem& p, std::vector<Issue>& issues) {
 
 std::string shown(double x) { return base::formatted("%.4g", x); }
 
+/// The sides of a contact at the start; an overlap that is let in is not there yet.
+mortar::Placement placed_at_start(const contact::Setup& setup, const DrawnGap& drawn) {
+  mortar::Placement place;
+  place.secondary = &setup.secondary;
+  place.primary = &setup.primary;
+  place.xs = place.xs_before = setup.secondary.X;
+  place.xm = setup.primary.X;
+  if (drawn.let_in) place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
+  place.xm_before = place.xm;
+  place.cut = setup.cut;
+  place.analysis = setup.analysis;
+  place.search = setup.search;
+  return place;
+}
+
 void check_facing(const Problem& p, const solver::System& system, std::vector<Issue>& issues) {
   mortar::Integrator integrator;
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    mortar::Placement place;
-    place.secondary = &setup.secondary;
-    place.primary = &setup.primary;
-    place.xs = place.xs_before = setup.secondary.X;
-    place.xm = setup.primary.X;
-    if (const auto& drawn = p.contacts[c].drawn; drawn.let_in)
-      place.xm = mortar::inset(setup.primary, place.xm, drawn.overlap_mm);
-    place.xm_before = place.xm;
-    place.cut = setup.cut;
-    place.analysis = setup.analysis;
-    place.search = setup.search;
-    if (integrator.values(place).empty())
+    if (integrator.values(placed_at_start(setup, p.contacts[c].drawn)).empty())
       issues.push_back({"contact." + setup.options.name, "",
                         "no facet of the secondary side faces a primary one within search_mm = " + shown(setup.search) +
                             why_out_of_reach(p, p.contacts[c], setup.search)});
@@ -195,6 +203,70 @@ void refuse_endless_steps(const scene::Scene& scene) {
   refuse(issues);
 }
 
+void warn_of_open_reader(const cad::Geometry& geometry, std::vector<Warning>& warnings) {
+  if (geometry.guarded) return;
+  warn(warnings, {"geometry", "",
+                  "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
+                  "it is limited only by the commands that scripts may use, and in time and memory"});
+}
+
+void place_bodies(Problem& p, cad::Geometry& geometry) {
+  for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
+    const auto& options = p.scene.geometry.bodies[b];
+    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
+                                        std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
+    p.rigid.push_back(options.rigid);
+    p.inputs.push_back(body_input(p.scene, options));
+    p.inputs.back().centre = body::box_centre(p.shapes.back()->mesh);
+    const bool left_to_run = !options.rigid && !p.scene.body_material.at(options.name).kinematics;
+    p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
+  }
+  p.support_of.resize(p.inputs.size());
+}
+
+/// Puts what the scene names onto the bodies; refuses what is not found there.
+void place_on_bodies(Problem& p, const std::vector<cad::BodyFacts>& facts) {
+  Resolver resolve(p.scene, p.shapes, facts);
+  place_supports(p, resolve);
+  place_loads(p, resolve);
+  place_joints(p, "contact", p.scene.contacts, resolve, p.contacts);
+  place_joints(p, "bond", p.scene.bonds, resolve, p.bonds);
+  for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
+  refuse(resolve.issues);
+}
+
+void add_issues(std::vector<Issue>& issues, std::vector<Issue> more) {
+  for (auto& issue : more) issues.push_back(std::move(issue));
+}
+
+/// Refuses what cannot be played, as far as the drawing tells.
+void check_drawn(Problem& p) {
+  std::vector<Issue> issues;
+  check_secondary_edges(p, issues);
+  add_issues(issues, shared_wear_issues(p));
+  add_issues(issues, unheld_issues(p));
+  add_issues(issues, support_conflicts(p));
+  add_issues(issues, place_drawn_gaps(p));
+  refuse(issues);
+}
+
+/// Refuses what cannot be played, as the equations at the start tell.
+void check_at_start(const Problem& p, Cache& cache) {
+  std::vector<Issue> issues;
+  const auto& system = timed_system(p, initial_state(p), cache);
+  check_facing(p, system, issues);
+  add_issues(issues, bond_issues(p, system));
+  add_issues(issues, corner_issues(p, system));
+  refuse(issues);
+}
+
+void tell_halves(const std::vector<cad::BodyFacts>& all, Plan& plan) {
+  for (const auto& facts : all)
+    if (facts.halved)
+      plan.lines.push_back("body " + facts.name +
+                           ": its file has the whole section through the axis; the half x >= 0 is taken");
+}
+
 }  // namespace
 
 void take_material(const scene::Scene& scene, body::BodyInput& input) {
@@ -213,51 +285,19 @@ Problem place(const scene::Scene& scene, Cache& cache) {
   for (const auto& text : scene.warnings) p.warnings.push_back({"scene", "", text});
   warn_of_steps(scene, p.warnings);
   cad::Geometry geometry = cad::build(scene.geometry);
-  if (!geometry.guarded)
-    warn(p.warnings, {"geometry", "",
-                      "this system has no filter of system calls (seccomp) for the program that reads geometry files: "
-                      "it is limited only by the commands that scripts may use, and in time and memory"});
-  for (std::size_t b = 0; b < geometry.bodies.size(); ++b) {
-    const auto& options = scene.geometry.bodies[b];
-    p.shapes.push_back(body::make_shape(std::move(geometry.bodies[b]),
-                                        std::make_shared<const cad::Drawing>(std::move(geometry.drawings[b]))));
-    p.rigid.push_back(options.rigid);
-    p.inputs.push_back(body_input(scene, options));
-    p.inputs.back().centre = body::box_centre(p.shapes.back()->mesh);
-    const bool left_to_run = !options.rigid && !scene.body_material.at(options.name).kinematics;
-    p.kinematics.push_back(left_to_run ? std::optional<KinematicsChoice>(std::in_place) : std::nullopt);
-  }
-  p.support_of.resize(p.inputs.size());
-  Resolver resolve(scene, p.shapes, geometry.facts);
-  place_supports(p, resolve);
-  place_loads(p, resolve);
-  place_joints(p, "contact", scene.contacts, resolve, p.contacts);
-  place_joints(p, "bond", scene.bonds, resolve, p.bonds);
-  for (auto& issue : points_outside(p)) resolve.issues.push_back(std::move(issue));
-  refuse(resolve.issues);
+  warn_of_open_reader(geometry, p.warnings);
+  place_bodies(p, geometry);
+  place_on_bodies(p, geometry.facts);
   keep_directions(p);
   warn_of_sizes(p);
   warn_of_profiles(p);
   widen_zones(p);
   warn_of_points(p);
-  std::vector<Issue> issues;
-  check_secondary_edges(p, issues);
-  for (auto& issue : shared_wear_issues(p)) issues.push_back(std::move(issue));
-  for (auto& issue : unheld_issues(p)) issues.push_back(std::move(issue));
-  for (auto& issue : support_conflicts(p)) issues.push_back(std::move(issue));
-  for (auto& issue : place_drawn_gaps(p)) issues.push_back(std::move(issue));
-  refuse(issues);
+  check_drawn(p);
   const double before = cpu_seconds();
-  const auto& system = timed_system(p, initial_state(p), cache);
-  check_facing(p, system, issues);
-  for (auto& issue : bond_issues(p, system)) issues.push_back(std::move(issue));
-  for (auto& issue : corner_issues(p, system)) issues.push_back(std::move(issue));
-  refuse(issues);
+  check_at_start(p, cache);
   for (auto& warning : overlap_warnings(p, p.shapes, {})) warn(p.warnings, std::move(warning));
-  for (const auto& facts : geometry.facts)
-    if (facts.halved)
-      p.plan.lines.push_back("body " + facts.name +
-                             ": its file has the whole section through the axis; the half x >= 0 is taken");
+  tell_halves(geometry.facts, p.plan);
   cache.cpu_s += cpu_seconds() - before;
   return p;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/formatted.hpp"
 #include "body/turning.hpp"
@@ -91,38 +92,43 @@ void tell_turning(const Problem& p, const body::LinearBody& linear, int b, Plan&
   }
 }
 
-void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
-  const auto& name = p.inputs[b].name;
-  const auto& mesh = p.shapes[b]->mesh;
-  if (p.rigid[b]) {
-    plan.lines.push_back(
-        base::formatted("body %s: rigid, outline of %d nodes, 3 dofs", name.c_str(), mesh.node_count()));
-    plan.skipped.push_back("body " + name + " is rigid: no elements, no stiffness");
-    return;
-  }
-  if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b])) {
-    const bool finite = p.inputs[b].kinematics == base::Kinematics::finite;
-    plan.lines.push_back(base::formatted("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration",
-                                         name.c_str(), law_name(p.inputs[b].material), finite ? "finite" : "small",
-                                         mesh.cell_count(), cell_name(mesh.kind), body->full_dofs(), body->dofs()));
-    if (finite && !can_renew(p, b))
-      plan.skipped.push_back(
-          "body " + name +
-          " keeps its reference configuration even if deformation degrades its elements: it wears, or loads or "
-          "supports are counted on the shape it started from");
-    if (body->symmetric())
-      plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
-    if (!material::has_history(p.inputs[b].material))
-      plan.skipped.push_back("body " + name + " is elastic: no history");
-    return;
-  }
-  const auto& linear = std::get<body::LinearBody>(system.bodies[b]);
+void tell_rigid(const std::string& name, const mesh::Mesh& mesh, Plan& plan) {
+  plan.lines.push_back(base::formatted("body %s: rigid, outline of %d nodes, 3 dofs", name.c_str(), mesh.node_count()));
+  plan.skipped.push_back("body " + name + " is rigid: no elements, no stiffness");
+}
+
+void tell_nonlinear(const Problem& p, const body::NonlinearBody& body, int b, Plan& plan) {
+  const auto& [name, mesh] = std::tie(p.inputs[b].name, p.shapes[b]->mesh);
+  const bool finite = p.inputs[b].kinematics == base::Kinematics::finite;
+  plan.lines.push_back(base::formatted("body %s: %s, %s strain, %d %s, %d dofs condensed to %d in every iteration",
+                                       name.c_str(), law_name(p.inputs[b].material), finite ? "finite" : "small",
+                                       mesh.cell_count(), cell_name(mesh.kind), body.full_dofs(), body.dofs()));
+  if (finite && !can_renew(p, b))
+    plan.skipped.push_back(
+        "body " + name +
+        " keeps its reference configuration even if deformation degrades its elements: it wears, or loads or "
+        "supports are counted on the shape it started from");
+  if (body.symmetric()) plan.skipped.push_back("body " + name + " has a symmetric tangent: half of it is factorised");
+  if (!material::has_history(p.inputs[b].material)) plan.skipped.push_back("body " + name + " is elastic: no history");
+}
+
+void tell_linear(const Problem& p, const body::LinearBody& linear, int b, Plan& plan) {
+  const auto& [name, mesh] = std::tie(p.inputs[b].name, p.shapes[b]->mesh);
   plan.lines.push_back(base::formatted("body %s: linear elastic, small strain, %d %s, %d dofs condensed to %d",
                                        name.c_str(), mesh.cell_count(), cell_name(mesh.kind), linear.full_dofs(),
                                        linear.dofs()));
   tell_turning(p, linear, b, plan);
   plan.skipped.push_back("body " + name + " is linear: factorised once per shape, interior solved back " +
                          solved_back_for(p, b));
+}
+
+void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan) {
+  if (p.rigid[b])
+    tell_rigid(p.inputs[b].name, p.shapes[b]->mesh, plan);
+  else if (const auto* body = std::get_if<body::NonlinearBody>(&system.bodies[b]))
+    tell_nonlinear(p, *body, b, plan);
+  else
+    tell_linear(p, std::get<body::LinearBody>(system.bodies[b]), b, plan);
 }
 
 std::string friction_of(const contact::ContactOptions& o) {
@@ -156,11 +162,8 @@ bool condenses(const Problem& p, const contact::Setup& setup) {
          std::any_of(setup.primary_nodes.begin(), setup.primary_nodes.end(), linear);
 }
 
-void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
-  const auto& o = setup.options;
-  plan.lines.push_back(base::formatted("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
-                                       setup.secondary_count(), o.secondary.c_str(), setup.primary_count(),
-                                       friction_of(o).c_str(), wear_of(o.wear).c_str()));
+/// Why no node of a contact sticks, if none does.
+void tell_sliding(const contact::ContactOptions& o, Plan& plan) {
   if (o.friction == 0.0)
     plan.skipped.push_back("contact " + o.name + " is frictionless: no node sticks, its shear is zero");
   else if (o.out_of_plane)
@@ -168,6 +171,14 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
                            " slides out of the plane: no node sticks, its shear in the plane is zero");
   else if (o.imposed)
     plan.skipped.push_back("contact " + o.name + " has its sliding imposed: no node sticks");
+}
+
+void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
+  const auto& o = setup.options;
+  plan.lines.push_back(base::formatted("contact %s: %d secondary nodes on %s, %d primary nodes, %s, %s", o.name.c_str(),
+                                       setup.secondary_count(), o.secondary.c_str(), setup.primary_count(),
+                                       friction_of(o).c_str(), wear_of(o.wear).c_str()));
+  tell_sliding(o, plan);
   if (condenses(p, setup))
     plan.skipped.push_back("contact " + o.name +
                            ": nodes far from where it touches are condensed out until it comes near");
@@ -214,6 +225,25 @@ void tell_output(const Problem& p, Plan& plan) {
     plan.skipped.push_back(base::formatted("history: rows of every %dth block of a step, of its first and last", n));
 }
 
+void tell_step(const Problem& p, const scene::Step& step, Plan& plan) {
+  const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
+  const char* wear = step.wear ? "" : ", no wear";
+  if (step.cycles > 0.0)
+    plan.lines.push_back(base::formatted("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s",
+                                         step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments, wear));
+  else
+    plan.lines.push_back(base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, wear));
+}
+
+void tell_limit(const scene::Limit& limit, Plan& plan) {
+  if (!limit.wear_factor) return;
+  plan.lines.push_back(
+      base::formatted("limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
+                      "wears, without threshold and at constant friction: its states depend on coefficient x cycles "
+                      "alone",
+                      limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
+}
+
 }  // namespace
 
 Plan make_plan(const Problem& p, const solver::System& system) {
@@ -230,24 +260,10 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   }
   for (auto& line : told_shared(p)) plan.lines.push_back(std::move(line));
   for (std::size_t b = 0; b < p.bonds.size(); ++b) tell_bond(system.contacts[p.contacts.size() + b], plan);
-  for (const auto& step : p.scene.steps) {
-    const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
-    if (step.cycles > 0.0)
-      plan.lines.push_back(base::formatted("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s",
-                                           step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments,
-                                           step.wear ? "" : ", no wear"));
-    else
-      plan.lines.push_back(
-          base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, step.wear ? "" : ", no wear"));
-  }
+  for (const auto& step : p.scene.steps) tell_step(p, step, plan);
   tell_remeshing(p, plan);
   tell_output(p, plan);
-  for (const auto& limit : p.scene.limits)
-    if (limit.wear_factor)
-      plan.lines.push_back(base::formatted(
-          "limit \"%s\": all wear coefficients times %g to %g; the band is life / factor, since one step "
-          "wears, without threshold and at constant friction: its states depend on coefficient x cycles alone",
-          limit.name.c_str(), (*limit.wear_factor)[0], (*limit.wear_factor)[1]));
+  for (const auto& limit : p.scene.limits) tell_limit(limit, plan);
   return plan;
 }
 

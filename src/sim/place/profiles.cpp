@@ -40,29 +40,35 @@ std::array<double, 2> off_the_facets(const cad::Profile& profile, const std::vec
   return {off, longest};
 }
 
+double largest_height(const cad::Profile& profile) {
+  const auto [low, high] = std::minmax_element(profile.height_mm.begin(), profile.height_mm.end());
+  return std::max(*high, 0.0) - std::min(*low, 0.0);
+}
+
+/// Warns where the facets of a boundary miss much of the heights of its profile.
+void warn_of_profile(const mesh::Mesh& mesh, const std::string& boundary, const cad::Profile& profile,
+                     std::vector<Warning>& warnings) {
+  const double heights = largest_height(profile);
+  for (const auto& chain : mesh::arc_chains(mesh, boundary)) {
+    const auto [off, longest] = off_the_facets(profile, chain.arc);
+    if (off <= missed * heights) continue;
+    const std::string text = base::formatted(
+        "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is finer than the "
+        "mesh. Make elements there shorter, or smooth the profile.",
+        profile.file.c_str(), heights, longest, off);
+    warn(warnings, {"profile", "boundary " + boundary, text, off / heights});
+  }
+}
+
 }  // namespace
 
 void warn_of_profiles(Problem& problem) {
-  for (const auto& boundary : problem.scene.geometry.boundaries) {
-    if (!boundary.profile) continue;
-    const auto& profile = *boundary.profile;
-    const auto [low, high] = std::minmax_element(profile.height_mm.begin(), profile.height_mm.end());
-    const double heights = std::max(*high, 0.0) - std::min(*low, 0.0);
-    for (int b = 0; b < problem.body_count(); ++b) {
+  for (const auto& boundary : problem.scene.geometry.boundaries)
+    for (int b = 0; boundary.profile && b < problem.body_count(); ++b) {
       const auto& mesh = problem.shapes[b]->mesh;
-      if (problem.inputs[b].name != boundary.body || !mesh.boundaries.contains(boundary.name)) continue;
-      for (const auto& chain : mesh::arc_chains(mesh, boundary.name)) {
-        const auto [off, longest] = off_the_facets(profile, chain.arc);
-        if (off <= missed * heights) continue;
-        const std::string text = base::formatted(
-            "Its profile %s has heights of %.4g mm, of which elements of %.4g mm miss up to %.4g mm: it is "
-            "finer than the "
-            "mesh. Make elements there shorter, or smooth the profile.",
-            profile.file.c_str(), heights, longest, off);
-        warn(problem.warnings, {"profile", "boundary " + boundary.name, text, off / heights});
-      }
+      if (problem.inputs[b].name == boundary.body && mesh.boundaries.contains(boundary.name))
+        warn_of_profile(mesh, boundary.name, *boundary.profile, problem.warnings);
     }
-  }
 }
 
 }  // namespace reye::sim
