@@ -68,24 +68,34 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
   if (observer.log) observer.log("cut back: " + where);
 }
 
-/// What is prescribed, loaded and asked of the contacts in the increment from progress `from` to `to`.
-solver::Controls asked(const Problem& problem, const State& state, const solver::System& system, const Playing& block,
-                       const std::map<std::string, double>& factors, double from, double to) {
-  const auto& span = block.span;
-  auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
-  set_friction(controls, problem, state.cycle);
+/// Tells each contact what the others have worn and dissipated at its nodes.
+void tell_others(solver::Controls& controls, const Problem& problem, const State& state) {
   auto left = left_by_others(problem, state);
   for (std::size_t c = 0; c < left.size(); ++c) {
     controls.contacts[c].waiting_secondary = std::move(left[c].waiting_secondary);
     controls.contacts[c].waiting_primary = std::move(left[c].waiting_primary);
     controls.contacts[c].energy_elsewhere = std::move(left[c].energy);
   }
-  for (std::size_t c = 0; c < controls.contacts.size(); ++c)
-    if (controls.contacts[c].wear) {
-      auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
-      controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
-      controls.contacts[c].thickness_primary = std::move(thickness.primary);
-    }
+}
+
+void set_thickness(solver::Controls& controls, const Problem& problem, const State& state,
+                   const solver::System& system) {
+  for (std::size_t c = 0; c < controls.contacts.size(); ++c) {
+    if (!controls.contacts[c].wear) continue;
+    auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
+    controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
+    controls.contacts[c].thickness_primary = std::move(thickness.primary);
+  }
+}
+
+/// What is prescribed, loaded and asked of the contacts in the increment from progress `from` to `to`.
+solver::Controls asked(const Problem& problem, const State& state, const solver::System& system, const Playing& block,
+                       const std::map<std::string, double>& factors, double from, double to) {
+  const auto& span = block.span;
+  auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
+  set_friction(controls, problem, state.cycle);
+  tell_others(controls, problem, state);
+  set_thickness(controls, problem, state, system);
   count_from_renewal(controls, problem, system, state);
   const double last = block.last_length;
   if (last > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last;
@@ -181,6 +191,12 @@ void tell_progress(const Playing& block, const Problem& problem, const State& st
 }
 
 }  // namespace
+
+void keep_counts(State& start, const Counts& played) {
+  const long remeshes = start.counts.remeshes;
+  start.counts = played;
+  start.counts.remeshes = remeshes;
+}
 
 void begin_state(const Problem& problem, State& state, Cache& cache) {
   const auto& system = timed_system(problem, state, cache);

@@ -10,6 +10,10 @@ namespace reye::sim {
 /// Sets zero displacements and fresh contacts.
 void begin_state(const Problem& problem, State& state, Cache& cache);
 
+/// Counts in `start`, from which a block is to be played once more, what the play before has cost; its remeshes are
+/// undone.
+void keep_counts(State& start, const Counts& played);
+
 /// Plays one block in full.
 Outcome play_block(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
                    const Observer& observer);

@@ -41,8 +41,7 @@ Outcome play_fixed(const Problem& problem, const State& state, Cache& cache, Blo
       return outcome;
     }
     if (first_failure.empty()) first_failure = outcome.failure;
-    start.counts = outcome.state.counts;
-    start.counts.remeshes = state.counts.remeshes;
+    keep_counts(start, outcome.state.counts);
     ++start.counts.refused_blocks;
     span.jump = std::max(1.0, std::floor(shorter * span.jump));
     span.last = false;

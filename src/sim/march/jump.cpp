@@ -9,12 +9,12 @@
 #include "base/formatted.hpp"
 #include "sim/march/block.hpp"
 #include "sim/march/recording.hpp"
+#include "sim/march/twice_played.hpp"
 #include "sim/measure/correction.hpp"
 #include "sim/measure/figures.hpp"
 #include "sim/measure/limit_measure.hpp"
 #include "sim/measure/limits.hpp"
 #include "sim/reshape/balance.hpp"
-#include "sim/reshape/shape.hpp"
 
 namespace reye::sim {
 
@@ -34,54 +34,6 @@ double removed(const State& state) {
   double volume = 0.0;
   for (const auto& c : state.solution.contacts) volume += sum(c.removed_secondary) + sum(c.removed_primary);
   return volume;
-}
-
-/// Both ends of a block, before its shape step.
-struct TwicePlayed {
-  State once, halves;
-  std::vector<contact::ContactState> half_way;
-  std::map<std::string, double> middle;  ///< measures of the limits after the first half
-  std::string failure;
-  bool interrupted = false;
-  Counts counts;
-};
-
-TwicePlayed try_block(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& coarse,
-                      const Observer& fine) {
-  TwicePlayed attempt;
-  attempt.counts = state.counts;
-  span.remesh = false;  // nodes must be equal at both ends
-  const auto over = [&](const Outcome& outcome) {
-    attempt.counts = outcome.state.counts;
-    attempt.failure = outcome.failure;
-    attempt.interrupted = outcome.interrupted;
-    return !outcome.failure.empty() || outcome.interrupted;
-  };
-  Outcome outcome = play_increments(problem, state, cache, span, coarse);
-  if (over(outcome)) return attempt;
-  attempt.once = std::move(outcome.state);
-  span.ends = std::move(outcome.ends);  // both plays are then equally fine, even where one was cut back
-  span.jump *= 0.5;
-  State start = state;
-  start.counts = attempt.counts;
-  start.recall = attempt.once.recall;
-  BlockSpan first = span;
-  first.last = false;
-  outcome = play_increments(problem, std::move(start), cache, first, fine);
-  if (over(outcome)) return attempt;
-  span.ends = std::move(outcome.ends);
-  if (problem.scene.shape) {
-    outcome = evolve_shape(problem, std::move(outcome.state), cache, span, {});
-    if (over(outcome)) return attempt;
-  }
-  attempt.half_way = outcome.state.solution.contacts;
-  attempt.middle = limit_measures(problem, system_of(problem, outcome.state, cache), outcome.state);
-  outcome.state.step_cycles += span.jump;
-  outcome = play_increments(problem, std::move(outcome.state), cache, span, fine);
-  outcome.state.step_cycles -= span.jump;
-  if (over(outcome)) return attempt;
-  attempt.halves = std::move(outcome.state);
-  return attempt;
 }
 
 void tell(const Observer& observer, const BlockSpan& span, double cycle, const std::string& what) {
@@ -191,19 +143,9 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   return end_block(problem, std::move(outcome.state), cache, span, observer);
 }
 
-void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span,
-                const Observer& observer, Trial& trial) {
-  BlockSpan block = span;
-  block.jump = without_levelling(span);
-  block.last = span.last && !span.level;
-  TwicePlayed attempt = try_block(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
-  trial.outcome = {start, attempt.failure, attempt.interrupted};
-  trial.outcome.state.counts = attempt.counts;
-  if (!attempt.failure.empty() || attempt.interrupted) return;
-  const auto& system = system_of(problem, attempt.halves, cache);
-  trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
-  trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
-  if (trial.too_long) return;
+/// Corrects the halves of an attempt, and the measures of the limits half way, by the wear of both plays.
+void extrapolate_trial(const Problem& problem, const solver::System& system, const State& start, bool level,
+                       TwicePlayed& attempt, Trial& trial) {
   trial.slips_throughout = slips_throughout(start, attempt.halves);
   trial.uncorrected = wear_of(problem, system, attempt.halves);
   const auto by_halves = limit_measures(problem, system, attempt.halves);
@@ -213,21 +155,69 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   const auto measures = limit_measures(problem, system, attempt.halves);
   for (auto& [name, value] : attempt.middle) {
     value += 0.5 * (measures.at(name) - by_halves.at(name));
-    if (span.level) value += levelling * (measures.at(name) - value);
+    if (level) value += levelling * (measures.at(name) - value);
   }
+}
+
+void play_trial(const Problem& problem, const State& start, Cache& cache, const BlockSpan& span,
+                const Observer& observer, Trial& trial) {
+  BlockSpan block = span;
+  block.jump = without_levelling(span);
+  block.last = span.last && !span.level;
+  TwicePlayed attempt = play_twice(problem, start, cache, block, quiet(observer), trial.rows.observer(observer));
+  trial.outcome = {start, attempt.failure, attempt.interrupted};
+  trial.outcome.state.counts = attempt.counts;
+  if (!attempt.failure.empty() || attempt.interrupted) return;
+  const auto& system = system_of(problem, attempt.halves, cache);
+  trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
+  trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  if (trial.too_long) return;
+  extrapolate_trial(problem, system, start, span.level, attempt, trial);
   trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
   trial.outcome.middle = std::move(attempt.middle);
 }
 
-/// Plays a block of one cycle, without a jump.
-Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+/// Reports a trial whose block is kept, and what the next block is to know of it. `state`: at the start of the block.
+void accept_trial(const Problem& problem, const State& state, const BlockSpan& span, const Observer& observer,
+                  Trial& trial) {
+  State& end = trial.outcome.state;
+  const double jump = without_levelling(span), before = removed(state), after = removed(end);
+  const double share = after > 0.0 ? 1.0 - before / after : 0.0;
+  trial.rows.play_back(observer, [&](IncrementRecord& row) {
+    correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
+  });
+  trial.later.play_back(observer);
+  const double next = allowed(problem, *span.step, state, state.step_cycles + span.jump + span.jump);
+  end.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
+  end.jump_rate = share > 0.0 ? trial.error / share : 0.0;
+  const double kept = (1.0 - share) * (trial.slips_throughout ? 1.0 - share : 1.0);
+  end.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
+  tell(observer, span, state.cycle, estimated(trial.error));
+}
+
+/// Shortens a block whose trial is not kept.
+void refuse_trial(const Problem& problem, const Trial& trial, const Observer& observer, State& start, BlockSpan& span) {
+  tell(observer, span, start.cycle, "refused: " + (trial.too_long ? estimated(trial.error) : trial.outcome.failure));
+  ++start.counts.refused_blocks;
+  const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
+  span.jump = std::max(unjumped, factor * span.jump);
+  span.last = span.level = false;
+}
+
+/// Plays a block of one cycle, without a jump, in place of the one that was tried last.
+Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache, BlockSpan span,
                        const Observer& observer) {
+  const double tried = span.jump;
+  span.jump = std::min(unjumped, span.jump);
   Outcome outcome = play_block(problem, state, cache, span, observer);
-  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
-  outcome.state.jump = most_growth * span.jump;
-  outcome.state.jump_rate = 0.0;
-  const double after = removed(outcome.state);
-  if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
+  if (outcome.failure.empty() && !outcome.interrupted) {
+    outcome.state.jump = most_growth * span.jump;
+    outcome.state.jump_rate = 0.0;
+    const double after = removed(outcome.state);
+    if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
+  }
+  outcome.state.jump = std::max(outcome.state.jump, tried);
   return outcome;
 }
 
@@ -248,39 +238,16 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
   while (span.jump > unjumped) {
     Trial trial;
     play_trial(problem, start, cache, span, observer, trial);
-    Outcome& outcome = trial.outcome;
-    start.counts = outcome.state.counts;
-    start.counts.remeshes = state.counts.remeshes;
-    if (outcome.interrupted) return {std::move(start), {}, true};
-    if (outcome.failure.empty() && !trial.too_long) {
-      const double jump = without_levelling(span), before = removed(state), after = removed(outcome.state);
-      const double share = after > 0.0 ? 1.0 - before / after : 0.0;
-      trial.rows.play_back(observer, [&](IncrementRecord& row) {
-        correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
-      });
-      trial.later.play_back(observer);
-      const double end = state.step_cycles + span.jump;
-      const double next = allowed(problem, *span.step, state, end + span.jump);
-      outcome.state.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
-      outcome.state.jump_rate = share > 0.0 ? trial.error / share : 0.0;
-      const double kept = (1.0 - share) * (trial.slips_throughout ? 1.0 - share : 1.0);
-      outcome.state.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
-      tell(observer, span, state.cycle, estimated(trial.error));
-      return std::move(outcome);
+    keep_counts(start, trial.outcome.state.counts);
+    if (trial.outcome.interrupted) return {std::move(start), {}, true};
+    if (trial.outcome.failure.empty() && !trial.too_long) {
+      accept_trial(problem, state, span, observer, trial);
+      return std::move(trial.outcome);
     }
-    tell(observer, span, start.cycle, "refused: " + (trial.too_long ? estimated(trial.error) : outcome.failure));
-    ++start.counts.refused_blocks;
-    const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
-    const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
-    span.jump = std::max(unjumped, factor * span.jump);
-    span.last = span.level = false;
+    refuse_trial(problem, trial, observer, start, span);
     if (trial.too_long && start.step_cycles == 0.0) break;
   }
-  const double tried = span.jump;
-  span.jump = std::min(unjumped, span.jump);
-  Outcome outcome = play_one_cycle(problem, start, cache, span, observer);
-  outcome.state.jump = std::max(outcome.state.jump, tried);
-  return outcome;
+  return play_one_cycle(problem, start, cache, span, observer);
 }
 
 }  // namespace reye::sim

@@ -78,21 +78,7 @@ class Runner {
  private:
   void play() {
     try {
-      if (!state_.approached) {
-        begin_state(p_, state_, cache_);
-        show("start");
-      }
-      while (state_.step < static_cast<int>(p_.scene.steps.size())) {
-        const auto& step = p_.scene.steps[state_.step];
-        if (step_over(step, state_)) {
-          ++state_.step;
-          state_.step_cycles = 0.0;
-          state_.step_blocks = 0;
-          state_.block_cycles = 0.0;
-          continue;
-        }
-        if (at_end(p_, state_) || !next_block(step)) return;
-      }
+      play_steps();
     } catch (const base::SolveError& error) {
       fail(error.what());
     } catch (const base::MeshError& error) {
@@ -100,9 +86,37 @@ class Runner {
     }
   }
 
+  void play_steps() {
+    if (!state_.approached) {
+      begin_state(p_, state_, cache_);
+      show("start");
+    }
+    while (state_.step < static_cast<int>(p_.scene.steps.size())) {
+      const auto& step = p_.scene.steps[state_.step];
+      if (step_over(step, state_))
+        begin_next_step();
+      else if (at_end(p_, state_) || !next_block(step))
+        return;
+    }
+  }
+
+  void begin_next_step() {
+    ++state_.step;
+    state_.step_cycles = 0.0;
+    state_.step_blocks = 0;
+    state_.block_cycles = 0.0;
+  }
+
   Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {
     return controlled(*span.step) ? play_controlled(p_, from, cache_, span, observer)
                                   : play_fixed(p_, from, cache_, span, observer);
+  }
+
+  /// Cycles after which a block that was played passes a limit that stops the run; empty where it passes none.
+  std::optional<double> cycles_to_stop(const Outcome& outcome) {
+    const auto share = share_to_stop(p_, state_, outcome.state, system_of(p_, outcome.state, cache_), outcome.middle);
+    const double played = outcome.state.cycle - state_.cycle;
+    return share && played > 1.0 ? std::optional(std::max(1.0, *share * played)) : std::nullopt;
   }
 
   /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
@@ -111,13 +125,11 @@ class Runner {
     Recording recording;
     Outcome outcome = play(span, state_, recording.observer(observer_));
     for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
-      const auto share = share_to_stop(p_, state_, outcome.state, system_of(p_, outcome.state, cache_), outcome.middle);
-      const double played = outcome.state.cycle - state_.cycle;
-      if (!share || played <= 1.0) break;
+      const auto cycles = cycles_to_stop(outcome);
+      if (!cycles) break;
       State start = state_;
-      start.counts = outcome.state.counts;
-      start.counts.remeshes = state_.counts.remeshes;
-      span.jump = std::max(1.0, *share * played);
+      keep_counts(start, outcome.state.counts);
+      span.jump = *cycles;
       span.last = span.level = true;
       recording = {};
       outcome = play(span, start, recording.observer(observer_));
@@ -132,21 +144,36 @@ class Runner {
     state_.step_cycles = step.cycles;
   }
 
+  /// What the end of a block is compared with.
+  struct BlockStart {
+    double cycle = 0.0, plastic_strain = 0.0;
+    Counts counts;
+    std::vector<std::vector<double>> slip;
+  };
+
+  bool remeshed_since(const BlockStart& start) const { return state_.counts.remeshes > start.counts.remeshes; }
+
+  /// Warns of what a block shows; it is in the state already.
+  void watch_block(const scene::Step& step, const BlockStart& start) {
+    const bool same_meshes = !remeshed_since(start);
+    const double solved = static_cast<double>(state_.counts.cycles_solved - start.counts.cycles_solved);
+    if (step.cycles > 0.0 && same_meshes)
+      watch_plastic_strain(step, start.plastic_strain, (state_.cycle - start.cycle) / solved, state_, observer_);
+    if (step.wear && step.cycles > 0.0 && same_meshes)
+      warn_of_stick_edge(p_, system_of(p_, state_, cache_), start.slip, state_, observer_);
+    warn_of_block(p_, state_, observer_);
+    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_))
+      warn(state_, observer_, std::move(warning));
+  }
+
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
-    const double cycle_before = state_.cycle, plastic_before = largest_plastic_strain(state_);
-    const long remeshes_before = state_.counts.remeshes, solved_before = state_.counts.cycles_solved;
-    const auto slip_before = slip_paths(state_);
+    const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_)};
     Outcome outcome = play_to_limit(next_span(p_.scene, step, state_));
     state_ = std::move(outcome.state);
     if (!outcome.failure.empty()) return fail(outcome.failure);
-    if (outcome.interrupted) {
-      summary_.status = RunStatus::interrupted;
-      summary_.reason = "interrupted in step \"" + step.name + "\" at cycle " + std::to_string(state_.cycle);
-      show(step.name);
-      return false;
-    }
-    state_.step_cycles += state_.cycle - cycle_before;
+    if (outcome.interrupted) return interrupt(step);
+    state_.step_cycles += state_.cycle - start.cycle;
     if (step.cycles > 0.0 && step_over(step, state_)) end_on_the_cycle(step);
     row_.settle(p_, state_, system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
@@ -154,22 +181,26 @@ class Runner {
     if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_);
         !reason.empty())
       return fail(reason);
-    const bool remeshed = state_.counts.remeshes > remeshes_before;
-    const double solved = static_cast<double>(state_.counts.cycles_solved - solved_before);
-    if (step.cycles > 0.0 && !remeshed)
-      watch_plastic_strain(step, plastic_before, (state_.cycle - cycle_before) / solved, state_, observer_);
-    if (step.wear && step.cycles > 0.0 && !remeshed)
-      warn_of_stick_edge(p_, system_of(p_, state_, cache_), slip_before, state_, observer_);
-    warn_of_block(p_, state_, observer_);
-    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_))
-      warn(state_, observer_, std::move(warning));
-    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), cycle_before, outcome.middle);
+    watch_block(step, start);
+    return end_block_of(step, start, outcome.middle);
+  }
+
+  /// Judges the limits and shows the end of a block. `middle`: measures of the limits half way, where known.
+  bool end_block_of(const scene::Step& step, const BlockStart& start, const std::map<std::string, double>& middle) {
+    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), start.cycle, middle);
     const bool last = stop || step_over(step, state_);
     if (last && controlled(step)) watch_tolerance(step, state_, observer_);
-    if (frame_due(p_.scene.output.frames, {cycle_before, state_.cycle, state_.step_blocks, last, remeshed}))
+    if (frame_due(p_.scene.output.frames, {start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)}))
       show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
+  }
+
+  bool interrupt(const scene::Step& step) {
+    summary_.status = RunStatus::interrupted;
+    summary_.reason = "interrupted in step \"" + step.name + "\" at cycle " + std::to_string(state_.cycle);
+    show(step.name);
+    return false;
   }
 
   bool fail(const std::string& reason) {
@@ -184,6 +215,33 @@ class Runner {
     if (state_.approached) show_frame(p_, state_, cache_, observer_, step);
   }
 
+  void summarise_limit(const scene::Limit& limit) {
+    const auto found = state_.life_cycles.find(limit.name);
+    const bool reached = found != state_.life_cycles.end();
+    summary_.life_cycles[limit.name] = reached ? std::optional(found->second) : std::nullopt;
+    summary_.limit_share[limit.name] = state_.limit_measure[limit.name] / bound_of(limit);
+    if (!limit.wear_factor) return;
+    summary_.life_band[limit.name] = {};
+    const auto& [lowest, highest] = *limit.wear_factor;
+    if (reached) summary_.life_band[limit.name] = {found->second / highest, found->second / lowest};
+  }
+
+  void summarise_joints() {
+    const auto& system = system_of(p_, state_, cache_);
+    const auto shown = as_shown(p_, state_);
+    for (std::size_t c = 0; c < p_.contacts.size(); ++c)
+      summary_.contacts.push_back(summarise(system.contacts[c], shown[c], state_.shapes, p_.contacts[c]));
+    summary_.bonds = bond_summaries(p_, state_, system);
+    warn_of_run(p_, state_, summary_, observer_);
+    if (!p_.scene.output.probes.empty()) summary_.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));
+  }
+
+  void summarise_errors() {
+    summary_.life_error = state_.life_error;
+    summary_.error_cycle_jump = state_.jump_error;
+    summary_.error_small_strain = state_.small_strain_error;
+  }
+
   Summary summarise_run() {
     Summary& s = summary_;
     s.title = p_.scene.title;
@@ -192,30 +250,11 @@ class Runner {
     s.scene_sha256 = p_.scene.sha256;
     s.skipped = p_.plan.skipped;
     s.cutback_reasons = state_.cutback_reasons;
-    for (const auto& limit : p_.scene.limits) {
-      const auto found = state_.life_cycles.find(limit.name);
-      const bool reached = found != state_.life_cycles.end();
-      s.life_cycles[limit.name] = reached ? std::optional(found->second) : std::nullopt;
-      s.limit_share[limit.name] = state_.limit_measure[limit.name] / bound_of(limit);
-      if (!limit.wear_factor) continue;
-      s.life_band[limit.name] = {};
-      const auto& [lowest, highest] = *limit.wear_factor;
-      if (reached) s.life_band[limit.name] = {found->second / highest, found->second / lowest};
-    }
-    if (state_.approached) {
-      const auto& system = system_of(p_, state_, cache_);
-      const auto shown = as_shown(p_, state_);
-      for (std::size_t c = 0; c < p_.contacts.size(); ++c)
-        s.contacts.push_back(summarise(system.contacts[c], shown[c], state_.shapes, p_.contacts[c]));
-      s.bonds = bond_summaries(p_, state_, system);
-      warn_of_run(p_, state_, s, observer_);
-      if (!p_.scene.output.probes.empty()) s.probes = probes(p_, state_, make_frame(p_, state_, cache_, ""));
-    }
+    for (const auto& limit : p_.scene.limits) summarise_limit(limit);
+    if (state_.approached) summarise_joints();
     s.warnings = p_.warnings;
     for (const auto& warning : state_.warnings) warn(s.warnings, warning);
-    s.life_error = state_.life_error;
-    s.error_cycle_jump = state_.jump_error;
-    s.error_small_strain = state_.small_strain_error;
+    summarise_errors();
     s.counts = state_.counts;
     s.room_seconds = cache_.seconds;
     return s;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/measure/roundness.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/measure/warn_contact.hpp"
 
 namespace reye::sim {
@@ -96,26 +97,34 @@ class Look {
       if (M != 0.0) met_[l] = 1;
   }
 
+  int peak_vertex() const {
+    const auto& s = setup_.secondary;
+    return s.is_control_point(peak_) ? s.facets[s.before[peak_]][0] : peak_;
+  }
+
+  /// Walks over the loaded nodes from `start` on; the last of them, -1 where they make a ring.
+  int walk_to_end(int start, int way, double& intervals, Pressed& p) {
+    const auto& s = setup_.secondary;
+    int at = start;
+    for (int to = step(at, way); to >= 0; to = step(at, way)) {
+      intervals += s.facets[facet(at, way)][2] >= 0 ? 2.0 : 1.0;
+      p.length_mm += (s.X[to] - s.X[at]).norm();
+      if (to == start) return -1;
+      meet(at = to);
+    }
+    return at;
+  }
+
   /// From the peak to both ends of the run of loaded nodes.
   void walk(Pressed& p) {
-    const auto& s = setup_.secondary;
-    int start = peak_;
-    if (s.is_control_point(start)) start = s.facets[s.before[start]][0];
+    const int start = peak_vertex();
     double intervals = 0.0;
     int bounded = 0;
     meet(start);
     for (int way : {-1, 1}) {
-      int at = start;
-      for (int to = step(at, way); to >= 0; to = step(at, way)) {
-        const int f = facet(at, way);
-        intervals += s.facets[f][2] >= 0 ? 2.0 : 1.0;
-        p.length_mm += (s.X[to] - s.X[at]).norm();
-        if (to == start) {  // a ring, loaded all round
-          p.bounded = true;
-          return;
-        }
-        meet(at = to);
-      }
+      const int at = walk_to_end(start, way, intervals, p);
+      p.bounded = at < 0;  // loaded all round
+      if (p.bounded) return;
       if (ends_at(at, way, p))
         ++bounded;
       else
@@ -147,7 +156,7 @@ class Look {
 
   std::string boundary_of(const contact::SurfaceNode& node) const {
     for (const auto& ref : placed_.primary) {
-      const auto nodes = mesh::nodes_of(state_.shapes[ref.body]->mesh.boundaries.at(ref.boundary));
+      const auto nodes = side_nodes(state_.shapes, ref);
       if (ref.body == node.body && std::find(nodes.begin(), nodes.end(), node.mesh_node) != nodes.end())
         return ref.boundary;
     }

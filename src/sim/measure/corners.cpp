@@ -56,27 +56,41 @@ std::string advice(const Problem& problem, const PlacedContact& contact) {
   return swap ? "swap primary and secondary" : "round it by a few elements";
 }
 
+/// The corner of the secondary side that is what touches on the drawing; -1: there is none.
+int touching_corner(const contact::Setup& setup) {
+  const auto& s = setup.secondary;
+  double first = std::numeric_limits<double>::infinity();
+  for (const Vec2& X : s.X) first = std::min(first, nearest_point(setup.primary, setup.primary.X, X).distance);
+  for (int j = 0; j < s.node_count(); ++j) {
+    if (!s.corner[j]) continue;
+    const auto opposite = nearest_point(setup.primary, setup.primary.X, s.X[j]);
+    if (opposite.distance <= first + 0.5 * setup.length[j] && pokes(s, j, opposite.normal)) return j;
+  }
+  return -1;
+}
+
+/// The normal load of each secondary node.
+std::vector<double> normal_loads(const contact::ContactState& state) {
+  std::vector<double> load;
+  for (std::size_t j = 0; j < state.lambda.size(); ++j)
+    load.push_back(state.reference[j].carried() * state.lambda[j].dot(state.normal[j]));
+  return load;
+}
+
 }  // namespace
 
 std::vector<base::Issue> corner_issues(const Problem& problem, const solver::System& system) {
   std::vector<base::Issue> issues;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const auto& s = setup.secondary;
-    if (!has_corners(s)) continue;
-    double first = std::numeric_limits<double>::infinity();
-    for (const Vec2& X : s.X) first = std::min(first, nearest_point(setup.primary, setup.primary.X, X).distance);
-    for (int j = 0; j < s.node_count(); ++j) {
-      if (!s.corner[j]) continue;
-      const auto opposite = nearest_point(setup.primary, setup.primary.X, s.X[j]);
-      if (opposite.distance > first + 0.5 * setup.length[j] || !pokes(s, j, opposite.normal)) continue;
-      const std::string text = base::formatted(
-          "its corner at (%.4g, %.4g) mm is what touches, and at a corner the direction of contact forces is "
-          "undefined; %s",
-          s.X[j].x(), s.X[j].y(), advice(problem, problem.contacts[c]).c_str());
-      issues.push_back({"contact." + setup.options.name + ".secondary", '"' + setup.options.secondary + '"', text});
-      break;
-    }
+    const int corner = has_corners(setup.secondary) ? touching_corner(setup) : -1;
+    if (corner < 0) continue;
+    const Vec2& X = setup.secondary.X[corner];
+    const std::string text = base::formatted(
+        "its corner at (%.4g, %.4g) mm is what touches, and at a corner the direction of contact forces is "
+        "undefined; %s",
+        X.x(), X.y(), advice(problem, problem.contacts[c]).c_str());
+    issues.push_back({"contact." + setup.options.name + ".secondary", '"' + setup.options.secondary + '"', text});
   }
   return issues;
 }
@@ -86,9 +100,7 @@ namespace {
 std::optional<Warning> corner_warning(const contact::Setup& setup, const contact::ContactState& state,
                                       const solver::Sides& sides) {
   const auto& s = setup.secondary;
-  std::vector<double> load;
-  for (std::size_t j = 0; j < state.lambda.size(); ++j)
-    load.push_back(state.reference[j].carried() * state.lambda[j].dot(state.normal[j]));
+  const auto load = normal_loads(state);
   const double all = std::accumulate(load.begin(), load.end(), 0.0);
   std::optional<Warning> worst;
   for (int j = 0; j < s.node_count(); ++j) {

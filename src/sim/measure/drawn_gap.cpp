@@ -69,27 +69,33 @@ double nearest(const std::vector<Piece>& pieces, const Vec2& x) {
   return least;
 }
 
+/// The facet of a patch behind which a node x of a piece lies, were it inside; null: none faces it.
+const Piece* facet_before(const Piece& piece, const Vec2& x, const Patch& other) {
+  const Piece* behind = nullptr;
+  for (const Piece& facet : other.pieces)
+    if (piece.faces(facet) && (!behind || facet.distance(x) < behind->distance(x))) behind = &facet;
+  return behind;
+}
+
+/// Compares a node x of a piece with the other patch.
+void look_at(const Piece& piece, const Vec2& x, const Patch& other, DrawnGap& drawn) {
+  if (const double gap = nearest(other.pieces, x); drawn.overlap_mm == 0.0 && gap < drawn.gap_mm) {
+    drawn.gap_mm = gap > drawn_together * piece.along().norm() ? gap : 0.0;
+    drawn.at = x;
+  }
+  const Piece* behind = other.contains(x) ? facet_before(piece, x, other) : nullptr;
+  if (!behind) return;
+  const double depth = behind->distance(x), facet = behind->along().norm();
+  if (depth <= std::max(drawn.overlap_mm, drawn_together * facet) || depth > other_surface * nearest(other.outline, x))
+    return;
+  drawn = {0.0, depth, x, mesh::outward_normal(behind->a, behind->b), drawn.primary, depth > at_once * facet};
+}
+
 /// Compares the nodes of one patch with the other patch.
 void look(const Patch& own, const Patch& other, DrawnGap& drawn) {
-  const auto look_at = [&](const Piece& piece, const Vec2& x) {
-    if (const double gap = nearest(other.pieces, x); drawn.overlap_mm == 0.0 && gap < drawn.gap_mm) {
-      drawn.gap_mm = gap > drawn_together * piece.along().norm() ? gap : 0.0;
-      drawn.at = x;
-    }
-    if (!other.contains(x)) return;
-    const Piece* behind = nullptr;
-    for (const Piece& facet : other.pieces)
-      if (piece.faces(facet) && (!behind || facet.distance(x) < behind->distance(x))) behind = &facet;
-    if (!behind) return;
-    const double depth = behind->distance(x), facet = behind->along().norm();
-    if (depth <= std::max(drawn.overlap_mm, drawn_together * facet) ||
-        depth > other_surface * nearest(other.outline, x))
-      return;
-    drawn = {0.0, depth, x, mesh::outward_normal(behind->a, behind->b), drawn.primary, depth > at_once * facet};
-  };
   for (const Piece& piece : own.pieces) {
-    look_at(piece, piece.a);
-    look_at(piece, piece.b);
+    look_at(piece, piece.a, other, drawn);
+    look_at(piece, piece.b, other, drawn);
   }
 }
 
@@ -189,6 +195,16 @@ double farthest_way(const Problem& problem, const PlacedContact& contact) {
   return way;
 }
 
+void warn_of_gap(Problem& problem, const PlacedContact& contact) {
+  const double way = farthest_way_of_all(problem);
+  if (contact.drawn.gap_mm <= way) return;
+  warn(problem.warnings, {"gap", "contact " + contact.options.name,
+                          base::formatted("Its sides are %.4g mm apart as drawn, and supports move no body by more "
+                                          "than %.4g mm, nor does a force: they never "
+                                          "touch. Draw them closer, or move them farther.",
+                                          contact.drawn.gap_mm, way)});
+}
+
 std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
   std::vector<base::Issue> issues;
   bool let_in = false;
@@ -197,13 +213,7 @@ std::vector<base::Issue> place_drawn_gaps(Problem& problem) {
     drawn = drawn_gap(contact, problem.shapes);
     if (closes(problem, contact)) options.drawn_mm = drawn.gap_mm;
     let_in = let_in || drawn.let_in;
-    if (drawn.gap_mm > farthest_way_of_all(problem))
-      warn(problem.warnings,
-           {"gap", "contact " + options.name,
-            base::formatted("Its sides are %.4g mm apart as drawn, and supports move no body by more than %.4g "
-                            "mm, nor does a force: they never "
-                            "touch. Draw them closer, or move them farther.",
-                            drawn.gap_mm, farthest_way_of_all(problem))});
+    warn_of_gap(problem, contact);
     if (const auto why = why_no_fit(problem, contact); !why.empty())
       issues.push_back({"contact." + options.name, "", why});
   }

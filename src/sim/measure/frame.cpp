@@ -36,14 +36,17 @@ void paint_material(const body::BodyInput& input, const body::Interior& interior
   if (solid.has_history()) body.plastic_strain = std::move(nodal.plastic_strain);
 }
 
-}  // namespace
-
-namespace {
+/// Shows depths of wear at the nodes of a side, where it is the deepest.
+void paint_wear(const std::vector<contact::SurfaceNode>& nodes, const std::vector<double>& depth, Frame& frame) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    double& shown = frame.bodies[nodes[k].body].wear_depth_mm[nodes[k].mesh_node];
+    shown = std::max(shown, depth[k]);
+  }
+}
 
 /// Displacements and stress inside the bodies, and their wear.
 void paint_bodies(const Problem& problem, const State& state, const solver::System& system, Frame& frame) {
-  const scene::Step none;
-  const auto controls = controls_at(problem, system, state.factors, none, 0.0, 0.0, 1.0);
+  const auto controls = controls_at(problem, system, state.factors, scene::Step(), 0.0, 0.0, 1.0);
   for (int b = 0; b < problem.body_count(); ++b) {
     BodyFrame& body = frame.bodies[b];
     const Vector q = system.part(state.solution.q.high, b);
@@ -52,17 +55,11 @@ void paint_bodies(const Problem& problem, const State& state, const solver::Syst
     paint_material(problem.inputs[b], state.solution.interiors[b], problem.rigid[b], body);
     body.wear_depth_mm.assign(body.u.size(), 0.0);
   }
-  const auto paint = [&](const std::vector<contact::SurfaceNode>& nodes, const std::vector<double>& depth) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      double& shown = frame.bodies[nodes[k].body].wear_depth_mm[nodes[k].mesh_node];
-      shown = std::max(shown, depth[k]);
-    }
-  };
   const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    paint(setup.secondary_nodes, depths(setup.secondary, shown[c].removed_secondary));
-    paint(setup.primary_nodes, depths(setup.primary, shown[c].removed_primary));
+    paint_wear(setup.secondary_nodes, depths(setup.secondary, shown[c].removed_secondary), frame);
+    paint_wear(setup.primary_nodes, depths(setup.primary, shown[c].removed_primary), frame);
   }
 }
 
@@ -82,23 +79,15 @@ void count_from_start(const State& state, Frame& frame) {
   }
 }
 
-}  // namespace
+BodyFrame body_frame(const std::string& name, const body::ShapePtr& shape) {
+  BodyFrame body;
+  body.name = name;
+  body.mesh = std::shared_ptr<const mesh::Mesh>(shape, &shape->mesh);
+  return body;
+}
 
-Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
-  const auto& system = timed_system(problem, state, cache);
-  Timer timer(cache, "frames");
-  Frame frame;
-  frame.cycle = state.cycle;
-  frame.step = step;
-  for (int b = 0; b < problem.body_count(); ++b) {
-    BodyFrame body;
-    body.name = problem.inputs[b].name;
-    body.mesh = std::shared_ptr<const mesh::Mesh>(state.shapes[b], &state.shapes[b]->mesh);
-    frame.bodies.push_back(std::move(body));
-  }
-  const auto& output = problem.scene.output;
-  if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
-  count_from_start(state, frame);
+/// The tables of the sides of contacts and bonds.
+void add_surfaces(const Problem& problem, const State& state, const solver::System& system, Frame& frame) {
   const auto shown = as_shown(problem, state);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c)
     for (auto& surface : surface_records(system.contacts[c], shown[c], state.shapes, problem.contacts[c]))
@@ -108,6 +97,22 @@ Frame make_frame(const Problem& problem, const State& state, Cache& cache, const
     frame.bonds.push_back(
         surface_records(system.contacts[c], state.solution.contacts[c], state.shapes, problem.bonds[b]).front());
   }
+}
+
+}  // namespace
+
+Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
+  const auto& system = timed_system(problem, state, cache);
+  Timer timer(cache, "frames");
+  Frame frame;
+  frame.cycle = state.cycle;
+  frame.step = step;
+  for (int b = 0; b < problem.body_count(); ++b)
+    frame.bodies.push_back(body_frame(problem.inputs[b].name, state.shapes[b]));
+  const auto& output = problem.scene.output;
+  if (output.frames.paraview || !output.probes.empty()) paint_bodies(problem, state, system, frame);
+  count_from_start(state, frame);
+  add_surfaces(problem, state, system, frame);
   return frame;
 }
 

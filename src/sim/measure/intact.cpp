@@ -69,7 +69,7 @@ void check_edge(const cad::Edge& edge, const std::string& body) {
           "a curve of body " + body + " leads nowhere");
 }
 
-void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& body) {
+void check_curves(const cad::Drawing& drawing, const std::string& body) {
   require(!drawing.part.loops.empty(), "body " + body + " is drawn without curves");
   for (const auto& loop : drawing.part.loops) {
     require(!loop.empty(), "body " + body + " is drawn with a loop of no curves");
@@ -82,6 +82,10 @@ void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& b
       require(choice[k].size() == drawing.part.loops[k].size(),
               "a boundary of body " + body + " is drawn on curves that it lacks");
   }
+}
+
+void check_drawing(const cad::Drawing& drawing, bool rigid, const std::string& body) {
+  check_curves(drawing, body);
   const auto& mesh = drawing.options.mesh;
   require(counted(static_cast<int>(mesh.element), static_cast<int>(mesh::CellKind::quad8)) &&
               (mesh.order == 1 || mesh.order == 2) && finite(mesh.far_size_mm) && mesh.far_size_mm >= 0.0 &&
@@ -112,9 +116,7 @@ void check_shape(const body::ShapePtr& shape, const body::ShapePtr& start, bool 
   if (shape->drawing) check_drawing(*shape->drawing, rigid, body);
 }
 
-void check_progress(const Problem& problem, const State& state) {
-  const auto& steps = problem.scene.steps;
-  require(counted(state.step, static_cast<int>(steps.size())), "it is in a step that the scene lacks");
+void check_numbers_of_cycles(const State& state) {
   require(state.approached || (state.step == 0 && state.step_blocks == 0 && state.cycle == 0.0),
           "it is under way and has not begun");
   require(finite(state.cycle) && state.cycle >= 0.0 && finite(state.step_cycles) && state.step_cycles >= 0.0 &&
@@ -122,6 +124,12 @@ void check_progress(const Problem& problem, const State& state) {
               finite(state.jump_error) && finite(state.block_cycles) &&
               (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
           "its number of cycles is not a number");
+}
+
+void check_progress(const Problem& problem, const State& state) {
+  const auto& steps = problem.scene.steps;
+  require(counted(state.step, static_cast<int>(steps.size())), "it is in a step that the scene lacks");
+  check_numbers_of_cycles(state);
   const double most = state.step < static_cast<int>(steps.size()) ? steps[state.step].cycles : 0.0;
   require(state.step_cycles <= most * (1.0 + 1e-9) + 1e-9 && state.step_cycles <= state.cycle * (1.0 + 1e-9) + 1e-9,
           "it has done more cycles than the step has");

@@ -22,17 +22,8 @@ struct Outline {
   Eigen::AlignedBox2d box;
 };
 
-Outline outline_of(const Problem& problem, const body::ShapePtr& shape, const std::vector<Vec2>& u, int body) {
-  const auto& mesh = shape->mesh;
-  Outline o;
-  o.x = mesh.X;
-  for (std::size_t k = 0; k < u.size(); ++k) o.x[k] += u[k];
-  for (const auto& loop : mesh.outline)
-    for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
-      o.pieces.push_back({loop[k], loop[k + 1]});
-      o.nodes.push_back(loop[k]);
-      o.box.extend(o.x[loop[k]]);
-    }
+/// Notes at the nodes of a body the sides on which they lie: of each contact and bond the secondary and the primary.
+void mark_sides(const Problem& problem, const mesh::Mesh& mesh, int body, Outline& o) {
   o.sides.resize(o.x.size());
   const auto mark = [&](const contact::BoundaryRef& ref, int side) {
     if (ref.body != body) return;
@@ -45,6 +36,20 @@ Outline outline_of(const Problem& problem, const body::ShapePtr& shape, const st
       for (const auto& ref : joint.primary) mark(ref, side);
       ++side;
     }
+}
+
+Outline outline_of(const Problem& problem, const body::ShapePtr& shape, const std::vector<Vec2>& u, int body) {
+  const auto& mesh = shape->mesh;
+  Outline o;
+  o.x = mesh.X;
+  for (std::size_t k = 0; k < u.size(); ++k) o.x[k] += u[k];
+  for (const auto& loop : mesh.outline)
+    for (std::size_t k = 0; k + 1 < loop.size(); ++k) {
+      o.pieces.push_back({loop[k], loop[k + 1]});
+      o.nodes.push_back(loop[k]);
+      o.box.extend(o.x[loop[k]]);
+    }
+  mark_sides(problem, mesh, body, o);
   return o;
 }
 

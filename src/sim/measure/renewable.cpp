@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "sim/measure/sides.hpp"
+
 namespace reye::sim {
 
 bool can_renew(const Problem& problem, int body) {
   const auto& input = problem.inputs[body];
   const auto wears = [&](const PlacedContact& contact) {
-    const auto here = [&](const contact::BoundaryRef& ref) { return ref.body == body; };
-    return contact.options.wear.wears() &&
-           (here(contact.secondary) || std::any_of(contact.primary.begin(), contact.primary.end(), here));
+    return contact.options.wear.wears() && lies_on(contact, body);
   };
   const auto on_X = [](const fem::BoundaryLoad& load) { return load.traction_MPa != Vec2::Zero() || load.interval_mm; };
   const auto on_nodes = [](const body::Support& support) { return support.point_mm || support.edge_axes; };

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "sim/measure/sides.hpp"
+
 namespace reye::sim {
 
 namespace {
@@ -35,7 +37,7 @@ Shared shared_boundaries(const Problem& problem, const std::vector<body::ShapePt
   if (std::none_of(sides.begin(), sides.end(), [](const auto& side) { return side.second > 1; })) return shared;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto add = [&](const contact::BoundaryRef& ref, bool secondary, std::size_t first) {
-      const auto count = mesh::nodes_of(shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
+      const auto count = side_nodes(shapes, ref).size();
       if (sides[{ref.body, ref.boundary}] > 1) shared[{ref.body, ref.boundary}].push_back({c, secondary, first, count});
       return first + count;
     };

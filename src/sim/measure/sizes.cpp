@@ -68,37 +68,43 @@ void warn_of_bodies(Problem& problem) {
   }
 }
 
-}  // namespace
-
-std::string why_crushed(const Problem& problem, int body) {
-  if (problem.rigid[body]) return {};
-  const auto& name = problem.inputs[body].name;
-  const double E = material::young(problem.inputs[body].material);
-  const double least = E * (problem.inputs[body].kinematics == base::Kinematics::finite ? crushing_rubber : crushing);
-  const char* mend = "check the load, and E_MPa";
-  const char* unit = problem.scene.analysis == base::Analysis::axisymmetric ? "N on the" : "N/mm on";
+/// The support whose force would strain a body beyond what materials bear, in words; `least`: such a pressure.
+std::string crushing_support(const Problem& problem, int body, double E, double least) {
+  const bool ring = problem.scene.analysis == base::Analysis::axisymmetric;
   for (const auto& support : problem.inputs[body].supports)
     for (const auto* motion : {&support.x, &support.y}) {
       const double size = size_of(problem, body, support), force = scene::largest_value(problem.scene, motion->parts);
       if (motion->drive != body::Drive::loaded || motion->stiffness > 0.0 || size == 0.0 || force <= least * size)
         continue;
       return base::formatted(
-                 "the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g "
-                 "%%; ",
-                 support.name.c_str(), force, unit, size,
-                 problem.scene.analysis == base::Analysis::axisymmetric ? "mm^2" : "mm", name.c_str(), E,
-                 100.0 * force / (E * size)) +
-             mend;
+          "the force of support %s, %.4g %s %.4g %s of its edge, would strain body %s of E_MPa = %.4g by %.3g %%; ",
+          support.name.c_str(), force, ring ? "N on the" : "N/mm on", size, ring ? "mm^2" : "mm",
+          problem.inputs[body].name.c_str(), E, 100.0 * force / (E * size));
     }
+  return {};
+}
+
+/// Likewise, a load.
+std::string crushing_load(const Problem& problem, int body, double E, double least) {
   for (const auto& load : problem.inputs[body].boundary_loads) {
     const double pressure = std::max(std::abs(load.pressure_MPa), load.traction_MPa.norm()) *
                             scene::largest_factor(problem.scene, load.history);
     if (pressure > least)
       return base::formatted("load %s, of %.4g MPa, would strain body %s of E_MPa = %.4g by %.3g %%; ",
-                             load.name.c_str(), pressure, name.c_str(), E, 100.0 * pressure / E) +
-             mend;
+                             load.name.c_str(), pressure, problem.inputs[body].name.c_str(), E, 100.0 * pressure / E);
   }
   return {};
+}
+
+}  // namespace
+
+std::string why_crushed(const Problem& problem, int body) {
+  if (problem.rigid[body]) return {};
+  const double E = material::young(problem.inputs[body].material);
+  const double least = E * (problem.inputs[body].kinematics == base::Kinematics::finite ? crushing_rubber : crushing);
+  std::string why = crushing_support(problem, body, E, least);
+  if (why.empty()) why = crushing_load(problem, body, E, least);
+  return why.empty() ? why : why + "check the load, and E_MPa";
 }
 
 void warn_of_sizes(Problem& problem) {

@@ -126,6 +126,27 @@ void warn_of_facets(std::vector<Warning>& warnings, const std::string& contact, 
         share});
 }
 
+void note_boundary_end(const std::string& contact, const Pressed& p, double cycle, std::vector<Warning>& found) {
+  if (p.cut.empty()) return;
+  found.push_back(
+      {"boundary_end", "contact " + contact,
+       base::formatted("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
+                       "would touch there does not, "
+                       "and the pressure rises at the end. Name the edges beyond it as well.",
+                       p.cut.c_str(), cycle)});
+}
+
+void note_beside_zone(const std::string& contact, const Pressed& p, double cycle, std::vector<Warning>& found) {
+  if (p.beside_zone <= 0.0) return;
+  found.push_back(
+      {"fine_zone", "contact " + contact,
+       base::formatted("At cycle %g most of the load is carried beside the fine zone, on elements %.3g times as "
+                       "long as it asks for. Set "
+                       "fine_zone.centre_mm and half_width_mm to where the sides touch.",
+                       cycle, p.beside_zone),
+       p.beside_zone});
+}
+
 void warn_of_block(const Problem& problem, State& state, const Observer& observer) {
   for (std::size_t c = 0; c < state.watch.size(); ++c) {
     const Pressed& p = state.watch[c].pressed;
@@ -135,60 +156,58 @@ void warn_of_block(const Problem& problem, State& state, const Observer& observe
     if (!p.bounded)
       warn_of_resolution(found, name, p.across, wanted_across(problem, problem.contacts[c].options), p.length_mm,
                          nodes_touching(p, state));
-    if (!p.cut.empty())
-      found.push_back(
-          {"boundary_end", "contact " + name,
-           base::formatted("The contact runs to the end of %s at cycle %g, where the outline continues smoothly: what "
-                           "would touch there does not, "
-                           "and the pressure rises at the end. Name the edges beyond it as well.",
-                           p.cut.c_str(), state.cycle)});
-    if (p.beside_zone > 0.0)
-      found.push_back(
-          {"fine_zone", "contact " + name,
-           base::formatted("At cycle %g most of the load is carried beside the fine zone, on elements %.3g times as "
-                           "long as it asks for. Set "
-                           "fine_zone.centre_mm and half_width_mm to where the sides touch.",
-                           state.cycle, p.beside_zone),
-           p.beside_zone});
+    note_boundary_end(name, p, state.cycle, found);
+    note_beside_zone(name, p, state.cycle, found);
     if (p.facets_mm > 0.0 && p.across >= fewest_across)
       warn_of_facets(found, name, p.facets_mm, approach_of(problem, c, p), p.size_mm);
     for (auto& warning : found) warn(state, observer, std::move(warning));
   }
 }
 
+void warn_of_never_closed(const std::string& contact, State& state, const Observer& observer) {
+  warn(state, observer,
+       {"never_closed", "contact " + contact,
+        "No node of it ever carried a force; check gap, direction and size of what "
+        "presses the sides together."});
+}
+
+/// The end of a run is shown, so its pressure must be resolved.
+void warn_of_last_resolution(const std::string& contact, const Pressed& p, State& state, const Observer& observer) {
+  if (p.force <= 0.0 || p.bounded) return;
+  std::vector<Warning> found;
+  warn_of_resolution(found, contact, p.across, fewest_across, p.length_mm, nodes_touching(p, state));
+  for (auto& warning : found) warn(state, observer, std::move(warning));
+}
+
+void warn_of_no_slip(const Problem& problem, std::size_t c, State& state, const Observer& observer) {
+  const auto& options = problem.contacts[c].options;
+  if (!options.wear.wears() || !has_worn(problem.scene, state)) return;
+  const int slipped = state.watch[c].slipped_most;
+  const bool sticks = options.friction > 0.0 && !options.imposed && slipped <= edge_nodes;
+  if (!sticks && state.solution.contacts[c].law_work != 0.0) return;
+  warn(state, observer,
+       {"no_slip", "contact " + options.name,
+        base::formatted(
+            "It should wear, but at most %d of its nodes slipped in a step that wears, while supports move by up "
+            "to %.3g "
+            "mm. Check the stroke (mm), that both sides are held along it, and the coefficient of friction.",
+            slipped, largest_motion(problem.scene))});
+}
+
 void warn_of_run(const Problem& problem, State& state, const Summary& summary, const Observer& observer) {
-  const auto& scene = problem.scene;
   for (const auto& contact : summary.contacts) warn_of_ledger(contact, state, observer);
   for (std::size_t c = 0; c < state.watch.size(); ++c) {
-    const auto& options = problem.contacts[c].options;
-    const auto& watch = state.watch[c];
-    if (watch.force_most == 0.0) {
-      warn(state, observer,
-           {"never_closed", "contact " + options.name,
-            "No node of it ever carried a force; check gap, direction and size of what "
-            "presses the sides together."});
+    const auto& name = problem.contacts[c].options.name;
+    if (state.watch[c].force_most == 0.0) {
+      warn_of_never_closed(name, state, observer);
       continue;
     }
-    // The end of a run is shown, so its pressure must be resolved.
-    std::vector<Warning> found;
-    if (watch.pressed.force > 0.0 && !watch.pressed.bounded)
-      warn_of_resolution(found, options.name, watch.pressed.across, fewest_across, watch.pressed.length_mm,
-                         nodes_touching(watch.pressed, state));
-    for (auto& warning : found) warn(state, observer, std::move(warning));
-    if (!options.wear.wears() || !has_worn(scene, state)) continue;
-    const bool sticks = options.friction > 0.0 && !options.imposed && watch.slipped_most <= edge_nodes;
-    if (sticks || state.solution.contacts[c].law_work == 0.0)
-      warn(state, observer,
-           {"no_slip", "contact " + options.name,
-            base::formatted(
-                "It should wear, but at most %d of its nodes slipped in a step that wears, while supports move by up "
-                "to %.3g "
-                "mm. Check the stroke (mm), that both sides are held along it, and the coefficient of friction.",
-                watch.slipped_most, largest_motion(scene))});
+    warn_of_last_resolution(name, state.watch[c].pressed, state, observer);
+    warn_of_no_slip(problem, c, state, observer);
   }
-  for (const auto& limit : scene.limits)
+  for (const auto& limit : problem.scene.limits)
     for (const auto& contact : summary.contacts)
-      if (contact.name == limit.contact) warn_of_limit(scene, limit, contact, state, observer);
+      if (contact.name == limit.contact) warn_of_limit(problem.scene, limit, contact, state, observer);
 }
 
 void warn_of_remesh(State& state, const Observer& observer, const RemeshRecord& record) {

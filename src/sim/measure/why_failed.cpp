@@ -9,6 +9,7 @@
 #include "scene/histories.hpp"
 #include "sim/measure/nodal_depth.hpp"
 #include "sim/measure/roundness.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/measure/sizes.hpp"
 #include "sim/measure/small_strain.hpp"
 #include "sim/measure/worn_through.hpp"
@@ -127,10 +128,7 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
 /// Bodies that supports leave free, and the contacts that no longer hold them.
 std::string came_away(const Problem& problem) {
   for (int b = 0; b < problem.body_count(); ++b) {
-    const auto joins = [b](const auto& joint) {
-      return joint.secondary.body == b ||
-             std::any_of(joint.primary.begin(), joint.primary.end(), [b](const auto& ref) { return ref.body == b; });
-    };
+    const auto joins = [b](const PlacedContact& joint) { return lies_on(joint, b); };
     if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins))
       continue;  // it moves with the body to which it is bonded
     const auto free = body::unheld_together({{&problem.shapes[b]->mesh, &problem.inputs[b].supports}},

@@ -9,6 +9,7 @@
 
 #include "base/formatted.hpp"
 #include "cad/part/zone.hpp"
+#include "sim/measure/sides.hpp"
 
 namespace reye::sim {
 
@@ -22,27 +23,30 @@ Vec2 direction(const cad::FineZone& zone) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Mesh nodes of the body that touch in this contact, or have worn in this block, on the sides that lie on the body.
-std::set<int> nodes_in_use(const Problem& problem, const State& state, int contact, int body) {
-  const auto& placed = problem.contacts[contact];
-  const auto& s = state.solution.contacts[contact];
-  const auto nodes = [&](const contact::BoundaryRef& ref) {
-    return mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary));
-  };
-  std::set<int> used;
+/// Per primary node: a node that touches meets it.
+std::vector<char> met_primary(const contact::ContactState& s) {
   std::vector<char> met(s.pending_primary.size(), 0);
   for (std::size_t j = 0; j < s.status.size(); ++j) {
     if (s.status[j] == contact::ContactStatus::inactive) continue;
     for (const auto& [l, M] : s.reference[j].M) met[l] = 1;
   }
+  return met;
+}
+
+/// Mesh nodes of the body that touch in this contact, or have worn in this block, on the sides that lie on the body.
+std::set<int> nodes_in_use(const Problem& problem, const State& state, int contact, int body) {
+  const auto& placed = problem.contacts[contact];
+  const auto& s = state.solution.contacts[contact];
+  std::set<int> used;
+  const auto met = met_primary(s);
   if (placed.secondary.body == body) {
-    const auto own = nodes(placed.secondary);
+    const auto own = side_nodes(state.shapes, placed.secondary);
     for (std::size_t j = 0; j < own.size(); ++j)
       if (s.status[j] != contact::ContactStatus::inactive || s.pending_secondary[j] > 0.0) used.insert(own[j]);
   }
   std::size_t l = 0;
   for (const auto& ref : placed.primary)
-    for (int node : nodes(ref)) {
+    for (int node : side_nodes(state.shapes, ref)) {
       if (ref.body == body && (met[l] || s.pending_primary[l] > 0.0)) used.insert(node);
       ++l;
     }
@@ -159,6 +163,20 @@ std::string leaves_zone(const Problem& problem, const State& state, int body, co
   return {};
 }
 
+namespace {
+
+/// Moves and widens a zone to the range that its contact uses, with as many elements across as were asked for.
+void widen_to(const std::array<double, 2>& range, const cad::FineZone& asked, cad::FineZone& zone) {
+  zone.centre_mm += 0.5 * (range[0] + range[1]) * direction(zone);
+  zone.half_width_mm =
+      std::max(asked.half_width_mm, room * 0.5 * (range[1] - range[0]) + margin_elements * zone.size_mm);
+  const double factor = zone.half_width_mm / asked.half_width_mm;
+  zone.size_mm = factor * asked.size_mm;
+  zone.depth_mm = factor * asked.depth_mm;
+}
+
+}  // namespace
+
 std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& state, int body,
                                           const body::Shape& shape) {
   std::vector<cad::FineZone> zones;
@@ -167,14 +185,7 @@ std::vector<cad::FineZone> followed_zones(const Problem& problem, const State& s
     cad::FineZone zone = former;
     const auto range = range_in_use(problem, state, body, former, shape);
     const auto* asked = asked_for(problem, former);
-    if (range && asked && excess(problem, state, body, former, shape) > 0.0) {
-      zone.centre_mm += 0.5 * ((*range)[0] + (*range)[1]) * direction(zone);
-      zone.half_width_mm =
-          std::max(asked->half_width_mm, room * 0.5 * ((*range)[1] - (*range)[0]) + margin_elements * zone.size_mm);
-      const double factor = zone.half_width_mm / asked->half_width_mm;
-      zone.size_mm = factor * asked->size_mm;
-      zone.depth_mm = factor * asked->depth_mm;
-    }
+    if (range && asked && excess(problem, state, body, former, shape) > 0.0) widen_to(*range, *asked, zone);
     zone.centre_mm = on_outline(problem, zone, body, shape.mesh);
     zones.push_back(zone);
   }

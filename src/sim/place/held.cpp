@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "body/operator.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/place/held_by_contact.hpp"
 
 namespace reye::sim {
@@ -26,15 +27,9 @@ bool contacts_hold(const Problem& p, int b, const std::string& motion) {
 void check_rigid_motions(const Problem& p, std::vector<Issue>& issues) {
   for (int b = 0; b < p.body_count(); ++b) {
     bool friction = false;
-    for (const auto& contact : p.contacts) {
-      bool here = contact.secondary.body == b;
-      for (const auto& ref : contact.primary) here = here || ref.body == b;
-      friction = friction || (here && contact.options.friction > 0.0 && !contact.options.imposed);
-    }
-    for (const auto& bond : p.bonds) {
-      friction = friction || bond.secondary.body == b;
-      for (const auto& ref : bond.primary) friction = friction || ref.body == b;
-    }
+    for (const auto& contact : p.contacts)
+      friction = friction || (lies_on(contact, b) && contact.options.friction > 0.0 && !contact.options.imposed);
+    for (const auto& bond : p.bonds) friction = friction || lies_on(bond, b);
     for (const auto& motion : body::unheld_motions(p.shapes[b]->mesh, p.inputs[b], friction))
       if (!contacts_hold(p, b, motion))
         issues.push_back(

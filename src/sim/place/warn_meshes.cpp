@@ -10,6 +10,7 @@
 #include "scene/histories.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/measure/roundness.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/measure/warn_contact.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -60,11 +61,8 @@ Touch touch_of(const contact::Setup& setup, const DrawnGap& drawn) {
 
 /// Whether several contacts share the load of a body.
 bool shares_its_load(const Problem& problem, int body) {
-  const auto here = std::count_if(problem.contacts.begin(), problem.contacts.end(), [&](const PlacedContact& c) {
-    return c.secondary.body == body ||
-           std::any_of(c.primary.begin(), c.primary.end(), [&](const auto& ref) { return ref.body == body; });
-  });
-  return here > 1;
+  return std::count_if(problem.contacts.begin(), problem.contacts.end(),
+                       [&](const PlacedContact& contact) { return lies_on(contact, body); }) > 1;
 }
 
 /// The largest force along d with which a support loads a body.

@@ -3,31 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/measure/sides.hpp"
+
 namespace reye::sim {
 
 namespace {
 
 using body::Drive;
 
+/// Moves the contact nodes and the supports of a body by d, in its q.
+void translate(const auto& body, const Vec2& d, Vector& t) {
+  const Vector zero = Vector::Zero(t.size());
+  for (int k = 0; k < static_cast<int>(body.contact_nodes().size()); ++k) {
+    const auto p = body.position(k, zero);
+    for (int i = p.count - body.freedom(k).free; i < p.count; ++i) t[p.terms[i].column] = p.terms[i].direction.dot(d);
+  }
+  for (const auto& column : body.support_columns()) t[column.column] = column.direction.dot(d);
+}
+
 /// q-space image of a unit translation of body b along d.
 Vector translation(const Problem& problem, const solver::System& system, int b, const Vec2& d) {
   const auto& op = system.bodies[b];
   Vector t = Vector::Zero(body::dofs(op));
-  const Vector zero = Vector::Zero(t.size());
-  if (problem.rigid[b]) {
+  if (problem.rigid[b])
     t.head<2>() = d;
-    return t;
-  }
-  std::visit(
-      [&](const auto& o) {
-        for (int k = 0; k < static_cast<int>(o.contact_nodes().size()); ++k) {
-          const auto p = o.position(k, zero);
-          for (int i = p.count - o.freedom(k).free; i < p.count; ++i)
-            t[p.terms[i].column] = p.terms[i].direction.dot(d);
-        }
-        for (const auto& column : o.support_columns()) t[column.column] = column.direction.dot(d);
-      },
-      op);
+  else
+    std::visit([&](const auto& o) { translate(o, d, t); }, op);
   return t;
 }
 
@@ -54,6 +55,22 @@ const body::Motion& motion_of(const Problem& problem, int b, const body::Support
   return body::motion_of(problem.inputs[b].supports[column.support], column.motion);
 }
 
+/// The residual of a body before anything has moved, with its loads at their peaks in a step.
+Vector residual_at_rest(const Problem& problem, const scene::Step& step, const body::Operator& op) {
+  const auto& loads = body::loads(op);
+  Vector factors(static_cast<Eigen::Index>(loads.size()));
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
+  const Vector zero = Vector::Zero(body::dofs(op));
+  const auto at_rest = [&](const auto& o) -> Vector {
+    if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
+      return at_start(o, factors).r;
+    else
+      return o.residual(zero, factors);
+  };
+  return std::visit(at_rest, op);
+}
+
 /// Force that drives body b along d: loaded support motions and loads at their peaks in a step.
 double driving_force(const Problem& problem, const scene::Step& step, const solver::System& system, int b,
                      const Vec2& d) {
@@ -63,18 +80,7 @@ double driving_force(const Problem& problem, const scene::Step& step, const solv
     if (const auto& m = motion_of(problem, b, column); m.drive == Drive::loaded)
       for (const auto& part : m.parts)
         force += column.direction.dot(d) * part.value * peak_factor(problem, step, part.history);
-  const auto& loads = body::loads(op);
-  Vector factors(static_cast<Eigen::Index>(loads.size()));
-  for (std::size_t i = 0; i < loads.size(); ++i)
-    factors[static_cast<Eigen::Index>(i)] = peak_factor(problem, step, loads[i].history);
-  const Vector t = translation(problem, system, b, d), zero = Vector::Zero(t.size());
-  const auto at_rest = [&](const auto& o) -> Vector {
-    if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
-      return at_start(o, factors).r;
-    else
-      return o.residual(zero, factors);
-  };
-  return force - std::visit(at_rest, op).dot(t);
+  return force - residual_at_rest(problem, step, op).dot(translation(problem, system, b, d));
 }
 
 /// The change of the interior of a nonlinear body with t in its q, without load; empty for other bodies.
@@ -85,27 +91,30 @@ Vector interior_of(const body::Operator& op, const Vector& t) {
   return body->interior_step(at_start(*body, unloaded), t);
 }
 
+/// Shortens the way along d to that after which the first covered secondary node of a contact meets.
+void shorten_to_meeting(const contact::Setup& setup, const contact::Interface& face, const Vec2& d,
+                        std::optional<double>& way) {
+  for (int j = 0; j < setup.secondary_count(); ++j) {
+    if (face.rows()[j].D < 0.5 * setup.secondary.area[j] || setup.cut[j]) continue;
+    const double closing = face.normal()[j].dot(d);
+    if (closing < 0.2) continue;
+    const double distance = face.gap()[j] / face.rows()[j].D / closing;
+    if (!way || distance < *way) way = distance;
+  }
+}
+
 /// Distance that body b can move along d until the first covered secondary node of its contacts meets.
 std::optional<double> free_way(const Problem& problem, const solver::System& system, const State& state, int b,
                                const Vec2& d) {
   std::optional<double> way;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const bool on_secondary = problem.contacts[c].secondary.body == b;
-    bool on_primary = false;
-    for (const auto& ref : problem.contacts[c].primary) on_primary = on_primary || ref.body == b;
-    if (!on_secondary && !on_primary) continue;
+    if (!lies_on(problem.contacts[c], b)) continue;
     contact::Interface face;
     auto sides = solver::positions(system, setup, state.solution.q.high);
     face.begin(setup, state.solution.contacts[c], sides.secondary, sides.primary, {});
     face.integrate(sides.secondary, sides.primary);
-    for (int j = 0; j < setup.secondary_count(); ++j) {
-      if (face.rows()[j].D < 0.5 * setup.secondary.area[j] || setup.cut[j]) continue;
-      const double closing = face.normal()[j].dot(d) * (on_secondary ? 1.0 : -1.0);
-      if (closing < 0.2) continue;
-      const double distance = face.gap()[j] / face.rows()[j].D / closing;
-      if (!way || distance < *way) way = distance;
-    }
+    shorten_to_meeting(setup, face, problem.contacts[c].secondary.body == b ? d : Vec2(-d), way);
   }
   return way;
 }

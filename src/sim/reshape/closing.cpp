@@ -68,30 +68,46 @@ void close_by_secondary(Gaps& c) {
   }
 }
 
-/// The least moves of the primary that close the gap left by the secondary, sum_l M_jl b_l = left_j in least squares.
-void close_by_primary(Gaps& c) {
-  const auto nl = static_cast<Eigen::Index>(c.primary.by.size());
+std::vector<std::size_t> loaded_nodes(const Gaps& c) {
   std::vector<std::size_t> nodes;
   for (std::size_t j = 0; j < c.rows.size(); ++j)
     if (c.secondary.loaded[j] && !c.setup.between(static_cast<int>(j))) nodes.push_back(j);
-  base::Matrix B = base::Matrix::Zero(static_cast<Eigen::Index>(nodes.size()), nl);
+  return nodes;
+}
+
+/// M_jl of these nodes and of the primary nodes that have room, each row over the root of its length.
+base::Matrix scaled_M(const Gaps& c, const std::vector<std::size_t>& nodes) {
+  base::Matrix B =
+      base::Matrix::Zero(static_cast<Eigen::Index>(nodes.size()), static_cast<Eigen::Index>(c.primary.by.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const auto& [l, M] : c.rows[nodes[i]].M)
       if (c.primary.room[l] > 0.0) B(static_cast<Eigen::Index>(i), l) = M / std::sqrt(c.rows[nodes[i]].carried());
+  return B;
+}
+
+/// B^T B, damped, so that it is regular.
+base::Matrix damped_normal_matrix(const base::Matrix& B) {
   constexpr double damping = 1e-3;
   Vector diagonal = damping * B.colwise().squaredNorm().transpose();
   for (double& d : diagonal)
     if (d == 0.0) d = 1.0;
   base::Matrix normal = B.transpose() * B;
   normal.diagonal() += diagonal;
-  const Eigen::LLT<base::Matrix> factor(normal);
+  return normal;
+}
+
+/// The least moves of the primary that close the gap left by the secondary, sum_l M_jl b_l = left_j in least squares.
+void close_by_primary(Gaps& c) {
+  const auto nodes = loaded_nodes(c);
+  const base::Matrix B = scaled_M(c, nodes);
+  const Eigen::LLT<base::Matrix> factor(damped_normal_matrix(B));
   constexpr int turns = 3;  // each closes the part that damping has left
   for (int turn = 0; turn < turns; ++turn) {
     Vector r(B.rows());
     for (std::size_t i = 0; i < nodes.size(); ++i)
       r[static_cast<Eigen::Index>(i)] = c.left(nodes[i]) / std::sqrt(c.rows[nodes[i]].carried());
     const Vector b = factor.solve(B.transpose() * r);
-    for (Eigen::Index l = 0; l < nl; ++l)
+    for (Eigen::Index l = 0; l < b.size(); ++l)
       c.primary.by[l] = limited(c.primary.by[l] + b[l], c.primary, static_cast<std::size_t>(l));
   }
 }
@@ -225,11 +241,9 @@ void close(Gaps& c) {
   keep_open(c);
 }
 
-}  // namespace
-
-Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
-                   const HeldTraction& held) {
-  const auto face = meeting(setup, contact, at);
+Gaps gaps_of(const contact::Interface& face, const contact::ContactState& contact, const solver::Sides& at,
+             const HeldTraction& held) {
+  const auto& setup = face.setup();
   const auto& law = setup.options.wear;
   const Vec2 e = pressed_along(face, held);
   Gaps c{setup,
@@ -240,11 +254,19 @@ Closing closing_of(const contact::Setup& setup, const contact::ContactState& con
          side_of(setup.primary, contact.removed_primary, law.primary)};
   for (std::size_t j = 0; j < c.rows.size(); ++j)
     c.secondary.loaded[j] = held.normal[j] > 0.0 && !setup.cut[j] && face.touching(static_cast<int>(j));
+  return c;
+}
+
+}  // namespace
+
+Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
+                   const HeldTraction& held) {
+  const auto face = meeting(setup, contact, at);
+  Gaps c = gaps_of(face, contact, at, held);
   close(c);
   Closing closing;
-  for (std::size_t j = 0; j < c.rows.size(); ++j)
-    if (c.secondary.loaded[j] && !setup.between(static_cast<int>(j)))
-      closing.left_mm = std::max(closing.left_mm, std::abs(c.left(j)) / c.rows[j].carried());
+  for (std::size_t j : loaded_nodes(c))
+    closing.left_mm = std::max(closing.left_mm, std::abs(c.left(j)) / c.rows[j].carried());
   for (const auto* side : {&c.secondary, &c.primary})
     for (double by : side->by) closing.moved_mm = std::max(closing.moved_mm, std::abs(by));
   closing.secondary = std::move(c.secondary);

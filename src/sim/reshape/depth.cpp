@@ -4,6 +4,7 @@
 
 #include "adapt/shape/unworn.hpp"
 #include "sim/measure/roundness.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/reshape/carry.hpp"
 
 namespace reye::sim {
@@ -41,27 +42,32 @@ void measure(const Problem& problem, const State& state, const contact::Boundary
       removed[k] = std::max(depth[k] * surface.area[k] - (others ? others[k] : 0.0), 0.0) + pending[k];
 }
 
+/// The part of a list per node from `first` on; null: there is no list.
+const double* part_from(const std::vector<double>& volume, std::size_t first) {
+  return volume.empty() ? nullptr : volume.data() + first;
+}
+
+void measure_sides(const Problem& problem, const State& state, const PlacedContact& placed,
+                   contact::ContactState& contact) {
+  const auto& law = placed.options.wear;
+  if (law.secondary > 0.0)
+    measure(problem, state, placed.secondary, contact.pending_secondary.data(), part_from(contact.others_secondary, 0),
+            contact.removed_secondary.data());
+  std::size_t first = 0;
+  for (const auto& ref : placed.primary) {
+    if (law.primary > 0.0)
+      measure(problem, state, ref, contact.pending_primary.data() + first, part_from(contact.others_primary, first),
+              contact.removed_primary.data() + first);
+    first += side_nodes(state.shapes, ref).size();
+  }
+}
+
 }  // namespace
 
 void measure_depths(const Problem& problem, State& state) {
-  const auto of_others = [](const std::vector<double>& volume, std::size_t first) {
-    return volume.empty() ? nullptr : volume.data() + first;
-  };
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const auto& placed = problem.contacts[c];
-    auto& contact = state.solution.contacts[c];
-    const auto& law = placed.options.wear;
-    if (law.wears() && law.secondary > 0.0)
-      measure(problem, state, placed.secondary, contact.pending_secondary.data(),
-              of_others(contact.others_secondary, 0), contact.removed_secondary.data());
-    std::size_t first = 0;
-    for (const auto& ref : placed.primary) {
-      if (law.wears() && law.primary > 0.0)
-        measure(problem, state, ref, contact.pending_primary.data() + first, of_others(contact.others_primary, first),
-                contact.removed_primary.data() + first);
-      first += mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
-    }
-  }
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    if (problem.contacts[c].options.wear.wears())
+      measure_sides(problem, state, problem.contacts[c], state.solution.contacts[c]);
 }
 
 }  // namespace reye::sim

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "adapt/shape/shift_outline.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/reshape/balance.hpp"
 #include "sim/reshape/closing.hpp"
@@ -42,8 +43,7 @@ void collect(const PlacedContact& placed, const State& state, const Closing& c, 
   if (!any(c.primary.by)) return;
   std::ptrdiff_t first = 0;
   for (const auto& ref : placed.primary) {
-    const auto& boundary = state.shapes[ref.body]->mesh.boundaries.at(ref.boundary);
-    const auto count = static_cast<std::ptrdiff_t>(mesh::nodes_of(boundary).size());
+    const auto count = static_cast<std::ptrdiff_t>(side_nodes(state.shapes, ref).size());
     const auto part = [&](const Values& v) { return Values(v.begin() + first, v.begin() + first + count); };
     shifts[ref.body].push_back({ref.boundary, part(c.primary.by), part(c.primary.free)});
     first += count;
@@ -55,12 +55,46 @@ void book(const Problem& problem, State& next, int body, double removed) {
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& placed = problem.contacts[c];
     auto& contact = next.solution.contacts[c];
-    const bool primary =
-        std::any_of(placed.primary.begin(), placed.primary.end(), [&](const auto& ref) { return ref.body == body; });
-    if (placed.secondary.body != body && !primary) continue;
+    if (!lies_on(placed, body)) continue;
     (placed.secondary.body == body ? contact.strip_secondary : contact.strip_primary) += removed;
     return;
   }
+}
+
+/// Closes the gaps of the contacts that keep their pressures, as they are at q, and takes the moves off their losses.
+/// Returns the moves of the outlines.
+Shifts close_gaps(const Problem& problem, const solver::System& system, const Vector& q,
+                  const std::vector<HeldTraction>& held, State& next, CarriedGap& carried) {
+  Shifts shifts(next.shapes.size());
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    if (!keeps_pressure(problem.contacts[c].options)) continue;
+    const auto& setup = system.contacts[c];
+    auto& contact = next.solution.contacts[c];
+    const Closing closing = closing_of(setup, contact, solver::positions(system, setup, q), held[c]);
+    carried.left_mm = std::max(carried.left_mm, closing.left_mm);
+    carried.moved_mm = std::max(carried.moved_mm, closing.moved_mm);
+    collect(problem.contacts[c], next, closing, shifts);
+    take_off(closing.secondary, setup.secondary, contact.removed_secondary);
+    take_off(closing.primary, setup.primary, contact.removed_primary);
+  }
+  return shifts;
+}
+
+/// Moves the outlines of all bodies. Returns why that fails, or nothing; the shapes then stay as they are.
+std::string shift_outlines(const Problem& problem, const Shifts& shifts, Cache& cache, State& next) {
+  Timer timer(cache, "adapt");
+  auto shapes = next.shapes;
+  std::vector<double> removed(shapes.size(), 0.0);
+  for (std::size_t b = 0; b < shapes.size(); ++b) {
+    if (shifts[b].empty()) continue;
+    auto shifted = adapt::shift_outline(shapes[b], problem.scene.analysis, shifts[b], &cache.relocation);
+    if (!shifted.failure.empty()) return shifted.failure;
+    shapes[b] = std::move(shifted.shape);
+    removed[b] = shifted.removed;
+  }
+  next.shapes = std::move(shapes);
+  for (std::size_t b = 0; b < removed.size(); ++b) book(problem, next, static_cast<int>(b), removed[b]);
+  return {};
 }
 
 /// Moves the worn nodes of `next` by one linear step from equilibrium under the held tractions.
@@ -71,34 +105,12 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
   carried.failure = equilibrate_on_springs(problem, pressed, cache, span, held);
   next.counts = pressed.counts;
   if (!carried.failure.empty()) return carried;
-  Shifts shifts(next.shapes.size());
   const auto& system = timed_system(problem, next, cache);
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    if (!keeps_pressure(problem.contacts[c].options)) continue;
-    const auto& setup = system.contacts[c];
-    auto& contact = next.solution.contacts[c];
-    const auto at = solver::positions(system, setup, pressed.solution.q.high);
-    const Closing closing = closing_of(setup, contact, at, held[c]);
-    carried.left_mm = std::max(carried.left_mm, closing.left_mm);
-    carried.moved_mm = std::max(carried.moved_mm, closing.moved_mm);
-    collect(problem.contacts[c], next, closing, shifts);
-    take_off(closing.secondary, setup.secondary, contact.removed_secondary);
-    take_off(closing.primary, setup.primary, contact.removed_primary);
-  }
-  Timer timer(cache, "adapt");
-  auto shapes = next.shapes;
-  std::vector<double> removed(shapes.size(), 0.0);
-  for (std::size_t b = 0; b < shapes.size(); ++b) {
-    if (shifts[b].empty()) continue;
-    auto shifted = adapt::shift_outline(shapes[b], problem.scene.analysis, shifts[b], &cache.relocation);
-    if (carried.failure = shifted.failure; !carried.failure.empty()) return carried;
-    shapes[b] = std::move(shifted.shape);
-    removed[b] = shifted.removed;
-  }
-  next.shapes = std::move(shapes);
+  const Shifts shifts = close_gaps(problem, system, pressed.solution.q.high, held, next, carried);
+  carried.failure = shift_outlines(problem, shifts, cache, next);
+  if (!carried.failure.empty()) return carried;
   next.solution.q = std::move(pressed.solution.q);
   next.solution.interiors = std::move(pressed.solution.interiors);
-  for (std::size_t b = 0; b < removed.size(); ++b) book(problem, next, static_cast<int>(b), removed[b]);
   return carried;
 }
 

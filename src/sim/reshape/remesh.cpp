@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "adapt/redraw/remesh.hpp"
 #include "adapt/transfer/gauss_transfer.hpp"
@@ -10,7 +11,6 @@
 #include "fem/finite.hpp"
 #include "mesh/quality.hpp"
 #include "sim/measure/displacements.hpp"
-#include "sim/measure/renewable.hpp"
 #include "sim/measure/zones.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/timer.hpp"
@@ -19,8 +19,6 @@
 namespace reye::sim {
 
 namespace {
-
-bool in_contact(const Problem& problem, int body) { return !problem.inputs[body].contact_boundaries.empty(); }
 
 /// A body as it was before its remesh.
 struct Displaced {
@@ -88,32 +86,48 @@ Displaced displaced_body(const Problem& problem, const State& state, const solve
   return body;
 }
 
+/// Where the equilibrium on a fresh mesh starts.
+struct FreshStart {
+  Vector q;
+  body::Interior interior;
+  double projection = 0.0;  ///< the farthest that a node lay outside the old mesh
+};
+
+std::string start_linear(const Displaced& before, const mesh::Mesh& fresh, const body::LinearBody& linear,
+                         FreshStart& start) {
+  base::Points contact, u;
+  for (int node : linear.contact_nodes()) contact.push_back(fresh.X[node]);
+  if (const auto* turning = linear.turning()) start.q[turning->angle] = before.angle;
+  const std::string failure = carry_displacement(before.on->mesh, before.u, contact, u, start.projection);
+  if (failure.empty()) body::seat(linear, u, start.q);
+  return failure;
+}
+
+std::string start_nonlinear(const Displaced& before, const mesh::Mesh& fresh, const body::NonlinearBody& nonlinear,
+                            const adapt::GaussOptions& gauss, FreshStart& start) {
+  const mesh::Mesh& old = before.on->mesh;
+  auto& interior = start.interior;
+  interior = nonlinear.start();
+  base::Points u;
+  const std::string failure = carry_displacement(old, before.u, fresh.X, u, start.projection);
+  if (!failure.empty()) return failure;
+  nonlinear.seat(u, start.q, interior.y);
+  if (!before.F0.empty()) interior.F0 = carry_prestrain(old, before.F0, fresh, gauss);
+  if (!before.elastic.empty())
+    interior.history =
+        nonlinear.compatible(interior, start.q, adapt::transfer_elastic(old, before.elastic, fresh, gauss));
+  return {};
+}
+
 /// Start values of q on a fresh mesh: supports as they were, nodes displaced as the old mesh is at their place. A
 /// linear body has no other state, a nonlinear one its interior.
 std::string start_values(const Displaced& before, const mesh::Mesh& fresh, const body::Operator& op,
-                         const adapt::GaussOptions& gauss, Vector& q, body::Interior& interior, double& projection) {
-  const mesh::Mesh& old = before.on->mesh;
+                         const adapt::GaussOptions& gauss, FreshStart& start) {
   for (const auto& now : body::support_columns(op))
     for (const auto& then : before.supports)
-      if (then.support == now.support && then.motion == now.motion) q[now.column] = before.q[then.column];
-  base::Points u;
-  if (const auto* linear = std::get_if<body::LinearBody>(&op)) {
-    base::Points contact;
-    for (int node : linear->contact_nodes()) contact.push_back(fresh.X[node]);
-    if (const auto* turning = linear->turning()) q[turning->angle] = before.angle;
-    const std::string failure = carry_displacement(old, before.u, contact, u, projection);
-    if (failure.empty()) body::seat(*linear, u, q);
-    return failure;
-  }
-  const auto& nonlinear = std::get<body::NonlinearBody>(op);
-  interior = nonlinear.start();
-  const std::string failure = carry_displacement(old, before.u, fresh.X, u, projection);
-  if (!failure.empty()) return failure;
-  nonlinear.seat(u, q, interior.y);
-  if (!before.F0.empty()) interior.F0 = carry_prestrain(old, before.F0, fresh, gauss);
-  if (!before.elastic.empty())
-    interior.history = nonlinear.compatible(interior, q, adapt::transfer_elastic(old, before.elastic, fresh, gauss));
-  return {};
+      if (then.support == now.support && then.motion == now.motion) start.q[now.column] = before.q[then.column];
+  if (const auto* linear = std::get_if<body::LinearBody>(&op)) return start_linear(before, fresh, *linear, start);
+  return start_nonlinear(before, fresh, std::get<body::NonlinearBody>(op), gauss, start);
 }
 
 /// Displacement of the nodes of a fresh mesh since the start: that before earlier renewals, and in a renewal the
@@ -163,84 +177,88 @@ RemeshRecord record_of(const Problem& problem, const State& next, int body, cons
   return r;
 }
 
-}  // namespace
+/// A body that is being remeshed: as it was, its fresh shape and the record of it.
+struct FreshBody {
+  Displaced before;
+  body::ShapePtr shape;
+  RemeshRecord record;
+};
 
-std::vector<RemeshReason> remesh_reasons(const Problem& problem, const State& state, const solver::System& system,
-                                         const std::vector<Moved>& moved) {
-  const auto& options = problem.scene.remesh;
-  std::vector<RemeshReason> reasons(moved.size());
-  bool worn = false;  // without wear a fine zone stays as the user gave it
-  for (int b = 0; b < problem.body_count(); ++b) worn = worn || moved[b].shape != state.shapes[b];
-  const bool due = options.every_blocks > 0 && (state.counts.blocks + 1) % options.every_blocks == 0;
-  for (int b = 0; b < problem.body_count(); ++b) {
-    if (problem.rigid[b] || !in_contact(problem, b)) continue;
-    const auto& [shape, poor] = moved[b];
-    auto& reason = reasons[b];
-    if (options.automatic && worn) {
-      reason = {leaves_zone(problem, state, b, *shape), true};
-      if (!reason.text.empty()) continue;
-      reason = {poor, false};
-    }
-    if (options.automatic && shape != state.shapes[b]) {
-      base::Points x = recovered(problem, state, system, b);
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape->mesh.X[i];
-      reason.divide = adapt::measure(*shape, x).size_ratio.value > options.triggers.size_ratio;
-      if (reason.text.empty())
-        reason.text = adapt::why_remesh(*shape, can_renew(problem, b) ? nullptr : &x, options.triggers);
-    }
-    if (due && reason.text.empty())
-      reason = {"every " + std::to_string(options.every_blocks) + " blocks, as asked for", false};
-  }
-  return reasons;
+/// Remeshes one body. Returns why that fails, or nothing.
+std::string remesh_body(const Problem& problem, const State& state, const solver::System& old, int b, Change& change,
+                        FreshBody& fresh) {
+  auto& next = change.next;
+  const auto& reason = change.reasons[b];
+  const std::string about = "remeshing body " + problem.inputs[b].name;
+  auto options = problem.scene.remesh.options;
+  options.keep_nodes = !reason.divide;
+  const auto made = adapt::remesh(next.shapes[b], problem.scene.analysis,
+                                  followed_zones(problem, state, b, *next.shapes[b]), options);
+  if (!made.failure.empty()) return about + " (" + reason.text + "): " + made.failure;
+  fresh.before = displaced_body(problem, state, old, b, reason.renew, next.shapes[b]);
+  const std::string lost =
+      carry_displaced(state, b, fresh.before, recovered(problem, state, old, b), reason.renew, made.shape->mesh, next);
+  if (!lost.empty()) return about + ": " + lost;
+  fresh.record = record_of(problem, next, b, reason.text, next.shapes[b]->mesh, made);
+  fresh.shape = made.shape;
+  ++next.counts.remeshes;
+  return {};
 }
+
+void carry_contacts(const Problem& problem, const std::vector<body::ShapePtr>& to, Change& change, Cache& cache) {
+  Timer timer(cache, "adapt");
+  auto& next = change.next;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+    carry_contact(problem.contacts[c], problem.scene.analysis, next.shapes, to, next.solution.contacts[c],
+                  change.held[c]);
+}
+
+/// Start values of a remeshed body in `next`. Returns why there are none, or nothing.
+std::string start_fresh(const Problem& problem, const solver::System& system, int b, FreshBody& fresh, State& next) {
+  const auto& op = system.bodies[b];
+  const adapt::GaussOptions gauss{problem.scene.remesh.state_transfer, problem.scene.analysis};
+  FreshStart start{Vector::Zero(body::dofs(op)), std::move(next.solution.interiors[b])};
+  const std::string failure = start_values(fresh.before, fresh.shape->mesh, op, gauss, start);
+  if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
+  next.solution.q.high.segment(system.offset[b], start.q.size()) = start.q;
+  next.solution.interiors[b] = std::move(start.interior);
+  fresh.record.projection_mm = start.projection;
+  return {};
+}
+
+/// Start values on the fresh meshes; `parts`: q of each body before. Returns why there are none, or nothing.
+std::string start_on_meshes(const Problem& problem, const solver::System& system, const std::vector<Vector>& parts,
+                            std::map<int, FreshBody>& fresh, State& next) {
+  next.solution.q = Vector::Zero(system.dofs);
+  for (int b = 0; b < problem.body_count(); ++b) {
+    if (!fresh.contains(b))
+      next.solution.q.high.segment(system.offset[b], parts[b].size()) = parts[b];
+    else if (std::string failure = start_fresh(problem, system, b, fresh[b], next); !failure.empty())
+      return failure;
+  }
+  renew_displaced(problem, system, next);
+  return {};
+}
+
+}  // namespace
 
 std::string remesh_bodies(const Problem& problem, const State& state, Change& change, Cache& cache,
                           std::vector<RemeshRecord>& records) {
-  auto& [next, reasons, held] = change;
-  const auto& old = cache.system;
-  auto shapes = next.shapes;
-  std::map<int, Displaced> displaced;
+  std::map<int, FreshBody> fresh;
   std::vector<Vector> parts;
+  auto shapes = change.next.shapes;
   for (int b = 0; b < problem.body_count(); ++b) {
-    parts.emplace_back(old.part(state.solution.q.high, b));
-    if (reasons[b].text.empty()) continue;
+    parts.emplace_back(cache.system.part(state.solution.q.high, b));
+    if (change.reasons[b].text.empty()) continue;
     Timer timer(cache, "adapt");
-    auto options = problem.scene.remesh.options;
-    options.keep_nodes = !reasons[b].divide;
-    const auto made = adapt::remesh(next.shapes[b], problem.scene.analysis,
-                                    followed_zones(problem, state, b, *next.shapes[b]), options);
-    if (!made.failure.empty())
-      return "remeshing body " + problem.inputs[b].name + " (" + reasons[b].text + "): " + made.failure;
-    displaced[b] = displaced_body(problem, state, old, b, reasons[b].renew, next.shapes[b]);
-    const std::string lost = carry_displaced(state, b, displaced[b], recovered(problem, state, old, b),
-                                             reasons[b].renew, made.shape->mesh, next);
-    if (!lost.empty()) return "remeshing body " + problem.inputs[b].name + ": " + lost;
-    records.push_back(record_of(problem, next, b, reasons[b].text, next.shapes[b]->mesh, made));
-    shapes[b] = made.shape;
-    ++next.counts.remeshes;
+    if (auto why = remesh_body(problem, state, cache.system, b, change, fresh[b]); !why.empty()) return why;
+    shapes[b] = fresh[b].shape;
   }
-  {
-    Timer timer(cache, "adapt");
-    for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-      carry_contact(problem.contacts[c], problem.scene.analysis, next.shapes, shapes, next.solution.contacts[c],
-                    held[c]);
-  }
-  next.shapes = std::move(shapes);
-  const auto& system = timed_system(problem, next, cache);
-  next.solution.q = Vector::Zero(system.dofs);
-  std::size_t r = 0;
-  for (int b = 0; b < problem.body_count(); ++b) {
-    if (const auto found = displaced.find(b); found != displaced.end()) {
-      parts[b] = Vector::Zero(body::dofs(system.bodies[b]));
-      const auto& fresh = next.shapes[b]->mesh;
-      const adapt::GaussOptions gauss{problem.scene.remesh.state_transfer, problem.scene.analysis};
-      const std::string failure = start_values(found->second, fresh, system.bodies[b], gauss, parts[b],
-                                               next.solution.interiors[b], records[r++].projection_mm);
-      if (!failure.empty()) return "remeshing body " + problem.inputs[b].name + ": " + failure;
-    }
-    next.solution.q.high.segment(system.offset[b], parts[b].size()) = parts[b];
-  }
-  renew_displaced(problem, system, next);
+  carry_contacts(problem, shapes, change, cache);
+  change.next.shapes = std::move(shapes);
+  const auto& system = timed_system(problem, change.next, cache);
+  if (auto why = start_on_meshes(problem, system, parts, fresh, change.next); !why.empty()) return why;
+  for (auto& [b, body] : fresh) records.push_back(std::move(body.record));
   return {};
 }
 

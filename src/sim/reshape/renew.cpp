@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "adapt/shape/triggers.hpp"
 #include "sim/measure/displacements.hpp"
@@ -69,13 +70,9 @@ void count_on_current(const Problem& problem, const solver::System& system, Chan
   }
 }
 
-}  // namespace
-
-bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
-                      const Observer& observer) {
-  if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
-  const auto& system = timed_system(problem, state, cache);
-  std::vector<RemeshReason> reasons(state.shapes.size());
+/// The present positions of the bodies whose references are to be renewed; `reasons` says why.
+std::map<int, base::Points> renewed_nodes(const Problem& problem, const State& state, const solver::System& system,
+                                          std::vector<RemeshReason>& reasons) {
   std::map<int, base::Points> renewed;
   for (int b = 0; b < problem.body_count(); ++b) {
     if (!can_renew(problem, b)) continue;
@@ -83,15 +80,31 @@ bool renew_references(const Problem& problem, State& state, Cache& cache, const 
     reasons[b] = reason_of(problem, *state.shapes[b], x);
     if (reasons[b].renew) renewed.emplace(b, std::move(x));
   }
-  if (renewed.empty()) return false;
-  Change change{state, std::move(reasons), {}};
+  return renewed;
+}
+
+/// The current shapes as references, and the fields on them; empty where no reference is to be renewed.
+std::optional<Change> renewal_of(const Problem& problem, const State& state, const solver::System& system) {
+  std::vector<RemeshReason> reasons(state.shapes.size());
+  auto renewed = renewed_nodes(problem, state, system, reasons);
+  if (renewed.empty()) return std::nullopt;
+  Change change{state, std::move(reasons), held_tractions(system, state)};
   for (auto& [b, x] : renewed) {
     change.next.shapes[b] = moved_to(*state.shapes[b], std::move(x));
     note_supports(problem, state, system, b, change.next);
   }
-  change.held = held_tractions(system, state);
   count_on_current(problem, system, change);
-  Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+  return change;
+}
+
+}  // namespace
+
+bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
+                      const Observer& observer) {
+  if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
+  auto change = renewal_of(problem, state, timed_system(problem, state, cache));
+  if (!change) return false;
+  Outcome outcome = settle(problem, state, std::move(*change), cache, span, observer);
   if (!outcome.failure.empty()) {
     if (observer.log) observer.log("the reference is kept: " + outcome.failure);
     return false;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include "adapt/shape/shape_step.hpp"
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "sim/measure/drawn_gap.hpp"
 #include "sim/measure/shared_wear.hpp"
+#include "sim/measure/sides.hpp"
 #include "sim/measure/warn_contact.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/measure/worn_through.hpp"
@@ -21,29 +23,27 @@ namespace reye::sim {
 
 namespace {
 
+/// Adds removed volumes to those of the same boundary, and to the total.
+void add_volumes(std::span<const double> volumes, std::vector<double>& sum, double& total) {
+  sum.resize(volumes.size(), 0.0);
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    sum[i] += volumes[i];
+    total += volumes[i];
+  }
+}
+
 /// Removed volumes per boundary of one body; several contacts may wear the same boundary.
 std::vector<adapt::WornBoundary> worn_boundaries(const Problem& problem, const State& state, int body, double& total) {
   std::map<std::string, std::vector<double>> sums;
-  const auto add = [&](const contact::BoundaryRef& ref, auto first, std::size_t count) {
-    auto& sum = sums[ref.boundary];
-    sum.resize(count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      sum[i] += *(first + static_cast<std::ptrdiff_t>(i));
-      total += *(first + static_cast<std::ptrdiff_t>(i));
-    }
-  };
-  const auto size = [&](const contact::BoundaryRef& ref) {
-    return mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size();
-  };
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& placed = problem.contacts[c];
     const auto& contact = state.solution.contacts[c];
-    if (placed.secondary.body == body) add(placed.secondary, contact.pending_secondary.begin(), size(placed.secondary));
-    auto first = contact.pending_primary.begin();
+    if (placed.secondary.body == body) add_volumes(contact.pending_secondary, sums[placed.secondary.boundary], total);
+    std::span<const double> rest(contact.pending_primary);
     for (const auto& ref : placed.primary) {
-      const auto count = size(ref);
-      if (ref.body == body) add(ref, first, count);
-      first += static_cast<std::ptrdiff_t>(count);
+      const auto count = side_nodes(state.shapes, ref).size();
+      if (ref.body == body) add_volumes(rest.first(count), sums[ref.boundary], total);
+      rest = rest.subspan(count);
     }
   }
   std::vector<adapt::WornBoundary> worn;
@@ -62,8 +62,7 @@ void book_strips(const Problem& problem, State& state, const std::vector<double>
     }
     std::size_t l = 0;
     for (const auto& ref : placed.primary)
-      for (std::size_t k = mesh::nodes_of(state.shapes[ref.body]->mesh.boundaries.at(ref.boundary)).size(); k > 0;
-           --k, ++l) {
+      for (std::size_t k = side_nodes(state.shapes, ref).size(); k > 0; --k, ++l) {
         contact.strip_primary += contact.pending_primary[l] * ratio[ref.body];
         contact.pending_primary[l] = 0.0;
       }
@@ -127,16 +126,51 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
     while (problem.inputs[body].name != r.body) ++body;
     r.energy_jump = relative(now.energy[body], before.energy[body]);
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-      const auto& placed = problem.contacts[c];
-      bool here = placed.secondary.body == body;
-      for (const auto& ref : placed.primary) here = here || ref.body == body;
-      if (!here) continue;
+      if (!lies_on(problem.contacts[c], body)) continue;
       r.pressure_jump =
           std::max(r.pressure_jump, pressure_jump(system.contacts[c], next.solution.contacts[c], held[c]));
       r.peak_jump = std::max(r.peak_jump, peak_jump(system.contacts[c], next.solution.contacts[c], held[c]));
       if (before.force[c].norm() > 0.0)
         r.force_jump = std::max(r.force_jump, (now.force[c] - before.force[c]).norm() / before.force[c].norm());
     }
+  }
+}
+
+/// The state as it is, where its shapes cannot be moved.
+Outcome unshaped(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
+                 const Observer& observer, const std::string& failure) {
+  if (observer.log) observer.log("no shape: " + failure);
+  const auto& present = timed_system(problem, state, cache);
+  const Attempt attempt{span.step, span.jump, solver::Failure::none, failure};
+  return {state,
+          scene_line(problem.scene, "step " + span.step->name) +
+              why_failed(problem, without_block(state, span), attempt, present),
+          false};
+}
+
+bool asks(const RemeshReason& reason) { return !reason.text.empty(); }
+
+bool any_asks(const std::vector<RemeshReason>& reasons) { return std::any_of(reasons.begin(), reasons.end(), asks); }
+
+/// The moved shapes, with the wear of the block in the ledger; `ratio`: strip over waiting volume.
+State worn_state(const Problem& problem, const State& state, const std::vector<Moved>& moved,
+                 const std::vector<double>& ratio) {
+  State next = state;
+  for (std::size_t b = 0; b < moved.size(); ++b) next.shapes[b] = moved[b].shape;
+  note_others(problem, next);
+  book_strips(problem, next, ratio);
+  return next;
+}
+
+/// `settle` after a shape step; a body that is worn through, or cannot be meshed, leaves the state as it is.
+Outcome settle_worn(const Problem& problem, const State& state, Change change, Cache& cache, const BlockSpan& span,
+                    const Observer& observer) {
+  try {
+    Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
+    if (outcome.failure.empty() || worn_through(problem, without_block(state, span)).empty()) return outcome;
+    return unshaped(problem, state, cache, span, observer, outcome.failure);
+  } catch (const base::MeshError& error) {
+    return unshaped(problem, state, cache, span, observer, error.what());
   }
 }
 
@@ -147,39 +181,19 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   const auto& system = timed_system(problem, state, cache);
   std::vector<double> ratio(state.shapes.size(), 1.0);
   std::vector<Moved> moved;
-  const auto refused = [&](const std::string& failure) -> Outcome {
-    if (observer.log) observer.log("no shape: " + failure);
-    const auto& present = timed_system(problem, state, cache);
-    const auto last = without_block(state, span);
-    return {state,
-            scene_line(problem.scene, "step " + span.step->name) +
-                why_failed(problem, last, {span.step, span.jump, solver::Failure::none, failure}, present),
-            false};
-  };
-  if (const std::string failure = move_outlines(problem, state, cache, moved, ratio); !failure.empty())
-    return refused(failure);
-  if (const std::string failure = too_thin(problem, state, moved); !failure.empty()) return refused(failure);
+  std::string failure = move_outlines(problem, state, cache, moved, ratio);
+  if (failure.empty()) failure = too_thin(problem, state, moved);
+  if (!failure.empty()) return unshaped(problem, state, cache, span, observer, failure);
   std::vector<RemeshReason> reasons(moved.size());
   if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
-  const bool due =
-      !span.remesh && std::any_of(reasons.begin(), reasons.end(), [](const auto& r) { return !r.text.empty(); });
+  const bool put_off = !span.remesh && any_asks(reasons);
   if (!span.remesh) reasons.assign(moved.size(), {});
-  Change change{state, std::move(reasons), held_tractions(system, state)};
-  for (std::size_t b = 0; b < moved.size(); ++b) change.next.shapes[b] = moved[b].shape;
-  note_others(problem, change.next);
-  book_strips(problem, change.next, ratio);
   for (std::size_t b = 0; b < asked.size(); ++b)
-    if (!asked[b].text.empty()) change.reasons[b] = asked[b];
-  try {
-    Outcome outcome = settle(problem, state, std::move(change), cache, span, observer);
-    outcome.remesh_due = due;
-    if (!outcome.failure.empty())
-      if (const auto words = worn_through(problem, without_block(state, span)); !words.empty())
-        return refused(outcome.failure);
-    return outcome;
-  } catch (const base::MeshError& error) {
-    return refused(error.what());
-  }
+    if (asks(asked[b])) reasons[b] = asked[b];
+  Change change{worn_state(problem, state, moved, ratio), std::move(reasons), held_tractions(system, state)};
+  Outcome outcome = settle_worn(problem, state, std::move(change), cache, span, observer);
+  outcome.remesh_due = put_off;
+  return outcome;
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
@@ -188,8 +202,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   auto& next = change.next;
   std::vector<RemeshRecord> records;
   Balance before;
-  const auto asks = [](const RemeshReason& reason) { return !reason.text.empty(); };
-  if (std::any_of(change.reasons.begin(), change.reasons.end(), asks)) {
+  if (any_asks(change.reasons)) {
     before = balance_of(problem, state, timed_system(problem, state, cache));
     const std::string failure = remesh_bodies(problem, state, change, cache, records);
     if (!failure.empty()) return {std::move(state), failure, false};
