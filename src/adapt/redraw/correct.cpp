@@ -104,33 +104,53 @@ std::vector<std::array<double, 2>> heights(const Points& old, const Points& fres
   return h;
 }
 
-/// Shift of every inner node along its outward normal that gives each piece of the outline the content it had there:
-/// d_k = int N_k h ds / int N_k ds, the ends' shares with their neighbours'. A contact responds to the mean height over
-/// an element, so content that is kept only in total would still change pressures.
-std::vector<double> local_shifts(const Points& old, const Points& fresh) {
-  const std::size_t n = fresh.size();
-  std::vector<double> arc{0.0}, content(n, 0.0), length(n, 0.0);
-  for (std::size_t k = 1; k < n; ++k) arc.push_back(arc.back() + (fresh[k] - fresh[k - 1]).norm());
-  const auto h = heights(old, fresh, arc);
+std::vector<double> arc_along(const Points& line) {
+  std::vector<double> arc{0.0};
+  for (std::size_t k = 1; k < line.size(); ++k) arc.push_back(arc.back() + (line[k] - line[k - 1]).norm());
+  return arc;
+}
+
+/// int N_k h ds of the hats on a line, h being linear between the places where it is known.
+std::vector<double> hat_contents(const std::vector<std::array<double, 2>>& h, const std::vector<double>& arc) {
+  std::vector<double> content(arc.size(), 0.0);
   std::size_t k = 0;
   for (std::size_t i = 0; i + 1 < h.size(); ++i) {
     const auto& [s0, h0] = h[i];
     const auto& [s1, h1] = h[i + 1];
     const double middle = 0.5 * (s0 + s1), width = s1 - s0;
-    while (k + 2 < n && middle > arc[k + 1]) ++k;
+    while (k + 2 < arc.size() && middle > arc[k + 1]) ++k;
     const auto hat = [&](double s) { return (s - arc[k]) / (arc[k + 1] - arc[k]); };
     const double right =
         width / 6.0 * (h0 * hat(s0) + 4.0 * 0.5 * (h0 + h1) * hat(middle) + h1 * hat(s1));  // Simpson: exact
     content[k + 1] += right;
     content[k] += 0.5 * width * (h0 + h1) - right;
   }
+  return content;
+}
+
+std::vector<double> hat_lengths(const std::vector<double>& arc) {
+  std::vector<double> length(arc.size(), 0.0);
+  for (std::size_t j = 1; j < arc.size(); ++j)
+    for (std::size_t end : {j - 1, j}) length[end] += 0.5 * (arc[j] - arc[j - 1]);
+  return length;
+}
+
+/// Mean heights of the inner nodes; the ends, which stay, leave their contents to their neighbours.
+std::vector<double> inner_heights(std::vector<double> content, const std::vector<double>& length) {
+  const std::size_t n = content.size();
   content[1] += content[0];
   content[n - 2] += content[n - 1];
-  for (std::size_t j = 1; j < n; ++j)
-    for (std::size_t end : {j - 1, j}) length[end] += 0.5 * (arc[j] - arc[j - 1]);
-  std::vector<double> shift(n, 0.0);
-  for (std::size_t j = 1; j + 1 < n; ++j) shift[j] = content[j] / length[j];
-  return shift;
+  std::vector<double> height(n, 0.0);
+  for (std::size_t j = 1; j + 1 < n; ++j) height[j] = content[j] / length[j];
+  return height;
+}
+
+/// Shift of every inner node along its outward normal that gives each piece of the outline the content it had there:
+/// d_k = int N_k h ds / int N_k ds, the ends' shares with their neighbours'. A contact responds to the mean height over
+/// an element, so content that is kept only in total would still change pressures.
+std::vector<double> local_shifts(const Points& old, const Points& fresh) {
+  const auto arc = arc_along(fresh);
+  return inner_heights(hat_contents(heights(old, fresh, arc), arc), hat_lengths(arc));
 }
 
 constexpr std::size_t chords = 8;  ///< that represent a quadratic edge where heights are measured
@@ -144,37 +164,49 @@ Points sampled(const Points& p) {
   return points;
 }
 
-/// Depths for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
-/// give at each node.
-std::vector<double> curved_shifts(const Points& old, const Points& fresh) {
-  const std::size_t n = fresh.size();
-  const Points line = sampled(fresh);
-  std::vector<double> arc{0.0}, content(n, 0.0), length(n, 0.0);
-  for (std::size_t k = 1; k < line.size(); ++k) arc.push_back(arc.back() + (line[k] - line[k - 1]).norm());
-  const auto h = heights(sampled(old), line, arc);
+/// int B_k h ds and int B_k ds of the functions on quadratic edges.
+struct BernsteinShares {
+  std::vector<double> content, length;
+
+  /// Adds a point of a rule, at t on the edge whose first node is i0.
+  void add(std::size_t i0, double t, double height, double weight) {
+    const std::array<double, 3> B{(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t};
+    for (std::size_t j = 0; j < 3; ++j) {
+      content[i0 + j] += weight * B[j] * height;
+      length[i0 + j] += weight * B[j];
+    }
+  }
+};
+
+/// Shares of n nodes in h over a line of chords.
+BernsteinShares bernstein_shares(const std::vector<std::array<double, 2>>& h, const std::vector<double>& arc,
+                                 std::size_t n) {
+  BernsteinShares shares{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
   std::size_t k = 0;  // the chord; i0: the first node of its edge
   for (std::size_t i = 0; i + 1 < h.size(); ++i) {
     const auto& [s0, h0] = h[i];
     const auto& [s1, h1] = h[i + 1];
     const double middle = 0.5 * (s0 + s1), width = s1 - s0;
-    while (k + 2 < line.size() && middle > arc[k + 1]) ++k;
+    while (k + 2 < arc.size() && middle > arc[k + 1]) ++k;
     const std::size_t i0 = 2 * (k / chords);
-    const auto add = [&](double s, double height, double weight) {
-      const double t = (static_cast<double>(k % chords) + (s - arc[k]) / (arc[k + 1] - arc[k])) / chords;
-      const std::array<double, 3> B{(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t};
-      for (std::size_t j = 0; j < 3; ++j) {
-        content[i0 + j] += weight * width * B[j] * height;
-        length[i0 + j] += weight * width * B[j];
-      }
+    const auto t = [&](double s) {
+      return (static_cast<double>(k % chords) + (s - arc[k]) / (arc[k + 1] - arc[k])) / chords;
     };
-    add(s0, h0, 1.0 / 6.0);  // Simpson: exact
-    add(middle, 0.5 * (h0 + h1), 4.0 / 6.0);
-    add(s1, h1, 1.0 / 6.0);
+    shares.add(i0, t(s0), h0, 1.0 / 6.0 * width);  // Simpson: exact
+    shares.add(i0, t(middle), 0.5 * (h0 + h1), 4.0 / 6.0 * width);
+    shares.add(i0, t(s1), h1, 1.0 / 6.0 * width);
   }
-  content[1] += content[0];
-  content[n - 2] += content[n - 1];
-  std::vector<double> W(n, 0.0);
-  for (std::size_t j = 1; j + 1 < n; ++j) W[j] = content[j] / length[j];
+  return shares;
+}
+
+/// Depths for quadratic edges: W_k = int B_k h ds / int B_k ds at vertices and control points, and the depth these
+/// give at each node.
+std::vector<double> curved_shifts(const Points& old, const Points& fresh) {
+  const std::size_t n = fresh.size();
+  const Points line = sampled(fresh);
+  const auto arc = arc_along(line);
+  auto [content, length] = bernstein_shares(heights(sampled(old), line, arc), arc, n);
+  const std::vector<double> W = inner_heights(std::move(content), length);
   std::vector<double> shift = W;
   for (std::size_t j = 1; j + 1 < n; j += 2) shift[j] = 0.25 * (W[j - 1] + 2.0 * W[j] + W[j + 1]);
   return shift;

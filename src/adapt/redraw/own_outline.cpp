@@ -74,32 +74,70 @@ double largest_size(const mesh::Mesh& mesh) {
   return size[at];
 }
 
-/// The zone that keeps the fine facets of an edge fine: from its smallest facet to those twice as long.
-std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, std::vector<int> nodes, double far) {
-  if (mesh::order(mesh.kind) == 2) {
-    for (std::size_t i = 1; 2 * i < nodes.size(); ++i) nodes[i] = nodes[2 * i];  // vertices
-    nodes.resize(nodes.size() / 2 + 1);
-  }
+/// The nodes of an edge without those in the middle of quadratic facets.
+std::vector<int> vertices_of(const mesh::Mesh& mesh, std::vector<int> nodes) {
+  if (mesh::order(mesh.kind) == 1) return nodes;
+  for (std::size_t i = 1; 2 * i < nodes.size(); ++i) nodes[i] = nodes[2 * i];
+  nodes.resize(nodes.size() / 2 + 1);
+  return nodes;
+}
+
+std::vector<double> facet_lengths(const mesh::Mesh& mesh, const std::vector<int>& nodes) {
   std::vector<double> facet;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) facet.push_back((mesh.X[nodes[i + 1]] - mesh.X[nodes[i]]).norm());
+  return facet;
+}
+
+/// A zone along the chord from a to b, both of which it contains.
+cad::FineZone zone_along(const Vec2& a, const Vec2& b, const Vec2& centre, double size) {
+  const Vec2 way = b - a, along = way.normalized();
+  cad::FineZone zone;
+  zone.centre_mm = centre;
+  zone.angle_deg = std::atan2(way.y(), way.x()) * 180.0 / std::numbers::pi;
+  zone.half_width_mm = std::max(along.dot(b - centre), along.dot(centre - a));
+  zone.size_mm = zone.depth_mm = size;
+  return zone;
+}
+
+/// The zone that keeps the fine facets of an edge fine: from its smallest facet to those twice as long.
+std::optional<cad::FineZone> zone_on(const mesh::Mesh& mesh, const std::vector<int>& edge, double far) {
+  const auto nodes = vertices_of(mesh, edge);
+  const auto facet = facet_lengths(mesh, nodes);
   const double smallest = *std::min_element(facet.begin(), facet.end());
   if (smallest > 0.5 * far) return {};
   const auto fine = [&](double h) { return h <= 2.0 * smallest; };
   const auto first = static_cast<std::size_t>(std::find_if(facet.begin(), facet.end(), fine) - facet.begin());
   const auto last =
       facet.size() - static_cast<std::size_t>(std::find_if(facet.rbegin(), facet.rend(), fine) - facet.rbegin());
-  const Vec2 &a = mesh.X[nodes[first]], &b = mesh.X[nodes[last]], way = b - a;
-  if (!(way.norm() > smallest)) return {};
-  cad::FineZone zone;
-  zone.centre_mm = mesh.X[nodes[(first + last) / 2]];
-  zone.angle_deg = std::atan2(way.y(), way.x()) * 180.0 / std::numbers::pi;
-  const Vec2 along = way.normalized();
-  zone.half_width_mm = std::max(along.dot(b - zone.centre_mm), along.dot(zone.centre_mm - a));
+  const Vec2 &a = mesh.X[nodes[first]], &b = mesh.X[nodes[last]];
+  if (!((b - a).norm() > smallest)) return {};
   double length = 0.0;
   for (std::size_t i = first; i < last; ++i) length += facet[i];
-  zone.size_mm = length / static_cast<double>(last - first);
-  zone.depth_mm = zone.size_mm;
-  return zone;
+  return zone_along(a, b, mesh.X[nodes[(first + last) / 2]], length / static_cast<double>(last - first));
+}
+
+/// The nodes of a closed loop from one place to another; the whole loop where they are the same.
+Points knots_between(const mesh::Mesh& mesh, const mesh::Chain& loop, std::size_t first, std::size_t last) {
+  Points knots{mesh.X[loop[first]]};
+  for (std::size_t i = first; knots.size() == 1 || i != last;) {
+    knots.push_back(mesh.X[loop[i + 1]]);
+    i = (i + 1) % (loop.size() - 1);
+  }
+  return knots;
+}
+
+/// Draws a loop of the outline, one edge between each two starts, and notes to which boundaries each edge belongs.
+void draw_loop(const mesh::Mesh& mesh, const std::vector<Facets>& boundaries, const mesh::Chain& loop,
+               cad::Drawing& drawing) {
+  const auto begin = starts(mesh, boundaries, loop);
+  auto& edges = drawing.part.loops.emplace_back();
+  for (const auto& [name, chains] : mesh.boundaries) drawing.boundaries[name].emplace_back();
+  for (std::size_t k = 0; k < begin.size(); ++k) {
+    edges.push_back(edge_through(knots_between(mesh, loop, begin[k], begin[(k + 1) % begin.size()])));
+    const auto member = belongs(boundaries, loop, begin[k]);
+    auto in = member.begin();
+    for (const auto& [name, chains] : mesh.boundaries) drawing.boundaries[name].back().push_back(*in++);
+  }
 }
 
 }  // namespace
@@ -111,22 +149,7 @@ cad::Drawing drawing_of(const mesh::Mesh& mesh) {
   drawing.options.rigid = mesh.cells.empty();
   std::vector<Facets> boundaries;
   for (const auto& [name, chains] : mesh.boundaries) boundaries.push_back(facets_of(chains));
-  for (const auto& loop : mesh.outline) {
-    const auto begin = starts(mesh, boundaries, loop);
-    auto& edges = drawing.part.loops.emplace_back();
-    for (const auto& [name, chains] : mesh.boundaries) drawing.boundaries[name].emplace_back();
-    for (std::size_t k = 0; k < begin.size(); ++k) {
-      Points knots{mesh.X[loop[begin[k]]]};
-      for (std::size_t i = begin[k]; knots.size() == 1 || i != begin[(k + 1) % begin.size()];) {
-        knots.push_back(mesh.X[loop[i + 1]]);
-        i = (i + 1) % (loop.size() - 1);
-      }
-      edges.push_back(edge_through(std::move(knots)));
-      const auto member = belongs(boundaries, loop, begin[k]);
-      auto in = member.begin();
-      for (const auto& [name, chains] : mesh.boundaries) drawing.boundaries[name].back().push_back(*in++);
-    }
-  }
+  for (const auto& loop : mesh.outline) draw_loop(mesh, boundaries, loop, drawing);
   wish_sizes_of(mesh, drawing);
   return drawing;
 }

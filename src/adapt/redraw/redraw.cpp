@@ -59,6 +59,19 @@ bool drawn_corner(const Source& s, const Segment& before, const Segment& after) 
   return before.edge != after.edge && cad::kink(s.edge(before.edge), s.edge(after.edge)) > drawn_kink;
 }
 
+/// Marks the segments that begin at a node which a fresh outline must keep.
+void mark_hard(const Source& s, std::vector<Segment>& segments) {
+  const auto sharp = corners(segments, s.shape.mesh.X);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& before = segments[(i + segments.size() - 1) % segments.size()];
+    Segment& here = segments[i];
+    const bool joint = before.edge != here.edge;
+    here.hard = (joint && membership(s, before.edge) != membership(s, here.edge)) ||
+                (sharp[i] && (joint || before.worn || here.worn)) ||
+                (drawn_corner(s, before, here) && turning_at(segments, i, s.shape.mesh.X) > least_turning);
+  }
+}
+
 /// The outline loop as segments.
 std::vector<Segment> segments_of(const Source& s) {
   std::vector<Segment> segments;
@@ -69,23 +82,12 @@ std::vector<Segment> segments_of(const Source& s) {
     for (std::size_t i = 0; i + step < nodes.size(); i += step) {
       Segment segment{nodes[i], nodes[i + step], k, i == 0, i + step + 1 == nodes.size()};
       segment.length = (s.now(segment.b) - s.now(segment.a)).norm();
-      segment.worn = worn_here(s, k, segment.a) || worn_here(s, k, segment.b);
-      if (step == 2) {
-        segment.mid = nodes[i + 1];
-        segment.worn = segment.worn || worn_here(s, k, segment.mid);
-      }
+      if (step == 2) segment.mid = nodes[i + 1];
+      for (std::size_t j = i; j <= i + step; ++j) segment.worn = segment.worn || worn_here(s, k, nodes[j]);
       segments.push_back(segment);
     }
   }
-  const auto sharp = corners(segments, s.shape.mesh.X);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& before = segments[(i + segments.size() - 1) % segments.size()];
-    Segment& here = segments[i];
-    const bool joint = before.edge != here.edge;
-    here.hard = (joint && membership(s, before.edge) != membership(s, here.edge)) ||
-                (sharp[i] && (joint || before.worn || here.worn)) ||
-                (drawn_corner(s, before, here) && turning_at(segments, i, s.shape.mesh.X) > least_turning);
-  }
+  mark_hard(s, segments);
   return segments;
 }
 
