@@ -79,28 +79,33 @@ std::vector<Chain> outline_of(const Points& X, CellKind kind, const std::vector<
   return loops;
 }
 
+namespace {
+
+/// Appends the chains of chosen edges of a loop; edge `first` is not chosen, so that none is cut where the loop's own
+/// numbering starts.
+void add_chains(const Chain& loop, const std::vector<bool>& chosen, std::size_t first, Boundary& chains) {
+  const std::size_t edges = loop.size() - 1;
+  bool open = false;
+  for (std::size_t step = 0; step < edges; ++step) {
+    const std::size_t edge = (first + step) % edges;
+    if (chosen[edge]) {
+      if (!open) chains.push_back({loop[edge]});
+      chains.back().push_back(loop[edge + 1]);
+    }
+    open = chosen[edge];
+  }
+}
+
+}  // namespace
+
 Boundary chains_along(const std::vector<Chain>& outline, const std::vector<std::vector<bool>>& selected) {
   Boundary chains;
   for (std::size_t loop = 0; loop < outline.size(); ++loop) {
-    const Chain& nodes = outline[loop];
-    const std::vector<bool>& chosen = selected[loop];
-    const std::size_t edges = nodes.size() - 1;
-    const auto gap = std::find(chosen.begin(), chosen.end(), false);
-    if (gap == chosen.end()) {
-      chains.push_back(nodes);
-      continue;
-    }
-    // Starting at an edge left out, no chain is cut where the loop's own numbering starts.
-    const std::size_t first = static_cast<std::size_t>(gap - chosen.begin());
-    bool open = false;
-    for (std::size_t step = 0; step < edges; ++step) {
-      const std::size_t edge = (first + step) % edges;
-      if (chosen[edge]) {
-        if (!open) chains.push_back({nodes[edge]});
-        chains.back().push_back(nodes[edge + 1]);
-      }
-      open = chosen[edge];
-    }
+    const auto gap = std::find(selected[loop].begin(), selected[loop].end(), false);
+    if (gap == selected[loop].end())
+      chains.push_back(outline[loop]);
+    else
+      add_chains(outline[loop], selected[loop], static_cast<std::size_t>(gap - selected[loop].begin()), chains);
   }
   return chains;
 }

@@ -47,26 +47,43 @@ Mesh to_second_order(const Mesh& mesh) {
   return result;
 }
 
+namespace {
+
+/// Per node: 0 where it is a corner of a cell or a vertex of a chain, else -1. `mesh`: its chains have vertices alone.
+std::vector<int> marked_vertices(Mesh& mesh, int corners) {
+  std::vector<int> mark(mesh.X.size(), -1);
+  for (const Cell& cell : mesh.cells)
+    for (int k = 0; k < corners; ++k) mark[cell[k]] = 0;
+  for_each_chain(mesh, [&](const Chain& chain) {
+    for (int node : chain) mark[node] = 0;
+  });
+  return mark;
+}
+
+/// Leaves out the unmarked nodes, and numbers the others anew; `number`: -1 or the new number of a node.
+void keep_marked(Mesh& mesh, std::vector<int>& number) {
+  const Points X = std::exchange(mesh.X, {});
+  for (std::size_t node = 0; node < X.size(); ++node) {
+    if (number[node] < 0) continue;
+    number[node] = mesh.node_count();
+    mesh.X.push_back(X[node]);
+  }
+}
+
+}  // namespace
+
 Mesh to_first_order(const Mesh& mesh) {
   if (order(mesh.kind) == 1) return mesh;
   Mesh result = mesh;
   result.kind = mesh.kind == CellKind::tri6 ? CellKind::tri3 : CellKind::quad4;
   const int n = corners(mesh.kind);
-  std::vector<int> number(mesh.X.size(), -1);
-  for (const Cell& cell : mesh.cells)
-    for (int k = 0; k < n; ++k) number[cell[k]] = 0;
   for_each_chain(result, [&](Chain& chain) {
     Chain vertices;
     for (std::size_t i = 0; i < chain.size(); i += 2) vertices.push_back(chain[i]);
     chain = std::move(vertices);
-    for (int node : chain) number[node] = 0;
   });
-  result.X.clear();
-  for (std::size_t node = 0; node < mesh.X.size(); ++node) {
-    if (number[node] < 0) continue;
-    number[node] = result.node_count();
-    result.X.push_back(mesh.X[node]);
-  }
+  std::vector<int> number = marked_vertices(result, n);
+  keep_marked(result, number);
   for (Cell& cell : result.cells)
     for (int k = 0; k < most_cell_nodes; ++k) cell[k] = k < n ? number[cell[k]] : -1;
   for_each_chain(result, [&](Chain& chain) {
