@@ -66,50 +66,66 @@ void add_run(int curve, const std::vector<int>& nodes, const Points& X, int begi
   gmsh::model::mesh::addElementsByType(curve, 1, {}, ends);
 }
 
-/// A loop as discrete points at its corners and curves between them; returns the curves in order.
-std::vector<int> add_loop(const RegionLoop& loop, const Points& X, int& next_entity) {
+std::vector<std::size_t> corners_of(const RegionLoop& loop) {
   std::vector<std::size_t> corners;
   for (std::size_t i = 0; i < loop.nodes.size(); ++i)
     if (loop.corner[i]) corners.push_back(i);
+  return corners;
+}
+
+void add_corner(int point, int node, const Vec2& x) {
+  gmsh::model::addDiscreteEntity(0, point);
+  gmsh::model::mesh::addNodes(0, point, {static_cast<Tag>(node + 1)}, {x.x(), x.y(), 0.0});
+  gmsh::model::mesh::addElementsByType(point, 15, {}, {static_cast<Tag>(node + 1)});
+}
+
+/// The nodes of a loop from one place in it to another, round its end if need be.
+std::vector<int> nodes_between(const RegionLoop& loop, std::size_t first, std::size_t last) {
+  const std::size_t count = loop.nodes.size();
+  std::vector<int> nodes{loop.nodes[first]};
+  for (std::size_t i = (first + 1) % count; i != last; i = (i + 1) % count) nodes.push_back(loop.nodes[i]);
+  nodes.push_back(loop.nodes[last]);
+  return nodes;
+}
+
+/// A loop as discrete points at its corners and curves between them; returns the curves in order.
+std::vector<int> add_loop(const RegionLoop& loop, const Points& X, int& next_entity) {
+  const std::vector<std::size_t> corners = corners_of(loop);
   const int base = next_entity;
   next_entity += static_cast<int>(corners.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const int node = loop.nodes[corners[k]], point = base + static_cast<int>(k);
-    gmsh::model::addDiscreteEntity(0, point);
-    gmsh::model::mesh::addNodes(0, point, {static_cast<Tag>(node + 1)}, {X[node].x(), X[node].y(), 0.0});
-    gmsh::model::mesh::addElementsByType(point, 15, {}, {static_cast<Tag>(node + 1)});
+    const int node = loop.nodes[corners[k]];
+    add_corner(base + static_cast<int>(k), node, X[node]);
   }
   std::vector<int> curves;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::size_t next = (k + 1) % corners.size(), count = loop.nodes.size();
-    std::vector<int> nodes{loop.nodes[corners[k]]};
-    for (std::size_t i = (corners[k] + 1) % count; i != corners[next]; i = (i + 1) % count)
-      nodes.push_back(loop.nodes[i]);
-    nodes.push_back(loop.nodes[corners[next]]);
-    curves.push_back(base + static_cast<int>(k));
-    add_run(curves.back(), nodes, X, base + static_cast<int>(k), base + static_cast<int>(next));
+    const std::size_t next = (k + 1) % corners.size();
+    const int point = base + static_cast<int>(k);  // and the curve that begins there
+    add_run(point, nodes_between(loop, corners[k], corners[next]), X, point, base + static_cast<int>(next));
+    curves.push_back(point);
   }
   return curves;
 }
 
-/// Cells and nodes of the finished surface; nothing if gmsh left cells of another kind.
-std::optional<Filling> read_surface(mesh::CellKind kind) {
-  std::vector<int> types;
-  std::vector<std::vector<Tag>> ids, connectivity;
-  gmsh::model::mesh::getElements(types, ids, connectivity, 2, 1);
-  const int wanted = kind == mesh::CellKind::tri3 ? 2 : 3, corners = mesh::nodes_per_cell(kind);
-  if (types.size() != 1 || types[0] != wanted) return std::nullopt;
+/// Positions by the numbers that gmsh gives to nodes.
+std::map<Tag, Vec2> positions_of_nodes() {
   std::vector<Tag> tags;
   std::vector<double> coordinates, parameters;
   gmsh::model::mesh::getNodes(tags, coordinates, parameters);
   std::map<Tag, Vec2> where;
   for (std::size_t i = 0; i < tags.size(); ++i) where[tags[i]] = {coordinates[3 * i], coordinates[3 * i + 1]};
+  return where;
+}
+
+/// Cells by the numbers that gmsh gives to nodes, as cells whose nodes are numbered as they come.
+Filling numbered(const std::vector<Tag>& connectivity, int corners) {
+  const std::map<Tag, Vec2> where = positions_of_nodes();
   Filling filling;
   std::map<Tag, int> number;
-  for (std::size_t i = 0; i < connectivity[0].size(); i += corners) {
+  for (std::size_t i = 0; i < connectivity.size(); i += corners) {
     mesh::Cell cell = mesh::cell_of({});
     for (int k = 0; k < corners; ++k) {
-      const Tag tag = connectivity[0][i + k];
+      const Tag tag = connectivity[i + k];
       const auto [entry, is_new] = number.try_emplace(tag, static_cast<int>(filling.X.size()));
       if (is_new) filling.X.push_back(where.at(tag));
       cell[k] = entry->second;
@@ -117,6 +133,16 @@ std::optional<Filling> read_surface(mesh::CellKind kind) {
     filling.cells.push_back(cell);
   }
   return filling;
+}
+
+/// Cells and nodes of the finished surface; nothing if gmsh left cells of another kind.
+std::optional<Filling> read_surface(mesh::CellKind kind) {
+  std::vector<int> types;
+  std::vector<std::vector<Tag>> ids, connectivity;
+  gmsh::model::mesh::getElements(types, ids, connectivity, 2, 1);
+  const int wanted = kind == mesh::CellKind::tri3 ? 2 : 3;
+  if (types.size() != 1 || types[0] != wanted) return std::nullopt;
+  return numbered(connectivity[0], mesh::nodes_per_cell(kind));
 }
 
 std::optional<Filling> run_gmsh(const Region& region, const SizeField& size, const Algorithm& algorithm) {

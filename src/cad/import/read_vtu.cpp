@@ -53,11 +53,12 @@ std::vector<int> values_in(vtkUnstructuredGrid& grid, const char* array, int oth
   return values;
 }
 
-/// Nodes of every cell, by number in the file. VTK does not check these data, so they are checked here before use.
-std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
+/// VTK does not check the data of cells, so they are checked here before use: how many there are, and where the nodes
+/// of each begin.
+void check_offsets(vtkUnstructuredGrid& grid, const std::string& path) {
   constexpr vtkIdType most = 50'000'000;
-  const vtkIdType count = grid.GetNumberOfCells(), points = grid.GetNumberOfPoints();
-  if (count > most || points > most) refuse(path, "holds more than 5e7 points or cells");
+  const vtkIdType count = grid.GetNumberOfCells();
+  if (count > most || grid.GetNumberOfPoints() > most) refuse(path, "holds more than 5e7 points or cells");
   vtkCellArray& all = *grid.GetCells();
   vtkDataArray& offsets = *all.GetOffsetsArray();
   const auto offset = [&](vtkIdType c) { return offsets.GetComponent(c, 0); };
@@ -67,22 +68,29 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
     if (!(offset(c + 1) > offset(c))) refuse(path, "cell " + std::to_string(c) + " has no points, by its offset");
   if (offset(count) != static_cast<double>(all.GetNumberOfConnectivityIds()))
     refuse(path, "the offsets do not fit the connectivity");
-  std::vector<std::vector<int>> cells;
+}
+
+/// Nodes of one cell, by number in the file; checked likewise.
+std::vector<int> nodes_of_cell(vtkUnstructuredGrid& grid, vtkIdType c, const std::string& path) {
   vtkNew<vtkIdList> ids;
-  for (vtkIdType c = 0; c < count; ++c) {
-    grid.GetCellPoints(c, ids);
-    auto& nodes = cells.emplace_back();
-    for (vtkIdType node : *ids) {
-      if (node < 0 || node >= points)
-        refuse(path,
-               "cell " + std::to_string(c) + " refers to point " + std::to_string(node) + ", which does not exist");
-      nodes.push_back(static_cast<int>(node));
-    }
-    if (const auto kind = kind_of(grid.GetCellType(c));
-        kind && static_cast<int>(nodes.size()) != mesh::nodes_per_cell(*kind))
-      refuse(path, "cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) + " points, its kind " +
-                       std::to_string(mesh::nodes_per_cell(*kind)));
+  grid.GetCellPoints(c, ids);
+  std::vector<int> nodes;
+  for (vtkIdType node : *ids) {
+    if (node < 0 || node >= grid.GetNumberOfPoints())
+      refuse(path, "cell " + std::to_string(c) + " refers to point " + std::to_string(node) + ", which does not exist");
+    nodes.push_back(static_cast<int>(node));
   }
+  if (const auto kind = kind_of(grid.GetCellType(c));
+      kind && static_cast<int>(nodes.size()) != mesh::nodes_per_cell(*kind))
+    refuse(path, "cell " + std::to_string(c) + " has " + std::to_string(nodes.size()) + " points, its kind " +
+                     std::to_string(mesh::nodes_per_cell(*kind)));
+  return nodes;
+}
+
+std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const std::string& path) {
+  check_offsets(grid, path);
+  std::vector<std::vector<int>> cells;
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) cells.push_back(nodes_of_cell(grid, c, path));
   return cells;
 }
 
@@ -126,6 +134,14 @@ void place_nodes(BodyBeingRead& body, vtkDataArray& positions) {
       if (node >= 0) node = body.place.at(node);
 }
 
+/// Names a facet of a body: a cell of a boundary with nodes of its own.
+void name_facet(BodyBeingRead& reading, const std::vector<int>& cell, const std::string& name) {
+  if (cell.size() < 2) return;
+  const auto a = reading.place.find(cell[0]), b = reading.place.find(cell[1]);
+  if (a != reading.place.end() && b != reading.place.end())
+    reading.part.mesh.names[std::minmax(a->second, b->second)].insert(name);
+}
+
 }  // namespace
 
 std::vector<RawPart> read_vtu(const std::string& path) {
@@ -150,10 +166,7 @@ std::vector<RawPart> read_vtu(const std::string& path) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto name = static_cast<std::size_t>(boundary[c]);
       if (boundary[c] < 0 || name >= boundary_names.size() || body[c] != index) continue;
-      if (cells[c].size() < 2) continue;
-      const auto a = reading.place.find(cells[c][0]), b = reading.place.find(cells[c][1]);
-      if (a != reading.place.end() && b != reading.place.end())
-        reading.part.mesh.names[std::minmax(a->second, b->second)].insert(boundary_names[name]);
+      name_facet(reading, cells[c], boundary_names[name]);
     }
     const auto own = static_cast<std::size_t>(index);
     reading.part.label = index >= 0 && own < body_names.size() ? body_names[own] : "";

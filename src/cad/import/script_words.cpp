@@ -1,6 +1,7 @@
 #include "cad/import/script_words.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace reye::cad {
@@ -37,6 +38,44 @@ const std::set<std::string_view>& words() {
   return all;
 }
 
+constexpr std::string_view field_options[] = {"CurvesList",
+                                              "EdgesList",
+                                              "PointsList",
+                                              "NodesList",
+                                              "SurfacesList",
+                                              "FacesList",
+                                              "NumPointsPerCurve",
+                                              "Sampling",
+                                              "NNodesByEdge",
+                                              "InField",
+                                              "IField",
+                                              "FieldsList",
+                                              "SizeMin",
+                                              "SizeMax",
+                                              "DistMin",
+                                              "DistMax",
+                                              "LcMin",
+                                              "LcMax",
+                                              "Sigmoid",
+                                              "StopAtDistMax",
+                                              "VIn",
+                                              "VOut",
+                                              "XMin",
+                                              "XMax",
+                                              "YMin",
+                                              "YMax",
+                                              "ZMin",
+                                              "ZMax",
+                                              "Thickness",
+                                              "Radius",
+                                              "XCenter",
+                                              "YCenter",
+                                              "ZCenter",
+                                              "XAxis",
+                                              "YAxis",
+                                              "ZAxis",
+                                              "F"};
+
 }  // namespace
 
 bool is_allowed_word(std::string_view word) { return words().contains(word); }
@@ -47,44 +86,7 @@ bool is_allowed_option(std::string_view group, std::string_view option) {
 }
 
 bool is_allowed_field_option(std::string_view option) {
-  static const std::set<std::string_view> all = {"CurvesList",
-                                                 "EdgesList",
-                                                 "PointsList",
-                                                 "NodesList",
-                                                 "SurfacesList",
-                                                 "FacesList",
-                                                 "NumPointsPerCurve",
-                                                 "Sampling",
-                                                 "NNodesByEdge",
-                                                 "InField",
-                                                 "IField",
-                                                 "FieldsList",
-                                                 "SizeMin",
-                                                 "SizeMax",
-                                                 "DistMin",
-                                                 "DistMax",
-                                                 "LcMin",
-                                                 "LcMax",
-                                                 "Sigmoid",
-                                                 "StopAtDistMax",
-                                                 "VIn",
-                                                 "VOut",
-                                                 "XMin",
-                                                 "XMax",
-                                                 "YMin",
-                                                 "YMax",
-                                                 "ZMin",
-                                                 "ZMax",
-                                                 "Thickness",
-                                                 "Radius",
-                                                 "XCenter",
-                                                 "YCenter",
-                                                 "ZCenter",
-                                                 "XAxis",
-                                                 "YAxis",
-                                                 "ZAxis",
-                                                 "F"};
-  return all.contains(option);
+  return std::find(std::begin(field_options), std::end(field_options), option) != std::end(field_options);
 }
 
 }  // namespace reye::cad

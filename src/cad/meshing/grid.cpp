@@ -34,37 +34,42 @@ Vec2 blend(const Points& X, const std::vector<std::vector<int>>& sides, std::siz
          (1.0 - u) * v * at(3, 0);
 }
 
+/// The nodes of the grid, row by row; the inner ones are added to the region.
+std::vector<std::vector<int>> grid_nodes(const std::vector<std::vector<int>>& sides, Region& region) {
+  const std::size_t n = sides[0].size() - 1, m = sides[1].size() - 1;
+  std::vector<std::vector<int>> rows(m + 1, std::vector<int>(n + 1));
+  rows[0] = sides[0];
+  rows[m].assign(sides[2].rbegin(), sides[2].rend());
+  for (std::size_t j = 1; j < m; ++j) {
+    rows[j][0] = sides[3][m - j];
+    rows[j][n] = sides[1][j];
+    for (std::size_t i = 1; i < n; ++i) {
+      rows[j][i] = static_cast<int>(region.X.size());
+      region.X.push_back(blend(region.X, sides, i, j));
+    }
+  }
+  return rows;
+}
+
+/// Whether all quads have a sound shape and are no longer than wished.
+bool are_good(const std::vector<mesh::Cell>& quads, const Points& X, const SizeField& size) {
+  constexpr double good = 0.7, coarsest = 2.0;  // scaled Jacobian; diagonal over wished size (a square: 1.41)
+  return std::all_of(quads.begin(), quads.end(), [&](const mesh::Cell& cell) {
+    if (mesh::scaled_jacobian(X, mesh::CellKind::quad4, cell) < good) return false;
+    const Vec2 diagonal = X[cell[2]] - X[cell[0]];
+    return !(diagonal.norm() > coarsest * size(X[cell[0]] + 0.5 * diagonal));
+  });
+}
+
 }  // namespace
 
 bool add_grid(Region& region, const SizeField& size) {
   if (region.loops.size() != 1) return false;
   const auto sides = sides_of(region.loops[0]);
   if (sides.empty() || sides[0].size() != sides[2].size() || sides[1].size() != sides[3].size()) return false;
-  const std::size_t n = sides[0].size() - 1, m = sides[1].size() - 1;
   Region filled = region;
-  std::vector<std::vector<int>> rows(m + 1, std::vector<int>(n + 1));
-  for (std::size_t j = 0; j <= m; ++j)
-    for (std::size_t i = 0; i <= n; ++i) {
-      if (j == 0)
-        rows[j][i] = sides[0][i];
-      else if (j == m)
-        rows[j][i] = sides[2][n - i];
-      else if (i == 0)
-        rows[j][i] = sides[3][m - j];
-      else if (i == n)
-        rows[j][i] = sides[1][j];
-      else {
-        rows[j][i] = static_cast<int>(filled.X.size());
-        filled.X.push_back(blend(region.X, sides, i, j));
-      }
-    }
-  constexpr double good = 0.7, coarsest = 2.0;  // scaled Jacobian; diagonal over wished size (a square: 1.41)
-  const std::vector<mesh::Cell> quads = cells_between(rows, mesh::CellKind::quad4);
-  for (const mesh::Cell& cell : quads) {
-    if (mesh::scaled_jacobian(filled.X, mesh::CellKind::quad4, cell) < good) return false;
-    const Vec2 diagonal = filled.X[cell[2]] - filled.X[cell[0]];
-    if (diagonal.norm() > coarsest * size(filled.X[cell[0]] + 0.5 * diagonal)) return false;
-  }
+  const auto rows = grid_nodes(sides, filled);
+  if (!are_good(cells_between(rows, mesh::CellKind::quad4), filled.X, size)) return false;
   filled.cells = cells_between(rows, region.kind);
   filled.loops.clear();
   region = std::move(filled);

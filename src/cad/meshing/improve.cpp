@@ -50,6 +50,14 @@ bool move(Region& region, int node, const std::vector<int>& cells) {
   return best > before + 1e-3;
 }
 
+/// The node of a triangle opposite to its edge between two others.
+int node_opposite(const mesh::Cell& cell, int a, int b) {
+  int opposite = cell[0];
+  for (int node : {cell[1], cell[2]})
+    if (node != a && node != b) opposite = node;
+  return opposite;
+}
+
 /// A triangle alone at a node, between two outline facets: where these are nearly in line it is flat whatever its inner
 /// nodes do. Its inner edge is turned when that lifts the poorer of the two triangles at it.
 void turn_ears(Region& region) {
@@ -68,9 +76,7 @@ void turn_ears(Region& region) {
       const auto other = at.find({last, next});
       if (count[tip] != 1 || other == at.end()) continue;
       const mesh::Cell beyond = region.cells[other->second];
-      int far = beyond[0];
-      for (int node : {beyond[1], beyond[2]})
-        if (node != last && node != next) far = node;
+      const int far = node_opposite(beyond, last, next);
       if (far == last || far == next) continue;
       const mesh::Cell one = mesh::cell_of({tip, next, far}), two = mesh::cell_of({tip, far, last});
       if (std::min(quality(one), quality(two)) <= std::min(quality(ear), quality(beyond))) continue;

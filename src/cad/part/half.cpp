@@ -16,29 +16,35 @@ struct HalfRun {
   std::vector<std::array<int, 2>> whole;
 };
 
+/// A piece of a loop on one side of the axis, with the edge of the whole that it comes from.
+struct LoopPiece {
+  AxisPiece piece;
+  std::array<int, 2> whole;
+};
+
+std::vector<LoopPiece> pieces_of(const Part& part, int loop, double width) {
+  const Loop& edges = part.loops[static_cast<std::size_t>(loop)];
+  std::vector<LoopPiece> pieces;
+  for (int k = 0; k < static_cast<int>(edges.size()); ++k)
+    for (AxisPiece& piece : axis_pieces(edges[static_cast<std::size_t>(k)], width))
+      pieces.push_back({std::move(piece), {loop, k}});
+  return pieces;
+}
+
 /// The part of a loop at x > 0: runs from axis to axis, or the whole loop as a closed one.
 std::vector<HalfRun> runs_of(const Part& part, int loop, double width, bool& closed) {
-  std::vector<AxisPiece> pieces;
-  std::vector<std::array<int, 2>> whole;
-  for (int k = 0; k < static_cast<int>(part.loops[static_cast<std::size_t>(loop)].size()); ++k)
-    for (AxisPiece& piece :
-         axis_pieces(part.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(k)], width)) {
-      pieces.push_back(std::move(piece));
-      whole.push_back({loop, k});
-    }
-  const auto right = [](const AxisPiece& piece) { return piece.side > 0; };
+  std::vector<LoopPiece> pieces = pieces_of(part, loop, width);
+  const auto right = [](const LoopPiece& piece) { return piece.piece.side > 0; };
   closed = std::all_of(pieces.begin(), pieces.end(), right);
-  const auto first =
-      closed ? 0 : static_cast<std::size_t>(std::find_if_not(pieces.begin(), pieces.end(), right) - pieces.begin());
+  if (!closed) std::rotate(pieces.begin(), std::find_if_not(pieces.begin(), pieces.end(), right), pieces.end());
   std::vector<HalfRun> runs;
   bool open = false;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t k = (first + i) % pieces.size();
-    if (right(pieces[k]) && !open) runs.emplace_back();
-    open = right(pieces[k]);
+  for (LoopPiece& piece : pieces) {
+    if (right(piece) && !open) runs.emplace_back();
+    open = right(piece);
     if (!open) continue;
-    runs.back().edges.push_back(std::move(pieces[k].edge));
-    runs.back().whole.push_back(whole[k]);
+    runs.back().edges.push_back(std::move(piece.piece.edge));
+    runs.back().whole.push_back(piece.whole);
   }
   return runs;
 }
@@ -94,11 +100,8 @@ double area_within(const Loop& loop) {
   return sum;
 }
 
-}  // namespace
-
-Half half_of(const Part& part) {
-  const double width = axis_width(part);
-  Half half{{part.label, {}, {}, part.file}, {}};
+/// Takes over the loops that lie at x > 0 as a whole; the runs of the others.
+std::vector<HalfRun> take_closed(const Part& part, double width, Half& half) {
   std::vector<HalfRun> open;
   for (int k = 0; k < static_cast<int>(part.loops.size()); ++k) {
     bool closed = false;
@@ -111,7 +114,15 @@ Half half_of(const Part& part) {
       }
     }
   }
-  join(open, half);
+  return open;
+}
+
+}  // namespace
+
+Half half_of(const Part& part) {
+  const double width = axis_width(part);
+  Half half{{part.label, {}, {}, part.file}, {}};
+  join(take_closed(part, width, half), half);
   const auto outer = [](const Loop& loop) { return area_within(loop) > 0.0; };
   const auto first = std::find_if(half.part.loops.begin(), half.part.loops.end(), outer);
   if (std::count_if(half.part.loops.begin(), half.part.loops.end(), outer) != 1)
