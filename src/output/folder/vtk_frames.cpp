@@ -201,32 +201,49 @@ std::string bodies_vtu(const sim::Frame& frame) {
   return written<vtkXMLUnstructuredGridWriter>(all.grid);
 }
 
-std::string mesh_vtu(const sim::Frame& frame) {
+namespace {
+
+/// The grid of all bodies with the facets of their boundaries, and which boundary a cell belongs to (-1: none).
+struct NamedGrid {
   BodyGrid all;
-  const auto boundary = make_array<vtkIntArray>("boundary");
-  const auto names = make_array<vtkStringArray>("boundary_names"), bodies = make_array<vtkStringArray>("body_names");
-  for (std::size_t b = 0; b < frame.bodies.size(); ++b) {
-    const mesh::Mesh& mesh = *frame.bodies[b].mesh;
+  vtkNew<vtkIntArray> boundary = make_array<vtkIntArray>("boundary");
+  vtkNew<vtkStringArray> names = make_array<vtkStringArray>("boundary_names");
+
+  void add(const sim::BodyFrame& frame, int index) {
     const vtkIdType first = all.points->GetNumberOfPoints();
-    all.add(frame.bodies[b], static_cast<int>(b));
+    all.add(frame, index);
     while (boundary->GetNumberOfTuples() < all.grid->GetNumberOfCells()) boundary->InsertNextValue(-1);
-    const auto step = static_cast<std::size_t>(mesh::order(mesh.kind));
-    for (const auto& [name, chains] : mesh.boundaries) {
+    for (const auto& [name, chains] : frame.mesh->boundaries) {
       for (const auto& chain : chains)
-        for (std::size_t i = 0; i + step < chain.size(); i += step) {
-          const mesh::Cell nodes = mesh::cell_of({chain[i], chain[i + step], chain[i + 1]});  // the mid node comes last
-          all.add_cell(step == 1 ? VTK_LINE : VTK_QUADRATIC_EDGE, nodes, step + 1, first, static_cast<int>(b));
-          boundary->InsertNextValue(static_cast<int>(names->GetNumberOfValues()));
-        }
+        add_facets(chain, static_cast<std::size_t>(mesh::order(frame.mesh->kind)), first, index);
       names->InsertNextValue(name);
     }
+  }
+
+  void add_facets(const mesh::Chain& chain, std::size_t step, vtkIdType first, int index) {
+    for (std::size_t i = 0; i + step < chain.size(); i += step) {
+      const mesh::Cell nodes = mesh::cell_of({chain[i], chain[i + step], chain[i + 1]});  // the mid node comes last
+      all.add_cell(step == 1 ? VTK_LINE : VTK_QUADRATIC_EDGE, nodes, step + 1, first, index);
+      boundary->InsertNextValue(static_cast<int>(names->GetNumberOfValues()));
+    }
+  }
+};
+
+}  // namespace
+
+std::string mesh_vtu(const sim::Frame& frame) {
+  NamedGrid named;
+  const auto bodies = make_array<vtkStringArray>("body_names");
+  for (std::size_t b = 0; b < frame.bodies.size(); ++b) {
+    named.add(frame.bodies[b], static_cast<int>(b));
     bodies->InsertNextValue(frame.bodies[b].name);
   }
+  BodyGrid& all = named.all;
   all.grid->SetPoints(all.points);
   all.grid->GetCellData()->AddArray(all.body);
-  all.grid->GetCellData()->AddArray(boundary);
+  all.grid->GetCellData()->AddArray(named.boundary);
   all.grid->GetFieldData()->AddArray(bodies);
-  all.grid->GetFieldData()->AddArray(names);
+  all.grid->GetFieldData()->AddArray(named.names);
   return written<vtkXMLUnstructuredGridWriter>(all.grid);
 }
 

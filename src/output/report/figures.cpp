@@ -36,6 +36,24 @@ Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
   return figure;
 }
 
+/// Friction times pressure, the bound of the shear, with its sign.
+Line friction_bound(const SurfaceTable& surface, const FrameRows& rows, double signed_mu, double centre) {
+  Line bound = column_line(surface, rows, "pressure_MPa", signed_mu, centre);
+  if (signed_mu > 0.0) bound.label = "± friction × pressure";
+  bound.colour = "#8b929c";
+  bound.width = 1.2;
+  bound.dashed = true;
+  return bound;
+}
+
+Line traction_line(const SurfaceTable& surface, const FrameRows& rows, const std::string& name, double centre,
+                   std::size_t colour) {
+  Line line = column_line(surface, rows, name + "_MPa", 1.0, centre);
+  line.label = name;
+  line.colour = line_colour(colour);
+  return line;
+}
+
 Figure last_tractions(const RunData& run, const ContactData& contact) {
   const SurfaceTable& surface = contact.sides.front();
   const FrameRows& rows = surface.frames.back();
@@ -47,22 +65,9 @@ Figure last_tractions(const RunData& run, const ContactData& contact) {
   const double centre = centre_of(surface);
   figure.x_range = active_range(surface, centre);
   const double mu = contact.friction.value_or(0.0);
-  for (const double sign : {1.0, -1.0}) {
-    if (mu <= 0.0) break;
-    Line bound = column_line(surface, rows, "pressure_MPa", sign * mu, centre);
-    if (sign > 0.0) bound.label = "± friction × pressure";
-    bound.colour = "#8b929c";
-    bound.width = 1.2;
-    bound.dashed = true;
-    figure.lines.push_back(std::move(bound));
-  }
-  for (const auto& [column, label, colour] :
-       {std::tuple("pressure_MPa", "pressure", 0), std::tuple("shear_MPa", "shear", 1)}) {
-    Line line = column_line(surface, rows, column, 1.0, centre);
-    line.label = label;
-    line.colour = line_colour(static_cast<std::size_t>(colour));
-    figure.lines.push_back(std::move(line));
-  }
+  if (mu > 0.0) figure.lines = {friction_bound(surface, rows, mu, centre), friction_bound(surface, rows, -mu, centre)};
+  figure.lines.push_back(traction_line(surface, rows, "pressure", centre, 0));
+  figure.lines.push_back(traction_line(surface, rows, "shear", centre, 1));
   return figure;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "output/report/figures.hpp"
 
@@ -41,34 +42,51 @@ std::size_t last_play(const Table& history) {
   return first;
 }
 
+/// A column of the history that is a support force: "pad, x", and whether it is that along y.
+struct ForceColumn {
+  std::string label;
+  bool along_y = false;
+};
+
+std::optional<ForceColumn> force_column(const std::string& column) {
+  const auto x = column.rfind("_force_x_"), y = column.rfind("_force_y_");
+  const bool along_y = y != std::string::npos && (x == std::string::npos || y > x);
+  const auto end = along_y ? y : x;
+  if (end == std::string::npos) return std::nullopt;
+  return ForceColumn{column.substr(0, end) + (along_y ? ", y" : ", x"), along_y};
+}
+
+/// The support forces from a row of the history on.
+std::vector<Line> force_lines(const Table& history, std::size_t first) {
+  const auto& progress = history.column("progress");
+  const auto from = static_cast<std::ptrdiff_t>(first);
+  std::vector<Line> lines;
+  std::size_t supports = 0;
+  for (std::size_t c = 8; c < history.columns.size(); ++c) {
+    const auto force = force_column(history.columns[c]);
+    if (!force) continue;
+    Line line{.label = force->label,
+              .x = {progress.begin() + from, progress.end()},
+              .y = {history.values[c].begin() + from, history.values[c].end()},
+              .colour = line_colour(supports),
+              .dashed = force->along_y};
+    if (any_nonzero(line.y)) lines.push_back(std::move(line));
+    if (force->along_y) ++supports;
+  }
+  return lines;
+}
+
 void add_forces(const RunData& run, std::vector<Figure>& all) {
   const Table& history = run.history;
   if (history.rows() < 2) return;
   const std::size_t first = last_play(history);
   if (history.rows() - first < 3) return;
   const std::string unit = suffixes(run.identity.analysis).force;
-  const auto& progress = history.column("progress");
   Figure figure{.id = "forces",
                 .title = "Support forces through the last '" + history.word(history.column("step").back()) + "'",
                 .x_label = "progress of the step",
                 .y_label = unit == "N" ? "force on the body, N" : "force on the body, N per mm"};
-  std::size_t supports = 0;
-  for (std::size_t c = 8; c < history.columns.size(); ++c) {
-    const std::string& column = history.columns[c];
-    const auto x = column.rfind("_force_x_"), y = column.rfind("_force_y_");
-    const bool along_y = y != std::string::npos && (x == std::string::npos || y > x);
-    const auto end = along_y ? y : x;
-    if (end == std::string::npos) continue;
-    const std::string name = column.substr(0, end) + (along_y ? ", y" : ", x");
-    const auto from = static_cast<std::ptrdiff_t>(first);
-    Line line{.label = name,
-              .x = {progress.begin() + from, progress.end()},
-              .y = {history.values[c].begin() + from, history.values[c].end()},
-              .colour = line_colour(supports),
-              .dashed = along_y};
-    if (any_nonzero(line.y)) figure.lines.push_back(std::move(line));
-    if (along_y) ++supports;
-  }
+  figure.lines = force_lines(history, first);
   if (!figure.lines.empty()) all.push_back(std::move(figure));
 }
 

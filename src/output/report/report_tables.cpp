@@ -98,30 +98,33 @@ std::string band_of(const RunData& run, const std::string& limit) {
          " under the scatter of wear";
 }
 
+constexpr const char* singular_note =
+    "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the largest value there "
+    "grows as elements get shorter. Compare means, or one mesh with the same mesh.</p>\n";
+
+/// Where the largest traction of a bond is, and when.
+std::string place_of_peak(const Json& most, const std::string& peak, bool at_end) {
+  if (!part(most, peak + "_x_mm").is_number()) return "–";
+  return "(" + shown(most, peak + "_x_mm") + ", " + shown(most, peak + "_y_mm") + "), cycle " +
+         shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "");
+}
+
 /// The largest tractions of the run, where and when; those at a free end of a bond depend on the mesh.
 std::string bond_table(const RunData& run) {
   std::vector<Row> rows;
   bool singular = false;
   for (const auto& [name, bond] : part(run.summary, "bonds").items())
-    for (const auto& [key, label] : {std::pair("tension", "tension"), std::pair("shear", "shear")}) {
-      const Json& most = part(bond, "most");
-      const std::string peak = std::string("peak_") + key;
+    for (const std::string key : {"tension", "shear"}) {
+      const Json &most = part(bond, "most"), &end = part(bond, "end");
+      const std::string peak = "peak_" + key;
       const bool at_end = part(most, peak + "_at_end") == true;
       singular = singular || at_end;
-      const bool placed = part(most, peak + "_x_mm").is_number();
-      rows.push_back({name + ", " + label, shown(most, peak + "_MPa", 4), shown(part(bond, "end"), peak + "_MPa", 4),
-                      shown(part(bond, "end"), std::string("mean_") + key + "_MPa", 4),
-                      placed ? "(" + shown(most, peak + "_x_mm") + ", " + shown(most, peak + "_y_mm") + "), cycle " +
-                                   shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "")
-                             : "–"});
+      rows.push_back({name + ", " + key, shown(most, peak + "_MPa", 4), shown(end, peak + "_MPa", 4),
+                      shown(end, "mean_" + key + "_MPa", 4), place_of_peak(most, peak, at_end)});
     }
-  return table({"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
-                "where the largest, mm, and when"},
-               rows, {4}) +
-         (singular ? "<p class=\"quiet\">At a free end of a bond between two materials the stress has no bound: the "
-                     "largest value there "
-                     "grows as elements get shorter. Compare means, or one mesh with the same mesh.</p>\n"
-                   : "");
+  const Row head{"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
+                 "where the largest, mm, and when"};
+  return table(head, rows, {4}) + (singular ? singular_note : "");
 }
 
 std::string life_table(const RunData& run) {
