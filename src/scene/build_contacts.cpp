@@ -22,28 +22,39 @@ void add_factor(const Entry& wear, std::string_view exponent_key, std::string_vi
   if (!wear.given(exponent_key)) refuse(wear, {ref_key}, "has no use without " + std::string(exponent_key), issues);
 }
 
+wear::Law energy_law_of(const Entry& wear, Issues& issues) {
+  wear::Law law;
+  law.kind = wear::LawKind::energy;
+  law.secondary = per_J * wear.number("secondary_mm3_per_J");
+  law.primary = per_J * wear.number("primary_mm3_per_J");
+  law.threshold = wear.number("threshold_mJ_per_mm2");
+  refuse(wear, {"secondary_per_MPa", "primary_per_MPa"}, "belongs to Archard's law; energy takes mm3_per_J", issues);
+  if (!wear.given("secondary_mm3_per_J") && !wear.given("primary_mm3_per_J"))
+    issues.push_back({wear.key(), "", "needs secondary_mm3_per_J, primary_mm3_per_J or both"});
+  return law;
+}
+
+wear::Law archard_law_of(const Entry& wear, Issues& issues) {
+  wear::Law law;
+  law.kind = wear::LawKind::archard;
+  law.secondary = wear.number("secondary_per_MPa");
+  law.primary = wear.number("primary_per_MPa");
+  refuse(wear, {"secondary_mm3_per_J", "primary_mm3_per_J"}, "belongs to the energy law; Archard's takes per_MPa",
+         issues);
+  refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
+  if (!wear.given("secondary_per_MPa") && !wear.given("primary_per_MPa"))
+    issues.push_back({wear.key(), "", "needs secondary_per_MPa, primary_per_MPa or both"});
+  return law;
+}
+
 /// The coefficients of the named law; those of the other law, which would be ignored, are refused.
 wear::Law wear_of(const Entry& wear, Issues& issues) {
   wear::Law law;
   if (!wear.is_table()) return law;
-  if (wear.text("law") == "energy") {
-    law.kind = wear::LawKind::energy;
-    law.secondary = per_J * wear.number("secondary_mm3_per_J");
-    law.primary = per_J * wear.number("primary_mm3_per_J");
-    law.threshold = wear.number("threshold_mJ_per_mm2");
-    refuse(wear, {"secondary_per_MPa", "primary_per_MPa"}, "belongs to Archard's law; energy takes mm3_per_J", issues);
-    if (!wear.given("secondary_mm3_per_J") && !wear.given("primary_mm3_per_J"))
-      issues.push_back({wear.key(), "", "needs secondary_mm3_per_J, primary_mm3_per_J or both"});
-  } else if (wear.text("law") == "archard") {
-    law.kind = wear::LawKind::archard;
-    law.secondary = wear.number("secondary_per_MPa");
-    law.primary = wear.number("primary_per_MPa");
-    refuse(wear, {"secondary_mm3_per_J", "primary_mm3_per_J"}, "belongs to the energy law; Archard's takes per_MPa",
-           issues);
-    refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
-    if (!wear.given("secondary_per_MPa") && !wear.given("primary_per_MPa"))
-      issues.push_back({wear.key(), "", "needs secondary_per_MPa, primary_per_MPa or both"});
-  }
+  if (wear.text("law") == "energy")
+    law = energy_law_of(wear, issues);
+  else if (wear.text("law") == "archard")
+    law = archard_law_of(wear, issues);
   add_factor(wear, "pressure_exponent", "pressure_ref_MPa", law.pressure_exponent, law.pressure_ref, issues);
   add_factor(wear, "speed_exponent", "speed_ref_mm_per_s", law.speed_exponent, law.speed_ref, issues);
   return law;

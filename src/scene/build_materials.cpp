@@ -26,33 +26,39 @@ void check_parameters(const Entry& entry, Names needed, Names optional, Issues& 
   }
 }
 
+material::Hardening voce_of(const Entry& entry, Issues& issues) {
+  check_parameters(entry, {"yield_MPa", "saturation_MPa", "rate"}, {"modulus_MPa"}, issues);
+  if (entry.given("saturation_MPa") && entry.number("saturation_MPa") < entry.number("yield_MPa"))
+    issues.push_back({entry.key("saturation_MPa"), entry.written("saturation_MPa"), "must be >= yield_MPa"});
+  return material::VoceHardening{.yield_MPa = entry.number("yield_MPa"),
+                                 .saturation_MPa = entry.number("saturation_MPa"),
+                                 .rate = entry.number("rate"),
+                                 .modulus_MPa = entry.number("modulus_MPa")};
+}
+
+material::Hardening swift_of(const Entry& entry, Issues& issues) {
+  check_parameters(entry, {"strength_MPa", "offset", "exponent"}, {}, issues);
+  return material::SwiftHardening{.strength_MPa = entry.number("strength_MPa"),
+                                  .offset = entry.number("offset"),
+                                  .exponent = entry.number("exponent")};
+}
+
+material::Hardening hardening_table_of(const Entry& entry, Issues& issues) {
+  check_parameters(entry, {"points"}, {}, issues);
+  auto points = entry.curve("points");
+  const auto softens = [](const auto& a, const auto& b) { return b[1] < a[1]; };
+  if (!points.empty() && (points.front()[0] != 0.0 || points.front()[1] <= 0.0))
+    issues.push_back({entry.key("points"), entry.written("points"), "must start at p = 0 with a yield stress > 0"});
+  if (std::adjacent_find(points.begin(), points.end(), softens) != points.end())
+    issues.push_back({entry.key("points"), entry.written("points"), "the yield stress must not fall"});
+  return material::TableHardening{.points = std::move(points)};
+}
+
 material::Hardening hardening_of(const Entry& entry, Issues& issues) {
   const auto law = entry.text("law");
-  if (law == "voce") {
-    check_parameters(entry, {"yield_MPa", "saturation_MPa", "rate"}, {"modulus_MPa"}, issues);
-    if (entry.given("saturation_MPa") && entry.number("saturation_MPa") < entry.number("yield_MPa"))
-      issues.push_back({entry.key("saturation_MPa"), entry.written("saturation_MPa"), "must be >= yield_MPa"});
-    return material::VoceHardening{.yield_MPa = entry.number("yield_MPa"),
-                                   .saturation_MPa = entry.number("saturation_MPa"),
-                                   .rate = entry.number("rate"),
-                                   .modulus_MPa = entry.number("modulus_MPa")};
-  }
-  if (law == "swift") {
-    check_parameters(entry, {"strength_MPa", "offset", "exponent"}, {}, issues);
-    return material::SwiftHardening{.strength_MPa = entry.number("strength_MPa"),
-                                    .offset = entry.number("offset"),
-                                    .exponent = entry.number("exponent")};
-  }
-  if (law == "table") {
-    check_parameters(entry, {"points"}, {}, issues);
-    auto points = entry.curve("points");
-    const auto softens = [](const auto& a, const auto& b) { return b[1] < a[1]; };
-    if (!points.empty() && (points.front()[0] != 0.0 || points.front()[1] <= 0.0))
-      issues.push_back({entry.key("points"), entry.written("points"), "must start at p = 0 with a yield stress > 0"});
-    if (std::adjacent_find(points.begin(), points.end(), softens) != points.end())
-      issues.push_back({entry.key("points"), entry.written("points"), "the yield stress must not fall"});
-    return material::TableHardening{.points = std::move(points)};
-  }
+  if (law == "voce") return voce_of(entry, issues);
+  if (law == "swift") return swift_of(entry, issues);
+  if (law == "table") return hardening_table_of(entry, issues);
   check_parameters(entry, {"yield_MPa"}, {"modulus_MPa"}, issues);
   return material::LinearHardening{.yield_MPa = entry.number("yield_MPa"), .modulus_MPa = entry.number("modulus_MPa")};
 }

@@ -10,34 +10,30 @@ namespace reye::scene {
 
 namespace {
 
-std::string type_rule(Type type) {
-  switch (type) {
-    case Type::text:
-      return "must be a text in quotes";
-    case Type::texts:
-      return "must be a list of texts in quotes";
-    case Type::number:
-      return "must be a number";
-    case Type::whole:
-      return "must be a whole number";
-    case Type::flag:
-      return "must be true or false";
-    case Type::pair:
-      return "must be a list of two numbers";
-    case Type::triple:
-      return "must be a list of three numbers";
-    case Type::box:
-      return "must be a list of four numbers";
-    case Type::numbers:
-      return "must be a list of numbers";
-    case Type::curve:
-      return "must be a list of at least two pairs of numbers";
-    case Type::history:
-      return "must be a list of at least two pairs [progress, factor]";
-    case Type::refused:
-      break;
-  }
-  return {};
+/// What the reference calls a type, and what a value must be that is not of it.
+struct TypeWords {
+  Type type;
+  const char* name;
+  const char* rule;
+};
+
+constexpr TypeWords type_words[] = {
+    {Type::text, "text", "must be a text in quotes"},
+    {Type::texts, "list of texts", "must be a list of texts in quotes"},
+    {Type::number, "number", "must be a number"},
+    {Type::whole, "whole number", "must be a whole number"},
+    {Type::flag, "true, false", "must be true or false"},
+    {Type::pair, "two numbers", "must be a list of two numbers"},
+    {Type::triple, "three numbers", "must be a list of three numbers"},
+    {Type::box, "four numbers", "must be a list of four numbers"},
+    {Type::numbers, "list of numbers", "must be a list of numbers"},
+    {Type::curve, "list of pairs", "must be a list of at least two pairs of numbers"},
+    {Type::history, "list of pairs", "must be a list of at least two pairs [progress, factor]"},
+    {Type::refused, "", ""},
+};
+
+const TypeWords& words_of(Type type) {
+  return *std::find_if(std::begin(type_words), std::end(type_words), [&](const auto& w) { return w.type == type; });
 }
 
 bool numbers(const Node& list, std::size_t count) {
@@ -129,7 +125,7 @@ std::string choice_rule(const Node& node, const Spec& place) {
 std::string broken_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   if (key.type == Type::refused) return std::string(key.doc);
-  if (!has_type(node, key.type)) return type_rule(key.type) + or_a_table(place);
+  if (!has_type(node, key.type)) return words_of(key.type).rule + or_a_table(place);
   constexpr std::size_t most_pairs = 10'000;  // each corner of a history ends an increment
   if ((key.type == Type::curve || key.type == Type::history) && node.children.size() > most_pairs)
     return "has " + std::to_string(node.children.size()) + " pairs; 10000 are the most";
@@ -207,6 +203,8 @@ std::string choices_of(const Key& key) {
   }
   return text;
 }
+
+std::string type_name(Type type) { return words_of(type).name; }
 
 std::string rule_of(const Key& key) {
   const auto& range = key.range;

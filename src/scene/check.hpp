@@ -14,6 +14,9 @@ using Issues = std::vector<base::Issue>;
 
 void check(const Node& root, const Spec& spec, Issues& issues);
 
+/// "list of numbers", as the reference calls a type.
+std::string type_name(Type type);
+
 /// The rule of a range in words, e.g. `must lie in (-1, 0.5)`; empty when every number is allowed.
 std::string rule_of(const Key& key);
 

@@ -82,26 +82,18 @@ void add_elements(Node& node, const toml::array& list, const Source& source) {
   }
 }
 
-Node convert(const toml::node& value, const Source& source, std::string key, std::string name) {
-  Node node{.kind = NodeKind::other,
-            .key = std::move(key),
-            .name = std::move(name),
-            .written = {},
-            .text = {},
-            .children = {}};
-  if (value.source().begin) {
-    node.line = static_cast<int>(value.source().begin.line);
-    node.begin = source.byte(value.source().begin);
-    node.end = source.byte(value.source().end);
-    if (!value.is_table() && !value.is_array_of_tables()) node.written = source.slice(value.source());
-  }
-  if (const auto* table = value.as_table()) {
-    node.kind = NodeKind::table;
-    add_children(node, *table, source);
-  } else if (const auto* list = value.as_array()) {
-    node.kind = NodeKind::list;
-    add_elements(node, *list, source);
-  } else if (const auto* text = value.as_string()) {
+/// Where a value stands in the file; of a value that is no table, how it is written.
+void locate(Node& node, const toml::node& value, const Source& source) {
+  if (!value.source().begin) return;
+  node.line = static_cast<int>(value.source().begin.line);
+  node.begin = source.byte(value.source().begin);
+  node.end = source.byte(value.source().end);
+  if (!value.is_table() && !value.is_array_of_tables()) node.written = source.slice(value.source());
+}
+
+/// The value of a node that has no others below it.
+void read_value(Node& node, const toml::node& value) {
+  if (const auto* text = value.as_string()) {
     node.kind = NodeKind::text;
     node.text = text->get();
   } else if (const auto* flag = value.as_boolean()) {
@@ -110,6 +102,23 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
   } else if (const auto number = value.value<double>()) {
     node.kind = value.is_integer() ? NodeKind::whole : NodeKind::number;
     node.number = *number;
+  }
+}
+
+Node convert(const toml::node& value, const Source& source, std::string key, std::string name) {
+  Node node;
+  node.kind = NodeKind::other;
+  node.key = std::move(key);
+  node.name = std::move(name);
+  locate(node, value, source);
+  if (const auto* table = value.as_table()) {
+    node.kind = NodeKind::table;
+    add_children(node, *table, source);
+  } else if (const auto* list = value.as_array()) {
+    node.kind = NodeKind::list;
+    add_elements(node, *list, source);
+  } else {
+    read_value(node, value);
   }
   return node;
 }

@@ -57,14 +57,8 @@ std::set<std::string> changed_limits(const Document& before, const Document& aft
   return names;
 }
 
-}  // namespace
-
-Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
-  const Document before{parse(was), was}, after{parse(now.text), now.text};
-  Extension extension{{}, changed_limits(before, after), cycles_key_of(after.root)};
-  const bool cycles_may = counts(before.root, extension.cycles_key) && counts(after.root, extension.cycles_key);
-  Issues differences, wrong;
-  add_differences(before.root, after.root, before, after, differences);
+/// Sorts out the differences that the continued run may have: they become its changes, others are wrong.
+void sort_out(Issues differences, bool cycles_may, Extension& extension, Issues& wrong) {
   for (auto& issue : differences) {
     const bool may =
         issue.key == "limit" || issue.key.starts_with("limit.") || (cycles_may && issue.key == extension.cycles_key);
@@ -75,17 +69,32 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
     issue.rule += only_these;
     wrong.push_back(std::move(issue));
   }
-  if (wrong.empty() && fixed_part(before.root, was) != fixed_part(after.root, now.text))
-    wrong.push_back(
-        {"", "", std::string("tables stand in a different order than in the run to be resumed") + only_these});
-  if (wrong.empty() && was_fixed != now.fixed_sha256)
-    wrong.push_back(
-        {"geometry", "",
-         std::string("its files, or those of profiles, differ from those of the run to be resumed") + only_these});
-  if (wrong.empty() && now.accuracy > 0.0)
-    wrong.push_back({"accuracy", shown(now.accuracy),
-                     "chose elements and jumps for the run as it was; write the sizes that its plan reports as "
-                     "`size_mm`, and `jump`, in its place, and start a new run"});
+}
+
+/// What is wrong with a scene that differs nowhere from the one before; empty: it continues it.
+Issues not_continued(const Document& before, const Document& after, const std::string& was_fixed, const Scene& now) {
+  if (fixed_part(before.root, before.text) != fixed_part(after.root, after.text))
+    return {{"", "", std::string("tables stand in a different order than in the run to be resumed") + only_these}};
+  if (was_fixed != now.fixed_sha256)
+    return {{"geometry", "",
+             std::string("its files, or those of profiles, differ from those of the run to be resumed") + only_these}};
+  if (now.accuracy > 0.0)
+    return {{"accuracy", shown(now.accuracy),
+             "chose elements and jumps for the run as it was; write the sizes that its plan reports as "
+             "`size_mm`, and `jump`, in its place, and start a new run"}};
+  return {};
+}
+
+}  // namespace
+
+Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
+  const Document before{parse(was), was}, after{parse(now.text), now.text};
+  Extension extension{{}, changed_limits(before, after), cycles_key_of(after.root)};
+  const bool cycles_may = counts(before.root, extension.cycles_key) && counts(after.root, extension.cycles_key);
+  Issues differences, wrong;
+  add_differences(before.root, after.root, before, after, differences);
+  sort_out(std::move(differences), cycles_may, extension, wrong);
+  if (wrong.empty()) wrong = not_continued(before, after, was_fixed, now);
   if (!wrong.empty()) throw located(now, wrong);
   return extension;
 }

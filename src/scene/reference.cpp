@@ -5,35 +5,6 @@ namespace reye::scene {
 
 namespace {
 
-std::string type_name(Type type) {
-  switch (type) {
-    case Type::text:
-      return "text";
-    case Type::texts:
-      return "list of texts";
-    case Type::number:
-      return "number";
-    case Type::whole:
-      return "whole number";
-    case Type::flag:
-      return "true, false";
-    case Type::pair:
-      return "two numbers";
-    case Type::triple:
-      return "three numbers";
-    case Type::box:
-      return "four numbers";
-    case Type::numbers:
-      return "list of numbers";
-    case Type::curve:
-    case Type::history:
-      return "list of pairs";
-    case Type::refused:
-      break;
-  }
-  return {};
-}
-
 /// The values of a key: its choices, or its type and range.
 std::string takes(const Key& key) {
   if (!key.range.choices.empty()) return choices_of(key);

@@ -114,6 +114,27 @@ void check_places(const std::string& text, const Variation& variation, Issues& i
       issues.push_back({option, variation.key + '=' + value, "cannot be put there"});
 }
 
+/// Checks one variation of a text, and adds it to those found.
+void check_variation(const std::string& words, const Node& root, const std::string& text, std::vector<Variation>& found,
+                     Issues& issues) {
+  auto variation = variation_of(words);
+  auto rule = key_rule(variation.key, root);
+  for (const auto& other : found)
+    if (other.key == variation.key) rule = "varies " + other.key + " a second time";
+  if (rule.empty())
+    check_places(text, variation, issues);
+  else
+    issues.push_back({option, words, rule});
+  found.push_back(std::move(variation));
+}
+
+void check_members(const std::vector<Variation>& variations, Issues& issues) {
+  double members = 1.0;
+  for (const auto& variation : variations) members *= static_cast<double>(variation.values.size());
+  if (members > most_members)
+    issues.push_back({option, "", "a sweep may have at most " + shown(most_members) + " members"});
+}
+
 /// All variations, each with a key that the scene can take; all errors are thrown at once.
 std::vector<Variation> checked(const std::vector<std::string>& variations, const std::string& text) {
   const auto root = parse(text);
@@ -121,24 +142,13 @@ std::vector<Variation> checked(const std::vector<std::string>& variations, const
   Issues issues;
   for (const auto& words : variations) {
     try {
-      auto variation = variation_of(words);
-      auto rule = key_rule(variation.key, root);
-      for (const auto& other : good)
-        if (other.key == variation.key) rule = "varies " + other.key + " a second time";
-      if (rule.empty())
-        check_places(text, variation, issues);
-      else
-        issues.push_back({option, words, rule});
-      good.push_back(std::move(variation));
+      check_variation(words, root, text, good, issues);
     } catch (const base::InputError& error) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
   }
-  double members = 1.0;
-  for (const auto& variation : good) members *= static_cast<double>(variation.values.size());
   if (variations.empty()) issues.push_back({option, "", "missing; a sweep varies at least one key"});
-  if (members > most_members)
-    issues.push_back({option, "", "a sweep may have at most " + shown(most_members) + " members"});
+  check_members(good, issues);
   if (!issues.empty()) throw base::InputError(std::move(issues));
   return good;
 }
