@@ -60,7 +60,7 @@ std::vector<int> marked_vertices(Mesh& mesh, int corners) {
   return mark;
 }
 
-/// Leaves out the unmarked nodes, and numbers the others anew; `number`: -1 or the new number of a node.
+/// Leaves out the unmarked nodes, and numbers the others in their order; `number`: -1 or the new number of a node.
 void keep_marked(Mesh& mesh, std::vector<int>& number) {
   const Points X = std::exchange(mesh.X, {});
   for (std::size_t node = 0; node < X.size(); ++node) {

@@ -68,8 +68,8 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
   if (observer.log) observer.log("cut back: " + where);
 }
 
-/// Tells each contact what the others have worn and dissipated at its nodes.
-void tell_others(solver::Controls& controls, const Problem& problem, const State& state) {
+/// Gives each contact what the others have worn and dissipated at its nodes.
+void pass_on_others(solver::Controls& controls, const Problem& problem, const State& state) {
   auto left = left_by_others(problem, state);
   for (std::size_t c = 0; c < left.size(); ++c) {
     controls.contacts[c].waiting_secondary = std::move(left[c].waiting_secondary);
@@ -94,7 +94,7 @@ solver::Controls asked(const Problem& problem, const State& state, const solver:
   const auto& span = block.span;
   auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
   set_friction(controls, problem, state.cycle);
-  tell_others(controls, problem, state);
+  pass_on_others(controls, problem, state);
   set_thickness(controls, problem, state, system);
   count_from_renewal(controls, problem, system, state);
   const double last = block.last_length;

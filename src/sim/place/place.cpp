@@ -239,7 +239,7 @@ void add_issues(std::vector<Issue>& issues, std::vector<Issue> more) {
   for (auto& issue : more) issues.push_back(std::move(issue));
 }
 
-/// Refuses what cannot be played, as far as the drawing tells.
+/// Refuses what cannot be played, judged by the drawing.
 void check_drawn(Problem& p) {
   std::vector<Issue> issues;
   check_secondary_edges(p, issues);
@@ -250,7 +250,7 @@ void check_drawn(Problem& p) {
   refuse(issues);
 }
 
-/// Refuses what cannot be played, as the equations at the start tell.
+/// Refuses what cannot be played, judged by the equations at the start.
 void check_at_start(const Problem& p, Cache& cache) {
   std::vector<Issue> issues;
   const auto& system = timed_system(p, initial_state(p), cache);
