@@ -127,7 +127,8 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
     const auto& contact = state.solution.contacts[c];
     if (forced && c < state.watch.size()) {
       const Widths now = widths(system.contacts[c], contact, slip_before[c]);
-      for (const auto& warning : {receding(o.name, now, state.watch[c], state.cycle), unresolved(o.name, state.watch[c])})
+      for (const auto& warning :
+           {receding(o.name, now, state.watch[c], state.cycle), unresolved(o.name, state.watch[c])})
         if (warning) warn(state, observer, *warning);
     }
     if (system.contacts[c].secondary.order != 1) continue;
