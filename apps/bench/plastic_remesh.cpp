@@ -110,7 +110,8 @@ struct Indented {
 
   /// Largest stress over the yield stress at its point, less one.
   double beyond_yield() {
-    const auto& system = sim::system_of(problem, state, cache);
+    const auto kept = sim::system_of(problem, state, cache);
+    const auto& system = *kept;
     double most = 0.0;
     for (int b = 0; b < problem.body_count(); ++b)
       for (const auto& e : std::get<body::NonlinearBody>(system.bodies[b])

@@ -76,7 +76,8 @@ void punch(benchmark::State& run) {
   const auto state = sim::initial_state(problem);
   for (auto _ : run) {
     sim::Cache cache;
-    const auto& system = sim::system_of(problem, state, cache);
+    const auto kept = sim::system_of(problem, state, cache);
+    const auto& system = *kept;
     const auto& setup = system.contacts.front();
     std::vector<int> nodes;
     for (int j = 0; j < setup.secondary_count(); ++j)

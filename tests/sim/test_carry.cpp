@@ -22,8 +22,8 @@ struct Remeshed {
   sim::Problem fine = test::problem_of(test::with(
       test::block_scene, {{"far_size_mm = 0.5", "far_size_mm = 0.3"}, {"far_size_mm = 0.4", "far_size_mm = 0.25"}}));
   sim::Cache cache, fine_cache;
-  contact::Setup from = sim::system_of(coarse, sim::initial_state(coarse), cache).contacts[0];
-  contact::Setup to = sim::system_of(fine, sim::initial_state(fine), fine_cache).contacts[0];
+  contact::Setup from = sim::system_of(coarse, sim::initial_state(coarse), cache)->contacts[0];
+  contact::Setup to = sim::system_of(fine, sim::initial_state(fine), fine_cache)->contacts[0];
   contact::ContactState state = contact::fresh_state(from);
   sim::HeldTraction held{std::vector<double>(from.secondary.X.size(), 2.0),
                          std::vector<double>(from.secondary.X.size(), 0.5)};

@@ -93,7 +93,8 @@ TEST(DrawnGap, IsLetInByProgress) {
   const auto problem = overlapping(0.25);
   auto state = sim::initial_state(problem);
   sim::Cache cache;
-  const auto& system = sim::system_of(problem, state, cache);
+  const auto kept = sim::system_of(problem, state, cache);
+  const auto& system = *kept;
   for (double progress : {0.0, 0.5, 1.0}) {
     const auto& step = problem.scene.steps[0];
     const auto factors = sim::factors_at(problem.scene, step, progress, state.factors);

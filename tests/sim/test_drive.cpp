@@ -86,7 +86,8 @@ TEST(Drive, Controls) {
   const auto p =
       test::problem_of(test::with(test::block_scene, {{"x        = \"fixed\"\n", "x = { motion_mm = 0.5 }\n"}}));
   sim::Cache cache;
-  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const auto kept = sim::system_of(p, sim::initial_state(p), cache);
+  const auto& system = *kept;
   const std::map<std::string, double> factors{{"press", 0.25}, {"stroke", -0.5}};
   const auto c = sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0);
   EXPECT_DOUBLE_EQ(imposed(p, system, c.prescribed, "holder", 0).value(), -0.005);
@@ -104,7 +105,8 @@ TEST(Drive, Controls) {
 TEST(Drive, Duration) {
   const auto p = test::problem_of(test::with(test::block_scene, {{"cycles = 40", "period_s = 2.0\ncycles = 40"}}));
   sim::Cache cache;
-  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const auto kept = sim::system_of(p, sim::initial_state(p), cache);
+  const auto& system = *kept;
   const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
   EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].duration_s,
                    1.0);
@@ -133,7 +135,8 @@ TEST(Drive, ImposedSliding) {
   const auto p = test::problem_of(
       test::with(test::block_scene, {{"friction  = 0.3", "friction = 0.3\nimposed_sliding_mm = 100.0"}}));
   sim::Cache cache;
-  const auto& system = sim::system_of(p, sim::initial_state(p), cache);
+  const auto kept = sim::system_of(p, sim::initial_state(p), cache);
+  const auto& system = *kept;
   const std::map<std::string, double> factors{{"press", 1.0}, {"stroke", 0.0}};
   EXPECT_DOUBLE_EQ(sim::controls_at(p, system, factors, p.scene.steps[1], 0.25, 0.75, 10.0).contacts[0].imposed_slip,
                    50.0);

@@ -129,7 +129,8 @@ TEST(Jump, ExtrapolationKeepsSums) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Cache cache;
   const sim::State fresh = sim::initial_state(problem);
-  const auto& system = sim::system_of(problem, fresh, cache);
+  const auto kept = sim::system_of(problem, fresh, cache);
+  const auto& system = *kept;
   sim::State start = fresh;
   start.solution.contacts = {contact::fresh_state(system.contacts[0])};
   auto& before = start.solution.contacts[0];
@@ -161,7 +162,8 @@ TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Cache cache;
   const sim::State fresh = sim::initial_state(problem);
-  const auto& system = sim::system_of(problem, fresh, cache);
+  const auto kept = sim::system_of(problem, fresh, cache);
+  const auto& system = *kept;
   sim::State start = fresh;
   start.solution.contacts = {contact::fresh_state(system.contacts[0])};
   const auto& X = system.contacts[0].secondary.X;
@@ -194,7 +196,7 @@ TEST(Jump, WhatEdgesLoseTheMiddleKeeps) {
 TEST(Jump, TrustRisesOverThreeElements) {
   const auto problem = test::problem_of(test::block_scene);
   sim::Cache cache;
-  const auto& surface = sim::system_of(problem, sim::initial_state(problem), cache).contacts[0].secondary;
+  const auto& surface = sim::system_of(problem, sim::initial_state(problem), cache)->contacts[0].secondary;
   const std::size_t n = surface.X.size();
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), 0U);

@@ -70,7 +70,8 @@ Pressed pressed(const std::string& contact, const std::string& disc_size) {
   const auto summary = sim::run(problem, state, observer);
   EXPECT_EQ(summary.status, sim::RunStatus::done) << summary.reason;
   sim::Cache cache;
-  const auto& system = sim::system_of(problem, state, cache);
+  const auto kept = sim::system_of(problem, state, cache);
+  const auto& system = *kept;
   result.tables =
       sim::surface_records(system.contacts[0], state.solution.contacts[0], state.shapes, problem.contacts[0]);
   result.summary = summary.contacts[0];

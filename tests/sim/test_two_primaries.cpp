@@ -97,7 +97,8 @@ TEST(TwoPrimaries, EachBodyGetsItsOwn) {
   }
 
   sim::Cache cache;
-  const auto& system = sim::system_of(problem, state, cache);
+  const auto kept = sim::system_of(problem, state, cache);
+  const auto& system = *kept;
   const auto& setup = system.contacts[0];
   const auto& contact = state.solution.contacts[0];
   std::vector<double> booked(3, 0.0);

@@ -14,7 +14,7 @@ struct Begun {
   explicit Begun(const Changes& changes = {}, double gap = 0.0)
       : problem(test::problem_of(test::with(test::block_scene, changes), gap)), state(sim::initial_state(problem)) {
     sim::begin_state(problem, state, cache);
-    system = sim::system_of(problem, state, cache);
+    system = *sim::system_of(problem, state, cache);
     attempt.step = &problem.scene.steps.back();
   }
   std::string why() const { return sim::why_failed(problem, state, attempt, system); }

@@ -79,7 +79,8 @@ class Watch {
 
   /// Supports and contact must hold each body, on the shape that wear has left.
   void block(const sim::State& state) {
-    const auto& system = sim::system_of(p_, state, cache_);
+    const auto kept = sim::system_of(p_, state, cache_);
+    const auto& system = *kept;
     const auto& step = p_.scene.steps[std::min<std::size_t>(state.step, p_.scene.steps.size() - 1)];
     auto controls = sim::controls_at(p_, system, state.factors, step, 1.0, 1.0, 1.0);
     sim::count_from_renewal(controls, p_, system, state);

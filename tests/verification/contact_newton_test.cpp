@@ -24,7 +24,8 @@ std::vector<Row> newton_rows(const std::string& text) {
   sim::Cache cache;
   cache.newton = solver::Newton({.chords = false});
   sim::begin_state(problem, state, cache);
-  const auto& system = sim::system_of(problem, state, cache);
+  const auto kept = sim::system_of(problem, state, cache);
+  const auto& system = *kept;
   std::vector<Row> rows;
   for (const auto& step : problem.scene.steps) {
     double from = 0.0;

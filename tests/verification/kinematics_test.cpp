@@ -183,7 +183,7 @@ TEST(Kinematics, EstimateIsOfTheSizeOfTheError) {
       if (!told.rigid[b]) told.kinematics[b].emplace();
     sim::Cache cache;
     const double estimate =
-        sim::small_strain_error(told, small.state, sim::system_of(told, small.state, cache)).value();
+        sim::small_strain_error(told, small.state, *sim::system_of(told, small.state, cache)).value();
     const double error = difference_of_figures(small, finite);
     EXPECT_GT(estimate, 0.5 * sim::small_strain_bound) << c.name;
     EXPECT_LT(estimate, 2.0 * sim::small_strain_bound) << c.name;

@@ -55,7 +55,8 @@ struct Bench {
   }
 
   sim::SurfaceRecord secondary() {
-    const auto& system = sim::system_of(problem, state, cache);
+    const auto kept = sim::system_of(problem, state, cache);
+    const auto& system = *kept;
     return sim::surface_records(system.contacts[0], state.solution.contacts[0], state.shapes, problem.contacts[0])[0];
   }
 };

@@ -133,7 +133,8 @@ std::string place_of(const State& state, const BlockSpan& span, const std::map<s
 std::string play(const Problem& problem, State& state, Cache& cache, Playing& block, double from, double to,
                  int depth) {
   const auto& span = block.span;
-  const auto& system = timed_system(problem, state, cache);
+  const auto kept = timed_system(problem, state, cache);
+  const auto& system = *kept;
   const auto factors = factors_at(problem.scene, *span.step, to, block.held);
   const auto controls = asked(problem, state, system, block, factors, from, to);
   solver::SolveResult result;
@@ -199,7 +200,8 @@ void keep_counts(State& start, const Counts& played) {
 }
 
 void begin_state(const Problem& problem, State& state, Cache& cache) {
-  const auto& system = timed_system(problem, state, cache);
+  const auto kept = timed_system(problem, state, cache);
+  const auto& system = *kept;
   state.solution.q = Vector::Zero(system.dofs);
   state.solution.interiors.assign(system.bodies.size(), {});
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
@@ -227,7 +229,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     const std::string failure = play(problem, state, cache, block, from, ends[i], problem.scene.max_cutbacks);
     if (!failure.empty()) return {std::move(state), failure, false};
     from = ends[i];
-    tell_progress(block, problem, state, cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
+    tell_progress(block, problem, state, *cache.system, static_cast<int>(i) + 1, static_cast<int>(ends.size()), from);
     const bool shown_here = output.frames.every_increment || (output.frames.last_block && span.last);
     if (shown_here && i + 1 < ends.size()) {
       const double start = state.cycle;

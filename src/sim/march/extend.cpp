@@ -44,7 +44,7 @@ std::vector<base::Issue> extend(const Problem& problem, const std::set<std::stri
   check_state(problem, state, cache);
   if (!state.approached) return {};
   std::vector<base::Issue> issues;
-  const auto measures = limit_measures(problem, system_of(problem, state, cache), state);
+  const auto measures = limit_measures(problem, *system_of(problem, state, cache), state);
   for (const auto& limit : problem.scene.limits) {
     if (!limits.contains(limit.name)) continue;
     const double measure = measures.at(limit.name), bound = bound_of(limit);

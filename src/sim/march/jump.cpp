@@ -49,7 +49,8 @@ std::string estimated(double error) { return base::formatted("estimated error %.
 /// nothing of the pressures inside them.
 double pressure_change(const Problem& problem, const State& state, Cache& cache,
                        const std::vector<HeldTraction>& before) {
-  const auto& system = system_of(problem, state, cache);
+  const auto kept = system_of(problem, state, cache);
+  const auto& system = *kept;
   double largest = 0.0;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& contact = state.solution.contacts[c];
@@ -78,7 +79,7 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
   double left = span.jump;
   bool level = !last;
   for (int k = fewest_cycles; k <= most_cycles; ++k) {
-    const auto before = held_tractions(system_of(problem, outcome.state, cache), outcome.state);
+    const auto before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
     left *= 0.5;
     if (!play(left, false)) return outcome;
     if (level) break;
@@ -168,7 +169,8 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.outcome = {start, attempt.failure, attempt.interrupted};
   trial.outcome.state.counts = attempt.counts;
   if (!attempt.failure.empty() || attempt.interrupted) return;
-  const auto& system = system_of(problem, attempt.halves, cache);
+  const auto kept = system_of(problem, attempt.halves, cache);
+  const auto& system = *kept;
   trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
   trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;

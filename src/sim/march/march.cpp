@@ -114,7 +114,7 @@ class Runner {
 
   /// Cycles after which a block that was played passes a limit that stops the run; empty where it passes none.
   std::optional<double> cycles_to_stop(const Outcome& outcome) {
-    const auto share = share_to_stop(p_, state_, outcome.state, system_of(p_, outcome.state, cache_), outcome.middle);
+    const auto share = share_to_stop(p_, state_, outcome.state, *system_of(p_, outcome.state, cache_), outcome.middle);
     const double played = outcome.state.cycle - state_.cycle;
     return share && played > 1.0 ? std::optional(std::max(1.0, *share * played)) : std::nullopt;
   }
@@ -160,9 +160,9 @@ class Runner {
     if (step.cycles > 0.0 && same_meshes)
       watch_plastic_strain(step, start.plastic_strain, (state_.cycle - start.cycle) / solved, state_, observer_);
     if (step.wear && step.cycles > 0.0 && same_meshes)
-      warn_of_stick_edge(p_, system_of(p_, state_, cache_), start.slip, state_, observer_);
+      warn_of_stick_edge(p_, *system_of(p_, state_, cache_), start.slip, state_, observer_);
     warn_of_block(p_, state_, observer_);
-    for (auto& warning : corner_warnings(system_of(p_, state_, cache_), state_))
+    for (auto& warning : corner_warnings(*system_of(p_, state_, cache_), state_))
       warn(state_, observer_, std::move(warning));
   }
 
@@ -175,10 +175,11 @@ class Runner {
     if (outcome.interrupted) return interrupt(step);
     state_.step_cycles += state_.cycle - start.cycle;
     if (step.cycles > 0.0 && step_over(step, state_)) end_on_the_cycle(step);
-    row_.settle(p_, state_, system_of(p_, state_, cache_), step);
+    row_.settle(p_, state_, *system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    if (const auto reason = watch_strain(p_, state_, system_of(p_, state_, cache_), step_over(step, state_), observer_);
+    if (const auto reason =
+            watch_strain(p_, state_, *system_of(p_, state_, cache_), step_over(step, state_), observer_);
         !reason.empty())
       return fail(reason);
     watch_block(step, start);
@@ -187,7 +188,7 @@ class Runner {
 
   /// Judges the limits and shows the end of a block. `middle`: measures of the limits half way, where known.
   bool end_block_of(const scene::Step& step, const BlockStart& start, const std::map<std::string, double>& middle) {
-    const bool stop = watch_limits(p_, state_, system_of(p_, state_, cache_), start.cycle, middle);
+    const bool stop = watch_limits(p_, state_, *system_of(p_, state_, cache_), start.cycle, middle);
     const bool last = stop || step_over(step, state_);
     if (last && controlled(step)) watch_tolerance(step, state_, observer_);
     if (frame_due(p_.scene.output.frames, {start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)}))
@@ -227,7 +228,8 @@ class Runner {
   }
 
   void summarise_joints() {
-    const auto& system = system_of(p_, state_, cache_);
+    const auto kept = system_of(p_, state_, cache_);
+    const auto& system = *kept;
     const auto shown = as_shown(p_, state_);
     for (std::size_t c = 0; c < p_.contacts.size(); ++c)
       summary_.contacts.push_back(summarise(system.contacts[c], shown[c], state_.shapes, p_.contacts[c]));

@@ -29,7 +29,7 @@ void play_halves(const Problem& problem, State start, Cache& cache, BlockSpan sp
   if (problem.scene.shape) outcome = evolve_shape(problem, std::move(outcome.state), cache, span, {});
   if (ends_attempt(outcome, attempt)) return;
   attempt.half_way = outcome.state.solution.contacts;
-  attempt.middle = limit_measures(problem, system_of(problem, outcome.state, cache), outcome.state);
+  attempt.middle = limit_measures(problem, *system_of(problem, outcome.state, cache), outcome.state);
   outcome.state.step_cycles += span.jump;
   outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
   outcome.state.step_cycles -= span.jump;

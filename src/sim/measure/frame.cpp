@@ -102,7 +102,8 @@ void add_surfaces(const Problem& problem, const State& state, const solver::Syst
 }  // namespace
 
 Frame make_frame(const Problem& problem, const State& state, Cache& cache, const std::string& step) {
-  const auto& system = timed_system(problem, state, cache);
+  const auto kept = timed_system(problem, state, cache);
+  const auto& system = *kept;
   Timer timer(cache, "frames");
   Frame frame;
   frame.cycle = state.cycle;
@@ -122,7 +123,8 @@ namespace {
 void watch_overlaps(const Problem& problem, State& state, Cache& cache, const Observer& observer, const Frame& frame) {
   if (problem.body_count() < 2) return;
   std::vector<std::vector<Vec2>> u;
-  const auto& system = timed_system(problem, state, cache);
+  const auto kept = timed_system(problem, state, cache);
+  const auto& system = *kept;
   Timer timer(cache, "frames");
   const auto controls = controls_at(problem, system, state.factors, {}, 0.0, 0.0, 1.0);
   for (int b = 0; b < problem.body_count(); ++b)

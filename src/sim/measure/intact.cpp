@@ -249,7 +249,8 @@ void check_state(const Problem& problem, const State& state, Cache& cache) {
     check_shape(state.shapes[b], problem.shapes[b], problem.rigid[b] != 0, problem.inputs[b].name);
   check_progress(problem, state);
   check_beside(problem, state);
-  const auto& system = system_of(problem, state, cache);
+  const auto kept = system_of(problem, state, cache);
+  const auto& system = *kept;
   if (state.approached) check_solution(problem, state, system);
   for (const auto& [progress, guess] : state.recall.played) {
     require(counted(progress.first, 1.0) && counted(progress.second, 1.0), "an increment was played at no progress");

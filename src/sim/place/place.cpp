@@ -253,7 +253,8 @@ void check_drawn(Problem& p) {
 /// Refuses what cannot be played, judged by the equations at the start.
 void check_at_start(const Problem& p, Cache& cache) {
   std::vector<Issue> issues;
-  const auto& system = timed_system(p, initial_state(p), cache);
+  const auto kept = timed_system(p, initial_state(p), cache);
+  const auto& system = *kept;
   check_facing(p, system, issues);
   add_issues(issues, bond_issues(p, system));
   add_issues(issues, corner_issues(p, system));

@@ -14,17 +14,23 @@ struct Legacy {
 
 /// Clears the cache except for these parts: the factor at the old shape is released before the one at the new shape is
 /// made, and a failure leaves nothing that could be mistaken for this state's.
-std::vector<Legacy> take_over(const State& state, Cache& cache) {
+std::vector<Legacy> take_over(const SystemKey& key, Cache& cache) {
   cache.newton.reset();
-  const auto shapes = std::exchange(cache.shapes, {});
-  auto bodies = std::exchange(cache.system, {}).bodies;
-  std::vector<Legacy> legacies(state.shapes.size());
-  for (std::size_t b = 0; b < shapes.size(); ++b)
-    if (shapes[b] == state.shapes[b])
-      legacies[b].kept = std::move(bodies[b]);
-    else if (const auto* linear = std::get_if<body::LinearBody>(&bodies[b]))
+  const auto before = std::exchange(cache.key, {});
+  const auto system = std::exchange(cache.system, nullptr);
+  std::vector<Legacy> legacies(key.shapes.size());
+  for (std::size_t b = 0; b < before.shapes.size(); ++b)
+    if (before.shapes[b] == key.shapes[b] && before.kinematics[b] == key.kinematics[b])
+      legacies[b].kept = system->bodies[b];
+    else if (const auto* linear = std::get_if<body::LinearBody>(&system->bodies[b]))
       legacies[b].analysis = linear->analysis();
   return legacies;
+}
+
+SystemKey key_of(const Problem& problem, const State& state) {
+  SystemKey key{state.shapes, {}};
+  for (const auto& input : problem.inputs) key.kinematics.push_back(input.kinematics);
+  return key;
 }
 
 body::Operator made(const body::ShapePtr& shape, const body::BodyInput& input, bool rigid, Legacy& legacy) {
@@ -36,9 +42,10 @@ body::Operator made(const body::ShapePtr& shape, const body::BodyInput& input, b
 
 }  // namespace
 
-const solver::System& system_of(const Problem& problem, const State& state, Cache& cache) {
-  if (cache.shapes == state.shapes) return cache.system;
-  auto legacies = take_over(state, cache);
+SystemPtr system_of(const Problem& problem, const State& state, Cache& cache) {
+  auto key = key_of(problem, state);
+  if (cache.key == key) return cache.system;
+  auto legacies = take_over(key, cache);
   std::vector<body::Operator> bodies;
   for (std::size_t b = 0; b < state.shapes.size(); ++b)
     bodies.push_back(made(state.shapes[b], problem.inputs[b], problem.rigid[b], legacies[b]));
@@ -49,8 +56,8 @@ const solver::System& system_of(const Problem& problem, const State& state, Cach
   for (const auto& b : problem.bonds)
     contacts.push_back(contact::make_setup(b.options, problem.scene.analysis, b.secondary, b.primary, state.shapes,
                                            bodies, b.modulus_MPa));
-  cache.system = solver::make_system(std::move(bodies), std::move(contacts));
-  cache.shapes = state.shapes;
+  cache.system = std::make_shared<const solver::System>(solver::make_system(std::move(bodies), std::move(contacts)));
+  cache.key = std::move(key);
   return cache.system;
 }
 

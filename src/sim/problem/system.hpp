@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,22 +11,33 @@
 
 namespace reye::sim {
 
-/// Derived data, keyed by the shapes they came from; discarding them changes no result.
+/// A system of equations, immutable and shared: who holds one keeps it, whatever the cache makes next.
+using SystemPtr = std::shared_ptr<const solver::System>;
+
+/// What a system is made of: the shape of each body, and its kinematics, which decide its law.
+struct SystemKey {
+  std::vector<body::ShapePtr> shapes;
+  std::vector<base::Kinematics> kinematics;
+
+  bool operator==(const SystemKey&) const = default;
+};
+
+/// Derived data, keyed by what they are made of; discarding them changes no result.
 struct Cache {
   // Compiled once: every file that holds one would else compile them. A cache is not copied.
   Cache();
   ~Cache();
 
-  std::vector<body::ShapePtr> shapes;
-  solver::System system;
+  SystemKey key;
+  SystemPtr system;
   solver::Newton newton;
   adapt::RelocationCache relocation;
   std::map<std::string, double> seconds;  ///< wall time by room
   double cpu_s = 0.0;                     ///< processor time that went into it before the run
 };
 
-/// The system of equations on the state's shapes; unchanged bodies keep their operators. The system returned before is
-/// invalid where a shape has changed.
-const solver::System& system_of(const Problem& problem, const State& state, Cache& cache);
+/// The system of equations on the state's shapes; unchanged bodies keep their operators. A factor is released before
+/// the next one of its body is made unless the system that it belongs to is still held.
+SystemPtr system_of(const Problem& problem, const State& state, Cache& cache);
 
 }  // namespace reye::sim

@@ -31,7 +31,7 @@ inline double cpu_seconds() {
   return s(usage.ru_utime) + s(usage.ru_stime);
 }
 
-inline const solver::System& timed_system(const Problem& problem, const State& state, Cache& cache) {
+inline SystemPtr timed_system(const Problem& problem, const State& state, Cache& cache) {
   Timer timer(cache, "body");
   return system_of(problem, state, cache);
 }

@@ -93,7 +93,7 @@ std::vector<HeldTraction> held_tractions(const solver::System& system, const Sta
 
 std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                                    const std::vector<HeldTraction>& held) {
-  const auto system = unyielding(timed_system(problem, state, cache));
+  const auto system = unyielding(*timed_system(problem, state, cache));
   auto result = held_equilibrium(problem, state, system, cache, span, held, true);
   state.counts.newton_iterations += result.report.solves;
   if (result.report.converged) state.solution = std::move(result.state);
@@ -102,7 +102,7 @@ std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& 
 
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held) {
-  const auto system = unyielding(timed_system(problem, state, cache));
+  const auto system = unyielding(*timed_system(problem, state, cache));
   std::vector<std::vector<contact::ContactStatus>> status;
   for (const auto& contact : state.solution.contacts) status.push_back(contact.status);
   auto result = held_equilibrium(problem, state, system, cache, span, held, false);

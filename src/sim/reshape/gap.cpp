@@ -105,7 +105,8 @@ CarriedGap carry_gap(const Problem& problem, State& next, Cache& cache, const Bl
   carried.failure = equilibrate_on_springs(problem, pressed, cache, span, held);
   next.counts = pressed.counts;
   if (!carried.failure.empty()) return carried;
-  const auto& system = timed_system(problem, next, cache);
+  const auto kept = timed_system(problem, next, cache);
+  const auto& system = *kept;
   const Shifts shifts = close_gaps(problem, system, pressed.solution.q.high, held, next, carried);
   carried.failure = shift_outlines(problem, shifts, cache, next);
   if (!carried.failure.empty()) return carried;
@@ -131,14 +132,14 @@ std::string equilibrate_with_gap(const Problem& problem, State& next, Cache& cac
   State carried = next;
   // Moving nodes must be better than moving none: it is compared with the equilibrium of the shape as redrawn.
   if (std::string why = re_equilibrate(problem, next, cache, span, held); !why.empty()) return why;
-  double jump = largest_jump(system_of(problem, next, cache), next, held);
+  double jump = largest_jump(*system_of(problem, next, cache), next, held);
   for (int pass = 0; pass < passes && jump > small; ++pass) {
     carried.counts = next.counts;
     const CarriedGap now = carry_gap(problem, carried, cache, span, held);
     if (now.moved_mm == 0.0) break;
     State tried = carried;
     if (!re_equilibrate(problem, tried, cache, span, held).empty()) break;
-    const double after = largest_jump(system_of(problem, tried, cache), tried, held);
+    const double after = largest_jump(*system_of(problem, tried, cache), tried, held);
     if (!(after < jump)) break;
     const bool settled =
         after > 0.5 * jump;  // the remaining change is not due to a gap: tractions turned with the normals

@@ -248,15 +248,16 @@ std::string remesh_bodies(const Problem& problem, const State& state, Change& ch
   std::vector<Vector> parts;
   auto shapes = change.next.shapes;
   for (int b = 0; b < problem.body_count(); ++b) {
-    parts.emplace_back(cache.system.part(state.solution.q.high, b));
+    parts.emplace_back(cache.system->part(state.solution.q.high, b));
     if (change.reasons[b].text.empty()) continue;
     Timer timer(cache, "adapt");
-    if (auto why = remesh_body(problem, state, cache.system, b, change, fresh[b]); !why.empty()) return why;
+    if (auto why = remesh_body(problem, state, *cache.system, b, change, fresh[b]); !why.empty()) return why;
     shapes[b] = fresh[b].shape;
   }
   carry_contacts(problem, shapes, change, cache);
   change.next.shapes = std::move(shapes);
-  const auto& system = timed_system(problem, change.next, cache);
+  const auto kept = timed_system(problem, change.next, cache);
+  const auto& system = *kept;
   if (auto why = start_on_meshes(problem, system, parts, fresh, change.next); !why.empty()) return why;
   for (auto& [b, body] : fresh) records.push_back(std::move(body.record));
   return {};

@@ -102,7 +102,7 @@ std::optional<Change> renewal_of(const Problem& problem, const State& state, con
 bool renew_references(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                       const Observer& observer) {
   if (!problem.scene.remesh.automatic || wear_waits(state)) return false;
-  auto change = renewal_of(problem, state, timed_system(problem, state, cache));
+  auto change = renewal_of(problem, state, *timed_system(problem, state, cache));
   if (!change) return false;
   Outcome outcome = settle(problem, state, std::move(*change), cache, span, observer);
   if (!outcome.failure.empty()) {

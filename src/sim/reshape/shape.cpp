@@ -140,7 +140,8 @@ void fill_jumps(const Problem& problem, const State& next, const solver::System&
 Outcome unshaped(const Problem& problem, const State& state, Cache& cache, const BlockSpan& span,
                  const Observer& observer, const std::string& failure) {
   if (observer.log) observer.log("no shape: " + failure);
-  const auto& present = timed_system(problem, state, cache);
+  const auto kept = timed_system(problem, state, cache);
+  const auto& present = *kept;
   const Attempt attempt{span.step, span.jump, solver::Failure::none, failure};
   return {state,
           scene_line(problem.scene, "step " + span.step->name) +
@@ -178,19 +179,20 @@ Outcome settle_worn(const Problem& problem, const State& state, Change change, C
 
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked) {
-  const auto& system = timed_system(problem, state, cache);
+  // Nothing here holds the system: the factors of old shapes are released before new ones are made.
+  const auto system = [&] { return timed_system(problem, state, cache); };
   std::vector<double> ratio(state.shapes.size(), 1.0);
   std::vector<Moved> moved;
   std::string failure = move_outlines(problem, state, cache, moved, ratio);
   if (failure.empty()) failure = too_thin(problem, state, moved);
   if (!failure.empty()) return unshaped(problem, state, cache, span, observer, failure);
   std::vector<RemeshReason> reasons(moved.size());
-  if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, system, moved);
+  if (span.remesh || span.extrapolated) reasons = remesh_reasons(problem, state, *system(), moved);
   const bool put_off = !span.remesh && any_asks(reasons);
   if (!span.remesh) reasons.assign(moved.size(), {});
   for (std::size_t b = 0; b < asked.size(); ++b)
     if (asks(asked[b])) reasons[b] = asked[b];
-  Change change{worn_state(problem, state, moved, ratio), std::move(reasons), held_tractions(system, state)};
+  Change change{worn_state(problem, state, moved, ratio), std::move(reasons), held_tractions(*system(), state)};
   Outcome outcome = settle_worn(problem, state, std::move(change), cache, span, observer);
   outcome.remesh_due = put_off;
   return outcome;
@@ -203,7 +205,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   std::vector<RemeshRecord> records;
   Balance before;
   if (any_asks(change.reasons)) {
-    before = balance_of(problem, state, timed_system(problem, state, cache));
+    before = balance_of(problem, state, *timed_system(problem, state, cache));
     const std::string failure = remesh_bodies(problem, state, change, cache, records);
     if (!failure.empty()) return {std::move(state), failure, false};
     next.recall = {};
@@ -217,7 +219,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
   if (!failure.empty()) return {std::move(state), failure, false};
   if (!gap.failure.empty() && observer.log) observer.log("the gap is not carried over the remesh: " + gap.failure);
   if (!records.empty()) {
-    fill_jumps(problem, next, system_of(problem, next, cache), before, change.held, records);
+    fill_jumps(problem, next, *system_of(problem, next, cache), before, change.held, records);
     for (auto& r : records) {
       r.step = span.step->name;
       r.gap_moved_mm = gap.moved_mm;

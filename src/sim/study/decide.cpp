@@ -13,8 +13,8 @@ Problem decide(const scene::Scene& scene, Cache& cache) {
   const double before = cpu_seconds();
   choose_kinematics(problem, cache);
   const auto notes = std::move(problem.plan.lines);
-  problem.plan = make_plan(problem, timed_system(problem, initial_state(problem), cache));
-  warn_of_meshes(problem, timed_system(problem, initial_state(problem), cache));
+  problem.plan = make_plan(problem, *timed_system(problem, initial_state(problem), cache));
+  warn_of_meshes(problem, *timed_system(problem, initial_state(problem), cache));
   problem.plan.lines.insert(problem.plan.lines.end(), notes.begin(), notes.end());
   cache.cpu_s += cpu_seconds() - before;
   return problem;

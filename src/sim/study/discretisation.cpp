@@ -43,7 +43,8 @@ double far_size(const cad::BodyOptions& body, const mesh::Mesh& mesh) {
 }
 
 std::vector<SurfaceRecord> surfaces_of(const Problem& problem, const State& state, Cache& cache) {
-  const auto& system = system_of(problem, state, cache);
+  const auto kept = system_of(problem, state, cache);
+  const auto& system = *kept;
   const auto shown = as_shown(problem, state);
   std::vector<SurfaceRecord> all;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c)
@@ -78,9 +79,9 @@ Place nearest(const SurfaceRecord& s, const Vec2& X) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < s.x_mm.size(); ++i) {
     if (!(s.arc_length_mm[i + 1] > s.arc_length_mm[i])) continue;  // the next chain
-    const Vec2 a(s.x_mm[i], s.y_mm[i]), d = Vec2(s.x_mm[i + 1], s.y_mm[i + 1]) - a;
-    const double t = std::clamp((X - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    if (const double away = (X - a - t * d).squaredNorm(); away < distance) {
+    const Vec2 a(s.x_mm[i], s.y_mm[i]), b(s.x_mm[i + 1], s.y_mm[i + 1]);
+    const double t = mesh::nearest_parameter(a, b, X);
+    if (const double away = (X - a - t * (b - a)).squaredNorm(); away < distance) {
       distance = away;
       best = {i, t};
     }
@@ -122,7 +123,8 @@ std::optional<double> peak_difference(const SurfaceRecord& fine, const SurfaceRe
 
 /// Root of the energy of recovered less computed stress over that of the stress, in all linear bodies.
 std::optional<double> energy_norm(const Problem& problem, const State& state, Cache& cache) {
-  const auto& system = system_of(problem, state, cache);
+  const auto kept = system_of(problem, state, cache);
+  const auto& system = *kept;
   fem::StressError sum;
   for (int b = 0; b < problem.body_count(); ++b) {
     const auto& input = problem.inputs[b];

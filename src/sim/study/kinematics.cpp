@@ -70,7 +70,6 @@ void choose_kinematics(Problem& problem, Cache& cache) {
     problem.scene.body_material.at(problem.inputs[b].name).kinematics =
         finite ? base::Kinematics::finite : base::Kinematics::small;
     take_material(problem.scene, problem.inputs[b]);
-    if (finite) cache.shapes.clear();
   }
 }
 
