@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/formatted.hpp"
+#include "body/columns.hpp"
 #include "body/edges.hpp"
 #include "body/imposed.hpp"
 
