@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "apps/command.hpp"
 #include "apps/scenes.hpp"
 #include "mesh/quality.hpp"
 #include "scene/read.hpp"
