@@ -1,9 +1,10 @@
+#include "body/motions.hpp"
+
 #include <Eigen/SVD>
 #include <cmath>
 
 #include "base/formatted.hpp"
 #include "body/edges.hpp"
-#include "body/operator.hpp"
 #include "body/resultant.hpp"
 
 namespace reye::body {

@@ -22,12 +22,11 @@ namespace {
 
 /// Displacements of the contact nodes, with control points in place of mid nodes.
 std::vector<Vec2> seen_by_contact(const LinearBody& body, const std::vector<Vec2>& u) {
-  std::unordered_map<int, std::size_t> place;
-  for (std::size_t k = 0; k < u.size(); ++k) place[body.contact_nodes()[k]] = k;
-  std::vector<Vec2> seen = u;
-  for (const auto& [a, b, mid] : body.curved_edges())
-    seen[place[mid]] = 2.0 * u[place[mid]] - 0.5 * (u[place[a]] + u[place[b]]);
-  return seen;
+  std::unordered_map<int, int> place;
+  for (std::size_t k = 0; k < u.size(); ++k) place[body.contact_nodes()[k]] = static_cast<int>(k);
+  std::vector<mesh::Facet> facets;
+  for (const auto& [a, b, mid] : body.curved_edges()) facets.push_back({place[a], place[b], place[mid]});
+  return mesh::control_points(facets, u);
 }
 
 }  // namespace

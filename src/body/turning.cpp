@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "body/edges.hpp"
+#include "body/motions.hpp"
 
 namespace reye::body {
 

@@ -13,12 +13,6 @@ std::array<double, 3> straight_shares(const Vec2& a, const Vec2& b, base::Analys
 
 }  // namespace
 
-Points control_points(const std::vector<Facet>& facets, Points X) {
-  for (const auto& [a, b, c] : facets)
-    if (c >= 0) X[c] = 2.0 * X[c] - 0.5 * (X[a] + X[b]);
-  return X;
-}
-
 Points middle_nodes(const std::vector<Facet>& facets, Points P) {
   for (const auto& [a, b, c] : facets)
     if (c >= 0) P[c] = 0.5 * P[c] + 0.25 * (P[a] + P[b]);

@@ -13,7 +13,7 @@ namespace reye::mesh {
 using base::Points;
 using base::Vec2;
 
-/// By nodes: a straight line has its ends, a curve a control point between them, too.
+/// A straight facet has its two ends; a curved one has a control point between them as well.
 enum class FacetKind { line2, line3 };
 
 constexpr int node_count(FacetKind kind) { return kind == FacetKind::line2 ? 2 : 3; }
@@ -58,8 +58,13 @@ inline constexpr std::array<RulePoint, 5> gauss5{{{-0.9061798459386640, 0.236926
                                                   {0.5384693101056831, 0.4786286704993665},
                                                   {0.9061798459386640, 0.2369268850561891}}};
 
-/// Positions, or displacements, with those of control points in place of those of middle nodes.
-Points control_points(const std::vector<Facet>& facets, Points X);
+/// Values at nodes (positions, displacements, depths), with those of control points in place of those of middle nodes.
+template <class V>
+std::vector<V> control_points(const std::vector<Facet>& facets, std::vector<V> values) {
+  for (const auto& [a, b, c] : facets)
+    if (c >= 0) values[c] = 2.0 * values[c] - 0.5 * (values[a] + values[b]);
+  return values;
+}
 
 /// Middle nodes from control points: x_mid = (a + b) / 4 + c / 2.
 Points middle_nodes(const std::vector<Facet>& facets, Points P);

@@ -18,14 +18,15 @@ void find_corners(Surface& s) {
   }
 }
 
-void add_facet(Surface& s, const Facet& facet, Analysis analysis) {
+void add_facet(Surface& s, const Facet& facet) {
   const auto [a, b, c] = facet;
   s.after[a] = s.before[b] = s.facet_count();
-  if (c >= 0) {
-    s.before[c] = s.after[c] = s.facet_count();
-    s.X[c] = 2.0 * s.X[c] - 0.5 * (s.X[a] + s.X[b]);
-  }
+  if (c >= 0) s.before[c] = s.after[c] = s.facet_count();
   s.facets.push_back(facet);
+}
+
+void add_area(Surface& s, const Facet& facet, Analysis analysis) {
+  const auto [a, b, c] = facet;
   const auto share = mesh::nodal_shares(mesh::kind_of(facet), {s.X[a], s.X[b], s.X[c < 0 ? a : c]}, analysis);
   for (std::size_t j = 0; j < 3; ++j)
     if (facet[j] >= 0) s.area[facet[j]] += share[j];
@@ -49,7 +50,9 @@ Surface make_surface(const Points& X, const mesh::Boundary& boundary, Analysis a
   const auto step = static_cast<std::size_t>(order);
   for (const auto& chain : boundary)
     for (std::size_t i = 0; i + step < chain.size(); i += step)
-      add_facet(s, {local[chain[i]], local[chain[i + step]], order == 2 ? local[chain[i + 1]] : -1}, analysis);
+      add_facet(s, {local[chain[i]], local[chain[i + step]], order == 2 ? local[chain[i + 1]] : -1});
+  s.X = mesh::control_points(s.facets, std::move(s.X));
+  for (const auto& facet : s.facets) add_area(s, facet, analysis);
   find_corners(s);
   return s;
 }

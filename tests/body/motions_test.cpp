@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "body/motions.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
 

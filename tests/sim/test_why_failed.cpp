@@ -61,6 +61,24 @@ TEST(WhyFailed, CameAway) {
             "that they press it on throughout the step");
 }
 
+// A body that friction alone held must be said to slide off once friction is spent, not to come away; a body that its
+// supports hold along the contact cannot slide off.
+TEST(WhyFailed, SlidesOff) {
+  const auto why = [](const Changes& changes) {
+    Begun begun(changes);
+    begun.attempt.failure = solver::Failure::contact_lost;
+    auto& contact = begun.state.solution.contacts[0];
+    contact.friction = 0.3;
+    for (auto& n : contact.normal) n = base::Vec2(0.0, -1.0);
+    for (auto& traction : contact.lambda) traction = base::Vec2(0.297, -1.0);
+    return begun.why();
+  };
+  EXPECT_EQ(why({{"x        = { motion_mm = 0.01", "x        = { force_N_per_mm = 5.0"}}),
+            "body slider slides off: friction of contact pad carries 99.0 % of what it can, and no support holds its "
+            "translation along x; check its loads and the friction, or support it");
+  EXPECT_NE(why({}).find("has come away from contact pad"), std::string::npos);
+}
+
 // Wear beyond the length of an element in one block must be named with its depth: 3e-8 mm^2/N x 1e4 cycles x 0.3 x 1e6
 // MPa x 0.04 mm.
 TEST(WhyFailed, WearsTooFast) {

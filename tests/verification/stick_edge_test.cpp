@@ -102,4 +102,14 @@ TEST(StickEdge, FewElementsAreWarnedOf) {
   EXPECT_EQ(told(coarse({{"size_mm = 0.012", "size_mm = 0.0045"}})), 0);
 }
 
+// Where one element is all that sticks, the depth of the end is unknown, and the warning must say that.
+TEST(StickEdge, OneElementIsWarnedOf) {
+  const auto run = coarse({{"force_N_per_mm = 36.0", "force_N_per_mm = 70.7"}});
+  const auto& all = run.summary.warnings;
+  const auto found = std::find_if(all.begin(), all.end(), [](const auto& w) { return w.kind == "stick_elements"; });
+  ASSERT_NE(found, all.end());
+  EXPECT_NE(found->text.find("without that element nothing would stick"), std::string::npos) << found->text;
+  EXPECT_EQ(found->text.find("inf"), std::string::npos) << found->text;
+}
+
 }  // namespace reye::verification

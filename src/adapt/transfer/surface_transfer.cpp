@@ -115,9 +115,7 @@ std::vector<Foot> feet(const Surface& on, const Line& line, const Surface& nodes
 Values interpolated(const Surface& from, const Values& values, const Surface& to, const std::vector<Foot>& feet) {
   Values result;
   for (const auto& [facet, s, distance] : feet) result.push_back(at(from.facets[facet], s, values));
-  for (const auto& [a, b, c] : to.facets)
-    if (c >= 0) result[c] = 2.0 * result[c] - 0.5 * (result[a] + result[b]);
-  return result;
+  return mesh::control_points(to.facets, std::move(result));
 }
 
 Values nearest(const Surface& from, const Values& values, const std::vector<Foot>& feet) {

@@ -169,12 +169,12 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.outcome = {start, attempt.failure, attempt.interrupted};
   trial.outcome.state.counts = attempt.counts;
   if (!attempt.failure.empty() || attempt.interrupted) return;
-  const auto kept = system_of(problem, attempt.halves, cache);
-  const auto& system = *kept;
-  trial.error = wear_difference(system, {start, attempt.once, attempt.half_way}, attempt.halves);
+  // Nothing here holds the system: `shaped` makes the next one, when the factors of the old shapes are released.
+  const auto system = [&] { return system_of(problem, attempt.halves, cache); };
+  trial.error = wear_difference(*system(), {start, attempt.once, attempt.half_way}, attempt.halves);
   trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
-  extrapolate_trial(problem, system, start, span.level, attempt, trial);
+  extrapolate_trial(problem, *system(), start, span.level, attempt, trial);
   trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
   trial.outcome.middle = std::move(attempt.middle);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/formatted.hpp"
@@ -29,8 +30,8 @@ Loaded count(const contact::ContactState& state, const std::vector<double>& slip
   return nodes;
 }
 
-/// Lengths of the facets of a contact that carry pressure: of those that stick through a block, of all, and the
-/// longest.
+/// Lengths of the facets of a contact that carry pressure: of those that stick through a block, of all, and of the
+/// longest that sticks.
 struct Widths {
   double stick = 0.0, all = 0.0, element = 0.0;
 };
@@ -43,8 +44,9 @@ Widths widths(const contact::Setup& setup, const contact::ContactState& state, c
     if (!loaded(a) || !loaded(b)) continue;
     const double length = (setup.secondary.X[b] - setup.secondary.X[a]).norm();
     w.all += length;
+    if (!sticks(a) || !sticks(b)) continue;
+    w.stick += length;
     w.element = std::max(w.element, length);
-    if (sticks(a) && sticks(b)) w.stick += length;
   }
   return w;
 }
@@ -71,19 +73,29 @@ std::optional<Warning> receding(const std::string& contact, const Widths& now, C
   return Warning{"stick_zone", "contact " + contact, words, lost / watch.stick_mm};
 }
 
+/// By how much the largest depth of the end is too large when a stick zone is `less` narrower than it was [mm].
+double deeper(const ContactWatch& watch, double less) {
+  const double left = (watch.stick_mm - less) / watch.contact_mm;
+  if (left <= 0.0) return std::numeric_limits<double>::infinity();
+  return limit_depth(left) / limit_depth(watch.stick_mm / watch.contact_mm) - 1.0;
+}
+
 /// A warning of a stick zone of few elements: its edge is known to one of them, and the depth in the end hangs on it.
 std::optional<Warning> unresolved(const std::string& contact, const ContactWatch& watch) {
-  if (!(watch.stick_mm > watch.facet_mm) || watch.stick_mm >= watch.contact_mm) return std::nullopt;
-  const double share = watch.stick_mm / watch.contact_mm, less = (watch.stick_mm - watch.facet_mm) / watch.contact_mm;
-  const double error = limit_depth(less) / limit_depth(share) - 1.0;
+  if (watch.stick_mm <= 0.0 || watch.stick_mm >= watch.contact_mm) return std::nullopt;
+  const double error = deeper(watch, watch.facet_mm);
   if (error <= most_unresolved) return std::nullopt;
+  double suited = watch.facet_mm;
+  while (deeper(watch, suited) > 0.5 * most_unresolved) suited *= 0.9;
+  const std::string by = std::isfinite(error) ? base::formatted("uncertain by %.0f %% in the end", 100.0 * error)
+                                              : "unknown: without that element nothing would stick";
   return Warning{
       "stick_elements", "contact " + contact,
-      base::formatted("its stick zone of %.3g mm has %.0f elements, and its edge is known to one of them: by "
-                      "the estimate for a round contact the largest depth is uncertain by %.0f %% in the "
-                      "end; elements of %.2g mm would leave a tenth",
-                      watch.stick_mm, watch.stick_mm / watch.facet_mm, 100.0 * error, watch.facet_mm * 0.1 / error),
-      error};
+      base::formatted("its stick zone of %.3g mm has %.3g elements, and its edge is known to one of them: by "
+                      "the estimate for a round contact the largest depth is %s; elements of %.2g mm would "
+                      "leave a tenth",
+                      watch.stick_mm, watch.stick_mm / watch.facet_mm, by.c_str(), suited),
+      watch.facet_mm / watch.stick_mm};
 }
 
 std::string text_of(const Loaded& nodes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/formatted.hpp"
+#include "body/motions.hpp"
 #include "body/operator.hpp"
 #include "mesh/measure.hpp"
 #include "scene/histories.hpp"
@@ -125,8 +126,38 @@ std::string strained(const Problem& problem, const State& last, const solver::Sy
   return {};
 }
 
-/// Bodies that supports leave free, and the contacts that no longer hold them.
-std::string came_away(const Problem& problem) {
+/// What friction holds along a contact, summed over its nodes.
+struct Hold {
+  double used = 0.0;   ///< share of the friction that its pressure allows
+  std::string motion;  ///< the motion that it resists, as `unheld_together` names it
+};
+
+Hold hold_by_friction(const contact::Setup& setup, const contact::ContactState& state) {
+  Vec2 shear = Vec2::Zero();
+  double pressure = 0.0;
+  for (std::size_t j = 0; j < state.lambda.size(); ++j) {
+    const Vec2 n = state.normal[j], force = state.lambda[j] * setup.secondary.area[j];
+    pressure += force.dot(n);
+    shear += force - force.dot(n) * n;
+  }
+  const double most = state.friction * pressure;
+  return {most > 0.0 ? shear.norm() / most : 0.0,
+          std::abs(shear.x()) > std::abs(shear.y()) ? "translation along x" : "translation along y"};
+}
+
+/// A body that friction of this contact alone held along it, once that friction is spent.
+std::string slides_off(const Seen& c, const std::string& body, const std::vector<std::string>& free) {
+  constexpr double nearly_all = 0.95;
+  const Hold hold = hold_by_friction(c.setup, c.state);
+  if (hold.used < nearly_all || std::find(free.begin(), free.end(), hold.motion) == free.end()) return {};
+  return base::formatted(
+      "body %s slides off: friction of contact %s carries %.1f %% of what it can, and no support holds its %s; check "
+      "its loads and the friction, or support it",
+      body.c_str(), c.name(), 100.0 * hold.used, hold.motion.c_str());
+}
+
+/// Bodies that supports leave free, and the contacts that no longer hold them: friction is spent, or pressure is gone.
+std::string let_go(const Problem& problem, const State& last, const solver::System& system) {
   for (int b = 0; b < problem.body_count(); ++b) {
     const auto joins = [b](const PlacedContact& joint) { return lies_on(joint, b); };
     if (std::any_of(problem.bonds.begin(), problem.bonds.end(), joins))
@@ -135,8 +166,12 @@ std::string came_away(const Problem& problem) {
                                             problem.scene.analysis == base::Analysis::axisymmetric);
     if (free.empty()) continue;
     std::string contacts;
-    for (const auto& contact : problem.contacts)
-      if (joins(contact)) contacts += (contacts.empty() ? "" : " or ") + contact.options.name;
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+      if (!joins(problem.contacts[c])) continue;
+      const Seen seen{problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]};
+      if (auto words = slides_off(seen, problem.inputs[b].name, free); !words.empty()) return words;
+      contacts += std::string(contacts.empty() ? "" : " or ") + seen.name();
+    }
     if (contacts.empty()) continue;
     return "body " + problem.inputs[b].name + " has come away from contact " + contacts +
            ", and no support holds its " + free.front() +
@@ -162,7 +197,7 @@ std::string why_failed(const Problem& problem, const State& last, const Attempt&
     if (lost) ask(out_of_reach(seen, system, last));
   }
   ask(strained(problem, last, system));
-  if (lost) ask(came_away(problem));
+  if (lost) ask(let_go(problem, last, system));
   for (std::size_t c = 0; c < problem.contacts.size() && !lost; ++c)
     ask(few_nodes({problem, problem.contacts[c], system.contacts[c], last.solution.contacts[c]}));
   return why.empty() ? attempt.reason : why;

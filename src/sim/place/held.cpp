@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "body/motions.hpp"
 #include "body/operator.hpp"
 #include "sim/measure/sides.hpp"
 #include "sim/place/held_by_contact.hpp"

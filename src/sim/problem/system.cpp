@@ -1,5 +1,6 @@
 #include "sim/problem/system.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace reye::sim {
@@ -27,6 +28,11 @@ std::vector<Legacy> take_over(const SystemKey& key, Cache& cache) {
   return legacies;
 }
 
+bool made_of(const SystemKey& key, const Problem& problem, const State& state) {
+  return key.shapes == state.shapes &&
+         std::ranges::equal(key.kinematics, problem.inputs, {}, {}, &body::BodyInput::kinematics);
+}
+
 SystemKey key_of(const Problem& problem, const State& state) {
   SystemKey key{state.shapes, {}};
   for (const auto& input : problem.inputs) key.kinematics.push_back(input.kinematics);
@@ -43,8 +49,8 @@ body::Operator made(const body::ShapePtr& shape, const body::BodyInput& input, b
 }  // namespace
 
 SystemPtr system_of(const Problem& problem, const State& state, Cache& cache) {
+  if (made_of(cache.key, problem, state)) return cache.system;
   auto key = key_of(problem, state);
-  if (cache.key == key) return cache.system;
   auto legacies = take_over(key, cache);
   std::vector<body::Operator> bodies;
   for (std::size_t b = 0; b < state.shapes.size(); ++b)

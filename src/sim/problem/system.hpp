@@ -18,8 +18,6 @@ using SystemPtr = std::shared_ptr<const solver::System>;
 struct SystemKey {
   std::vector<body::ShapePtr> shapes;
   std::vector<base::Kinematics> kinematics;
-
-  bool operator==(const SystemKey&) const = default;
 };
 
 /// Derived data, keyed by what they are made of; discarding them changes no result.

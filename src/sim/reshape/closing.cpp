@@ -227,10 +227,6 @@ void keep_open(Gaps& c) {
   }
 }
 
-bool any_moved(const Values& v) {
-  return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
-}
-
 void close(Gaps& c) {
   bring_together(c);
   if (any_moved(c.secondary.room)) close_by_secondary(c);
@@ -258,6 +254,10 @@ Gaps gaps_of(const contact::Interface& face, const contact::ContactState& contac
 }
 
 }  // namespace
+
+bool any_moved(const Values& v) {
+  return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
+}
 
 Closing closing_of(const contact::Setup& setup, const contact::ContactState& contact, const solver::Sides& at,
                    const HeldTraction& held) {

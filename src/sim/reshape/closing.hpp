@@ -13,6 +13,8 @@ struct SideShift {
   std::vector<double> by, free;
 };
 
+bool any_moved(const std::vector<double>& moves);
+
 /// The gaps of a contact under held tractions, and the moves that close them.
 struct Closing {
   SideShift secondary, primary;

@@ -17,9 +17,7 @@ std::vector<double> depths_on(const body::Shape& now, const body::Shape& first, 
   const adapt::UnwornLine unworn(first.mesh, first.mesh.boundaries.at(boundary));
   std::vector<double> depth;
   for (int node : mesh::nodes_of(now.mesh.boundaries.at(boundary))) depth.push_back(unworn.depth(now.mesh.X[node]));
-  for (const auto& [a, b, c] : surface.facets)
-    if (c >= 0) depth[c] = 2.0 * depth[c] - 0.5 * (depth[a] + depth[b]);
-  return depth;
+  return mesh::control_points(surface.facets, std::move(depth));
 }
 
 /// `others`: volume that other contacts have taken off; null: none.

@@ -16,10 +16,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-bool any(const Values& v) {
-  return std::any_of(v.begin(), v.end(), [](double x) { return x != 0.0; });
-}
-
 /// Whether the wear of a contact was in its gap when its pressures were found: explicit wear changes them after that.
 bool keeps_pressure(const contact::ContactOptions& contact) { return contact.wear.wears() && contact.implicit_wear; }
 
@@ -38,9 +34,9 @@ void take_off(const SideShift& side, const mortar::Surface& surface, Values& rem
 using Shifts = std::vector<std::vector<adapt::OutlineShift>>;
 
 void collect(const PlacedContact& placed, const State& state, const Closing& c, Shifts& shifts) {
-  if (any(c.secondary.by))
+  if (any_moved(c.secondary.by))
     shifts[placed.secondary.body].push_back({placed.secondary.boundary, c.secondary.by, c.secondary.free});
-  if (!any(c.primary.by)) return;
+  if (!any_moved(c.primary.by)) return;
   std::ptrdiff_t first = 0;
   for (const auto& ref : placed.primary) {
     const auto count = static_cast<std::ptrdiff_t>(side_nodes(state.shapes, ref).size());
