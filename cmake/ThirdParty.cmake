@@ -25,3 +25,6 @@ endforeach()
 find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 find_package(OpenMP REQUIRED)   # only to tell CHOLMOD to do without
 find_path(CEREAL_INCLUDE_DIR cereal/cereal.hpp REQUIRED)
+
+find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
+find_library(MUPARSER_LIBRARY muparser REQUIRED)

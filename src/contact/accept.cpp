@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "contact/interface.hpp"
@@ -19,19 +20,28 @@ void Interface::book(int node, ContactState& next) const {
   next.frictional_work += friction_work;
   spread([&](std::size_t k, double share) { next.energy_secondary[k] += share * friction_work; });
   if (!options_.wear || !law.wears()) return;
-  const double work = options_.jump * c.work;
   next.worn_work += friction_work;
-  next.law_work += work;
+  next.law_volume += c.worn.secondary + c.worn.primary;
   spread([&](std::size_t k, double share) {
-    next.pending_secondary[k] += share * law.secondary * work;
-    next.removed_secondary[k] += share * law.secondary * work;
+    next.pending_secondary[k] += share * c.worn.secondary;
+    next.removed_secondary[k] += share * c.worn.secondary;
   });
   if (law.primary == 0.0) return;
   for (const auto& [l, T] : at_.cover[j]) {
-    const double volume = primary_volume(node, T, c.work);
+    const double volume = primary_volume(node, T, c.worn.primary);
     next.pending_primary[l] += volume;
     next.removed_primary[l] += volume;
   }
+}
+
+/// The coefficient of friction that the next increment finds: where it follows a formula, that of each active node.
+void Interface::note_friction(ContactState& next) const {
+  next.friction = friction_;
+  if (!setup_->options.friction_formula || options_.held) return;
+  next.nodal_friction.resize(at_.rows.size(), friction_);
+  for (std::size_t j = 0; j < at_.rows.size(); ++j)
+    if (active(static_cast<int>(j))) next.nodal_friction[j] = condition_[j].friction;
+  next.friction = *std::max_element(next.nodal_friction.begin(), next.nodal_friction.end());
 }
 
 ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
@@ -40,7 +50,7 @@ ContactState Interface::accepted(const std::vector<Vec2>& lambda) const {
   next.normal = at_.normal;
   next.status = decision_.status;
   next.reference = at_.rows;
-  next.friction = friction_;
+  note_friction(next);
   for (std::size_t j = 0; j < lambda.size(); ++j)
     if (lambda[j].norm() <= setup_->faint) next.lambda[j].setZero();
   if (options_.held || setup_->options.bonded) return next;

@@ -25,9 +25,10 @@ struct NodeScalars {
 /// Data of a node that stay fixed while the equations of one increment are solved.
 struct NodeConstants {
   double friction = 0.0;
-  double sign = 0.0;            ///< direction of slip, frozen for the iteration; 0: out of the plane
-  double depth = 0.0;           ///< the secondary's depth at the start of the increment [mm]
-  double depth_per_work = 0.0;  ///< coefficient x jump / A_j: this increment's own depth per unit of work
+  wear::Formula friction_formula;  ///< of pressure and speed; where it is set, mu is its value
+  double sign = 0.0;               ///< direction of slip, frozen for the iteration; 0: out of the plane
+  double depth = 0.0;              ///< the secondary's depth at the start of the increment [mm]
+  double depth_per_volume = 0.0;   ///< 1 / A_j: this increment's own depth per volume that it removes
   wear::Law law;
   wear::Start start;            ///< the node's data that the wear law needs
   double arc_over_chord = 1.0;  ///< ratio of arc to chord of the sliding while supports turn the sides
@@ -45,10 +46,20 @@ struct NodeConstants {
 template <class T>
 struct NodeConditions {
   T normal{}, tangential{};  ///< both zero for an active node in equilibrium
-  T work{};                  ///< the law's work of this increment
+  wear::Worn<T> worn;        ///< volumes that this increment removes
   T lambda_n{}, lambda_t{}, slip{};
-  T drag{};  ///< traction of friction along the slip: lambda_t, out of the plane mu lambda_n
+  T drag{};               ///< traction of friction along the slip: lambda_t, out of the plane mu lambda_n
+  double friction = 0.0;  ///< mu
 };
+
+/// mu at a node: a number, or a formula of its pressure and of the speed of its slip.
+template <class T>
+T coefficient_of_friction(const T& pressure, const T& slip, const T& covered, const NodeConstants& c) {
+  if (!c.friction_formula || c.held) return T(c.friction);
+  const auto sliding = wear::along_a_line(pressure, T(0.0), slip, covered);
+  const wear::Place place{.path = c.start.path, .depth = c.start.depth_secondary, .cycle = c.start.cycle};
+  return wear::value_of(c.friction_formula, place, pressure, wear::speed(sliding, c.start));
+}
 
 /// Conditions of an active node:                                                   [README (3) to (6)]
 ///   normal:      weighted gap + D (w_s + dw_s) + sum_l M_jl (w_l + dw_l) = 0, this increment's wear included
@@ -64,18 +75,20 @@ NodeConditions<T> conditions(const NodeScalars<T>& s, const NodeConstants& c, Co
   r.lambda_n = mortar::dot(s.lambda, s.normal);
   r.lambda_t = mortar::dot(s.lambda, tangent);
   r.slip = c.imposed ? (s.D + s.off) * c.imposed_slip : c.arc_over_chord * mortar::dot(tangent, s.motion);
-  r.drag = c.out_of_plane ? c.friction * r.lambda_n : r.lambda_t;
-  if (c.friction == 0.0) r.drag = T(0.0);  // the rounding error of the shear does no work
+  const T mu = coefficient_of_friction(r.lambda_n, r.slip, T(s.D + s.off), c);
+  r.friction = base::value(mu);
+  r.drag = c.out_of_plane ? mu * r.lambda_n : r.lambda_t;
+  if (r.friction == 0.0) r.drag = T(0.0);  // the rounding error of the shear does no work
   if (status == ContactStatus::slip && !c.held)
-    r.work = wear::work(c.law, wear::along_a_line(r.lambda_n, r.drag, r.slip, T(s.D + s.off)), c.start);
-  r.normal = s.gap + s.D * (c.depth + c.depth_per_work * r.work) + s.worn_others;
+    r.worn = wear::worn(c.law, wear::along_a_line(r.lambda_n, r.drag, r.slip, T(s.D + s.off)), c.start);
+  r.normal = s.gap + s.D * (c.depth + c.depth_per_volume * r.worn.secondary) + s.worn_others;
   if (c.compliance > 0.0) r.normal += c.compliance * (s.D + s.off) * (r.lambda_n - c.held_pressure);
   if ((c.held && !c.anchor) || (c.unmoved && status == ContactStatus::stick)) {
     const T given = c.held_shear + s.share;
-    const bool cut = std::abs(base::value(given)) > c.friction * base::value(r.lambda_n);
-    r.tangential = r.lambda_t - (cut ? std::copysign(c.friction, base::value(given)) * r.lambda_n : given);
+    const bool cut = std::abs(base::value(given)) > r.friction * base::value(r.lambda_n);
+    r.tangential = r.lambda_t - (cut ? std::copysign(1.0, base::value(given)) * mu * r.lambda_n : given);
   } else if (status == ContactStatus::slip && !c.held) {
-    r.tangential = r.lambda_t - (c.friction * c.sign) * r.lambda_n;
+    r.tangential = r.lambda_t - (c.sign * mu) * r.lambda_n;
   } else {
     r.tangential = r.slip;
   }

@@ -51,19 +51,19 @@ double Interface::sliding_sign() const {
 /// Gap at a node opened by the wear that its neighbours cause in this increment: on the primary side, and at control
 /// points between them.
 double Interface::others_wear(int node) const {
-  const double own_volume = setup_->options.wear.secondary * options_.jump * condition_[node].work;
+  const auto& own_wear = condition_[node].worn;
   double others = 0.0;
   for (const auto& [l, M] : at_.rows[node].M) {
     others += M * (depth_.primary[l] - start_.primary[l]);
     for (const auto& [k, T] : at_.cover[node])
       if (k == l && at_.rows[node].D > 0.0)
-        others -= M * primary_volume(node, T, condition_[node].work) * primary_opening(l);
+        others -= M * primary_volume(node, T, own_wear.primary) * primary_opening(l);
   }
   for (const auto& [k, share] : at_.rows[node].off) {
     if (!setup_->between(k)) continue;
     others += share * (depth_.secondary[k] - start_.secondary[k]);
     for (const auto& [own, per_volume] : between_[node])
-      if (own == k) others -= share * per_volume * own_volume;
+      if (own == k) others -= share * per_volume * own_wear.secondary;
   }
   return others;
 }
@@ -133,12 +133,19 @@ void Interface::decide_tangential(int node, const Vec2& lambda, const Pressed& p
   }
 }
 
+/// mu at a node, by its pressure and the slip of the iteration before.
+double Interface::friction_at(int node, double pressure) const {
+  if (!setup_->options.friction_formula) return friction_;
+  return coefficient_of_friction(pressure, condition_[node].slip, at_.rows[node].D + shares_between(node),
+                                 constants(node));
+}
+
 /// Coulomb's law where nothing imposes the motion.
 void Interface::decide_free(int node, const Vec2& lambda, const Pressed& pressed, double c_tangential) {
   const Vec2 tangent(-at_.normal[node].y(), at_.normal[node].x());
   const double trial =
       lambda.dot(tangent) + c_tangential * setup_->stiffness[node] * tangent.dot(motion(node)) / at_.rows[node].D;
-  const double bound = friction_ * pressed.bound;
+  const double bound = friction_at(node, pressed.bound) * pressed.bound;
   const double sign = trial < 0.0 ? -1.0 : 1.0;
   // Slip reverses through stick only: a large c would else throw a node from one sign to the other for ever.
   const bool reverses = last_.status[node] == ContactStatus::slip && decision_.sign[node] * sign < 0.0;

@@ -59,14 +59,16 @@ void for_each_field(State& s, Visit visit) {
   visit(Field{"others_primary", primary, summed, Corrected::never, true}, s.others_primary);
   visit(Field{"slip", secondary, interpolated, Corrected::doubled}, s.slip);
   visit(Field{"energy_secondary", secondary, summed, Corrected::work}, s.energy_secondary);
+  visit(Field{"nodal_friction", secondary, interpolated, Corrected::never, true}, s.nodal_friction);
   visit(Field{"friction", contact, stays}, s.friction);
   visit(Field{"frictional_work", contact, stays, Corrected::doubled}, s.frictional_work);
   visit(Field{"worn_work", contact, stays, Corrected::doubled}, s.worn_work);
-  visit(Field{"law_work", contact, stays, Corrected::doubled}, s.law_work);
+  visit(Field{"law_volume", contact, stays, Corrected::doubled}, s.law_volume);
   visit(Field{"strip_secondary", contact, stays}, s.strip_secondary);
   visit(Field{"strip_primary", contact, stays}, s.strip_primary);
   // A member that is added to the struct and not to the list does not compile here.
-  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18] = s;
+  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14, m15, m16, m17, m18, m19] =
+      s;
 }
 
 /// The members of two states side by side: visit(Field, member of a, member of b).

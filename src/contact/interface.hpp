@@ -19,6 +19,7 @@ struct IncrementOptions {
   double imposed_slip = 0.0;  ///< mm in this increment, where sliding is imposed; its sign is the direction of friction
   double first_way = 1.0;     ///< that direction, 1 or -1, where nothing slides in this increment and no shear gives it
   double inset = 0.0;         ///< distance of the primary side inside its body: the rest of a drawn overlap [mm]
+  double cycle = 0.0;         ///< cycles before the block; read by formulas alone
   double imposed_turn = 0.0;  ///< rad in this increment, where sliding is imposed as a turn about the axis
   bool held = false;          ///< shear given by `held_shear`, no slip, no wear: re-equilibration
   std::vector<double> held_shear;
@@ -180,6 +181,7 @@ class Interface {
     double value = 0.0;
   };
   void book(int node, ContactState& next) const;
+  void note_friction(ContactState& next) const;
   void place_primary(const Points& xm);
   void integrate_here();
   void integrate_bond(const Points& xs, const Points& xm);
@@ -212,6 +214,8 @@ class Interface {
   void decide_free(int node, const Vec2& lambda, const Pressed& pressed, double c_tangential);
   std::optional<double> support_slip(int node) const;
   double sliding_sign() const;
+  double friction_at(int node, double pressure) const;
+  void note_place(int node, wear::Start& start) const;
   double shear_before(int node) const;
   /// A node without multiplier whose share slides and wears with the nodes beside it.
   bool goes_with_neighbours(int node) const { return setup_->between(node) || left_[node]; }
@@ -223,11 +227,9 @@ class Interface {
   NodeConditions<Eleven> node_duals(int node, const std::vector<Vec2>& lambda) const;
   bool wear_spreads() const;
   double worn_others(int node) const;
-  /// Wear of the primary side by a work density (c.work) of a secondary node: the volume that a primary node loses, of
-  /// which T is its part of the node's cover, and the opening of the gap per volume there.
-  double primary_volume(int node, double T, double work) const {
-    return setup_->options.wear.primary * options_.jump * work * T / at_.spread[node];
-  }
+  /// Wear of the primary side by a secondary node: the volume that a primary node loses, of which T is its part of the
+  /// node's cover, and the opening of the gap per volume there.
+  double primary_volume(int node, double T, double volume) const { return volume * T / at_.spread[node]; }
   double primary_opening(int l) const { return thickness(options_.thickness_primary, l) / setup_->primary.area[l]; }
   double shares_between(int node) const;
   void spread_wear();
@@ -242,8 +244,8 @@ class Interface {
   void for_records(int node, Visit visit) const;
   void force_entries(int node, const Vec2& lambda, std::vector<Entry>& out) const;
   void add_up(std::vector<WearEntry>& entries);
-  void collect_primary_wear(int node, const Eleven& work);
-  void collect_wear_between(int node, const Eleven& work);
+  void collect_primary_wear(int node, const Eleven& volume);
+  void collect_wear_between(int node, const Eleven& volume);
   void wear_entries(int node, double slope, std::vector<Entry>& out) const;
 
   const Setup* setup_ = nullptr;

@@ -135,12 +135,12 @@ void Interface::add_up(std::vector<WearEntry>& entries) {
   for (auto& entry : entries) entry.value = std::exchange(column_sum_[entry.col], 0.0);
 }
 
-/// Adds this node's share to d(primary depth): coefficient / A_l d(T_jl E_j / D_j), where D_j = sum_l T_jl.
-void Interface::collect_primary_wear(int node, const Eleven& work) {
+/// Adds this node's share to d(primary depth): d(T_jl V_j / D_j) / A_l, where D_j = sum_l T_jl.
+void Interface::collect_primary_wear(int node, const Eleven& volume) {
   const double D = at_.spread[node];
   const bool linear = setup_->secondary.order == 1;
   std::vector<WearEntry> own;
-  chain(node, work, [&](int col, double value) { own.push_back({col, value}); });
+  chain(node, volume, [&](int col, double value) { own.push_back({col, value}); });
   add_up(own);
   for (const auto& [l, T] : at_.cover[node]) {
     const double factor = primary_volume(node, D, 1.0) * primary_opening(l);  // times T / D
@@ -151,24 +151,24 @@ void Interface::collect_primary_wear(int node, const Eleven& work) {
         if (record.primaries[k] != l) continue;
         const double* dT = record.row(record.cover(e, static_cast<int>(k)));
         for (std::size_t i = 0; i < record.dofs.size(); ++i)
-          slopes.push_back({record.dofs[i], factor * work.v / D * dT[i]});
+          slopes.push_back({record.dofs[i], factor * volume.v / D * dT[i]});
       }
       const int parts = linear ? 1 : static_cast<int>(record.primaries.size());
       for (int part = 0; part < parts; ++part) {
         const double* dD = record.row(linear ? record.D(e) : record.cover(e, part));
         for (std::size_t i = 0; i < record.dofs.size(); ++i)
-          slopes.push_back({record.dofs[i], -factor * T * work.v / (D * D) * dD[i]});
+          slopes.push_back({record.dofs[i], -factor * T * volume.v / (D * D) * dD[i]});
       }
     });
   }
 }
 
 /// Adds this node's share to d(depth) of the control points that wear with it.
-void Interface::collect_wear_between(int node, const Eleven& work) {
+void Interface::collect_wear_between(int node, const Eleven& volume) {
   for (const auto& [k, per_volume] : between_[node]) {
-    const double factor = setup_->options.wear.secondary * options_.jump * per_volume;
+    const double factor = per_volume;
     auto& slopes = secondary_slope_[k];
-    chain(node, work, [&](int col, double value) { slopes.push_back({col, factor * value}); });
+    chain(node, volume, [&](int col, double value) { slopes.push_back({col, factor * value}); });
   }
 }
 
@@ -219,9 +219,9 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   }
   if (wear_spreads())
     for (const auto& [node, c] : duals)
-      if (c.work.v != 0.0 || decision_.status[node] == ContactStatus::slip) {
-        collect_primary_wear(node, c.work);
-        collect_wear_between(node, c.work);
+      if (decision_.status[node] == ContactStatus::slip) {
+        if (setup_->options.wear.primary > 0.0) collect_primary_wear(node, c.worn.primary);
+        collect_wear_between(node, c.worn.secondary);
       }
   for (auto* side : {&primary_slope_, &secondary_slope_})
     for (auto& slopes : *side) add_up(slopes);

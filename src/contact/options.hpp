@@ -18,6 +18,8 @@ struct ContactOptions {
   std::string secondary;
   std::vector<std::string> primary;
   double friction = 0.0;  ///< Coulomb coefficient mu >= 0; of a table its largest value
+  /// mu as a formula; `friction` is then its largest value at the start. Empty: a number, or a table.
+  wear::Formula friction_formula{};
   std::vector<std::array<double, 2>> friction_over_cycles{};  ///< [cycle, mu], cycles increasing; empty: mu is constant
   wear::Law wear;
   bool imposed = false;       ///< slip is a number, along the contact or out of the plane

@@ -54,11 +54,13 @@ struct ContactState {
   std::vector<double> others_secondary, others_primary;
   std::vector<double> slip;              ///< path of slip per secondary node since the start [mm]
   std::vector<double> energy_secondary;  ///< frictional work per secondary node since the start [mJ per mm]
-  double friction = 0.0;                 ///< mu of the last accepted increment
-  double frictional_work = 0.0;          ///< all of it, whether wear was on or not [mJ per mm], times the jump
-  double worn_work = 0.0;                ///< the part that wear acted on
-  double law_work = 0.0;                 ///< the law's own measure of it (wear::Ledger::work)
-  double strip_secondary = 0.0;          ///< volume removed by shape steps, measured as strips
+  /// mu per secondary node in the last accepted increment; empty: it is the same at all of them.
+  std::vector<double> nodal_friction;
+  double friction = 0.0;         ///< mu of the last accepted increment; of its nodes the largest
+  double frictional_work = 0.0;  ///< all of it, whether wear was on or not [mJ per mm], times the jump
+  double worn_work = 0.0;        ///< the part that wear acted on
+  double law_volume = 0.0;       ///< volume that the law asks for, both sides (wear::Ledger::asked)
+  double strip_secondary = 0.0;  ///< volume removed by shape steps, measured as strips
   double strip_primary = 0.0;
 };
 

@@ -39,19 +39,19 @@ bool Interface::wear_spreads() const {
   return options_.wear && !options_.held && o.implicit_wear && elsewhere;
 }
 
-/// Depth per node from the works of all slip nodes: on the primary side dw_l = coefficient / A_l sum_j T_jl E_j / D_j,
+/// Depth per node from the wear of all slip nodes: on the primary side dw_l = sum_j T_jl V_j / D_j / A_l,
 /// at control points that wear with their neighbours the mean of theirs.
 void Interface::spread_wear() {
   depth_.primary = start_.primary;
   depth_.secondary = start_.secondary;
   if (!wear_spreads()) return;
-  const double secondary = setup_->options.wear.secondary * options_.jump;
   for (std::size_t j = 0; j < at_.rows.size(); ++j) {
-    const double work = condition_[j].work;
-    if (work == 0.0) continue;
-    for (const auto& [l, T] : at_.cover[j])
-      depth_.primary[l] += primary_volume(static_cast<int>(j), T, work) * primary_opening(l);
-    for (const auto& [k, per_volume] : between_[j]) depth_.secondary[k] += secondary * work * per_volume;
+    const auto& worn = condition_[j].worn;
+    if (worn.primary != 0.0)
+      for (const auto& [l, T] : at_.cover[j])
+        depth_.primary[l] += primary_volume(static_cast<int>(j), T, worn.primary) * primary_opening(l);
+    if (worn.secondary != 0.0)
+      for (const auto& [k, per_volume] : between_[j]) depth_.secondary[k] += worn.secondary * per_volume;
   }
 }
 

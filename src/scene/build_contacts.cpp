@@ -3,14 +3,26 @@
 #include <functional>
 #include <set>
 
+#include "base/formatted.hpp"
 #include "scene/build.hpp"
 
 namespace reye::scene {
 
 namespace {
 
-/// 1 mm^3/J = 1e-3 mm^2/N.
-constexpr double per_J = 1e-3;
+/// A law and the keys of its coefficients.
+struct LawKeys {
+  wear::LawKind kind;
+  const char* name;
+  const char* unit;  ///< as the keys end
+  double factor;     ///< from that unit to consistent ones: 1 mm^3/J = 1e-3 mm^2/N
+
+  std::string key(const char* side) const { return std::string(side) + '_' + unit; }
+};
+
+constexpr LawKeys laws[] = {{wear::LawKind::energy, "energy", "mm3_per_J", 1e-3},
+                            {wear::LawKind::archard, "archard", "per_MPa", 1.0},
+                            {wear::LawKind::rate, "rate", "mm_per_mm", 1.0}};
 
 /// Exponent and reference of one factor of the rate; a reference needs its exponent, and an exponent its reference.
 void add_factor(const Entry& wear, std::string_view exponent_key, std::string_view ref_key, double& exponent,
@@ -22,49 +34,46 @@ void add_factor(const Entry& wear, std::string_view exponent_key, std::string_vi
   if (!wear.given(exponent_key)) refuse(wear, {ref_key}, "has no use without " + std::string(exponent_key), issues);
 }
 
-wear::Law energy_law_of(const Entry& wear, Issues& issues) {
-  wear::Law law;
-  law.kind = wear::LawKind::energy;
-  law.secondary = per_J * wear.number("secondary_mm3_per_J");
-  law.primary = per_J * wear.number("primary_mm3_per_J");
-  law.threshold = wear.number("threshold_mJ_per_mm2");
-  refuse(wear, {"secondary_per_MPa", "primary_per_MPa"}, "belongs to Archard's law; energy takes mm3_per_J", issues);
-  if (!wear.given("secondary_mm3_per_J") && !wear.given("primary_mm3_per_J"))
-    issues.push_back({wear.key(), "", "needs secondary_mm3_per_J, primary_mm3_per_J or both"});
-  return law;
+/// A coefficient as a number, or as a formula and its unit.
+void add_coefficient(const Entry& wear, const std::string& key, double unit, double& coefficient,
+                     wear::Formula& formula) {
+  formula = wear.formula(key);
+  coefficient = formula ? unit : unit * wear.number(key);
 }
 
-wear::Law archard_law_of(const Entry& wear, Issues& issues) {
-  wear::Law law;
-  law.kind = wear::LawKind::archard;
-  law.secondary = wear.number("secondary_per_MPa");
-  law.primary = wear.number("primary_per_MPa");
-  refuse(wear, {"secondary_mm3_per_J", "primary_mm3_per_J"}, "belongs to the energy law; Archard's takes per_MPa",
-         issues);
-  refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
-  if (!wear.given("secondary_per_MPa") && !wear.given("primary_per_MPa"))
-    issues.push_back({wear.key(), "", "needs secondary_per_MPa, primary_per_MPa or both"});
-  return law;
-}
-
-/// The coefficients of the named law; those of the other law, which would be ignored, are refused.
+/// The coefficients of the named law; those of the other laws, which would be ignored, are refused.
 wear::Law wear_of(const Entry& wear, Issues& issues) {
   wear::Law law;
   if (!wear.is_table()) return law;
-  if (wear.text("law") == "energy")
-    law = energy_law_of(wear, issues);
-  else if (wear.text("law") == "archard")
-    law = archard_law_of(wear, issues);
+  const auto named = std::find_if(std::begin(laws), std::end(laws),
+                                  [name = wear.text("law")](const auto& one) { return name == one.name; });
+  if (named == std::end(laws)) return law;
+  law.kind = named->kind;
+  const auto secondary = named->key("secondary"), primary = named->key("primary");
+  add_coefficient(wear, secondary, named->factor, law.secondary, law.secondary_formula);
+  add_coefficient(wear, primary, named->factor, law.primary, law.primary_formula);
+  for (const auto& other : laws)
+    if (other.kind != named->kind)
+      refuse(wear, {other.key("secondary"), other.key("primary")},
+             base::formatted("belongs to law = \"%s\"; \"%s\" takes %s", other.name, named->name, named->unit), issues);
+  if (!wear.given(secondary) && !wear.given(primary))
+    issues.push_back({wear.key(), "", "needs " + secondary + ", " + primary + " or both"});
+  if (law.kind == wear::LawKind::energy)
+    law.threshold = wear.number("threshold_mJ_per_mm2");
+  else
+    refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
   add_factor(wear, "pressure_exponent", "pressure_ref_MPa", law.pressure_exponent, law.pressure_ref, issues);
   add_factor(wear, "speed_exponent", "speed_ref_mm_per_s", law.speed_exponent, law.speed_ref, issues);
   return law;
 }
 
-/// Friction as a number or as a table over the cycles.
+/// Friction as a number, as a formula, or as a table over the cycles.
 void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& issues) {
   const auto table = entry.at("friction");
   if (!table.is_table()) {
     contact.friction = entry.number("friction");
+    contact.friction_formula = entry.formula("friction");
+    if (contact.friction_formula) contact.friction = wear::at_start(contact.friction_formula);
     return;
   }
   const auto cycles = table.numbers("cycles"), value = table.numbers("value");
@@ -95,7 +104,8 @@ void check_friction(const Entry& entry, const contact::ContactOptions& contact, 
   // a friction that is not a number, or below zero, has its own issue
   const auto& table = contact.friction_over_cycles;
   const bool zeros = !table.empty() && std::all_of(table.begin(), table.end(), [](auto& row) { return row[1] == 0.0; });
-  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
+  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros ||
+                    (contact.friction_formula && contact.friction == 0.0);
   if (!contact.wear.wears() || !none) return;
   const auto wear = entry.at("wear");
   if (contact.wear.kind == wear::LawKind::energy)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/nearest.hpp"
+#include "wear/formula.hpp"
 
 namespace reye::scene {
 
@@ -21,6 +22,7 @@ constexpr TypeWords type_words[] = {
     {Type::text, "text", "must be a text in quotes"},
     {Type::texts, "list of texts", "must be a list of texts in quotes"},
     {Type::number, "number", "must be a number"},
+    {Type::formula, "number or formula", "must be a number, or a formula in quotes"},
     {Type::whole, "whole number", "must be a whole number"},
     {Type::flag, "true, false", "must be true or false"},
     {Type::pair, "two numbers", "must be a list of two numbers"},
@@ -48,6 +50,8 @@ bool has_type(const Node& node, Type type) {
       return node.kind == NodeKind::text;
     case Type::number:
       return node.is_number();
+    case Type::formula:
+      return node.is_number() || node.kind == NodeKind::text;
     case Type::whole:
       return node.is_number() && (std::rint(node.number) == node.number || !std::isfinite(node.number));
     case Type::flag:
@@ -131,6 +135,8 @@ std::string broken_rule(const Node& node, const Spec& place) {
     return "has " + std::to_string(node.children.size()) + " pairs; 10000 are the most";
   if (!all_finite(node)) return "must be finite";
   if (key.type == Type::text && node.text.empty()) return "must not be empty";
+  if (key.type == Type::formula && node.kind == NodeKind::text)
+    if (const auto why = wear::broken_formula(node.text); !why.empty()) return "is no usable formula: " + why;
   if (!key.range.choices.empty()) return choice_rule(node, place);
   if (key.type == Type::history) return history_rule(node);
   if (!in_range(node, key.range)) return rule_of(key);

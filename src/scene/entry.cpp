@@ -72,6 +72,11 @@ double Entry::number(std::string_view name) const {
   return std::strtod(std::string(fallback(name)).c_str(), nullptr);
 }
 
+wear::Formula Entry::formula(std::string_view name) const {
+  const auto* found = value(name, NodeKind::text);
+  return found && wear::broken_formula(found->text).empty() ? wear::Formula(found->text) : wear::Formula();
+}
+
 int Entry::whole(std::string_view name) const {
   constexpr double most = 1e9;
   const auto* key = spec_->find(name)->key;  // a value outside its range has been reported and must not be used

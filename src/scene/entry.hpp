@@ -9,6 +9,7 @@
 #include "base/linalg.hpp"
 #include "scene/document.hpp"
 #include "scene/spec.hpp"
+#include "wear/formula.hpp"
 
 namespace reye::scene {
 
@@ -39,6 +40,9 @@ class Entry {
   std::string text(std::string_view name) const;
   std::vector<std::string> texts(std::string_view name) const;
   double number(std::string_view name) const;
+  /// A number written as a formula; empty where it is a number, and where the formula is broken, which `check` has
+  /// reported.
+  wear::Formula formula(std::string_view name) const;
   int whole(std::string_view name) const;
   bool flag(std::string_view name) const;
   std::optional<bool> maybe_flag(std::string_view name) const;

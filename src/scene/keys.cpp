@@ -87,7 +87,9 @@ constexpr Key table[] = {
      "boundary that carries the contact tractions, on a deformable body, best the finer side; several contacts may "
      "share it, each with its own primary boundaries"},
     {"contact.*.primary", Type::texts, "", "required", any, "boundaries that the secondary side may touch"},
-    {"contact.*.friction", Type::number, "", "0.0", at_least(0.0), "Coulomb coefficient; or, over the cycles:"},
+    {"contact.*.friction", Type::formula, "", "0.0", at_least(0.0),
+     "Coulomb coefficient; or a formula of pressure_MPa, speed_mm_per_s (steps then need period_s), path_mm, depth_mm "
+     "(of the secondary side) and cycle, such as \"0.3 + 0.2*exp(-path_mm/500)\"; or, over the cycles:"},
     {"contact.*.friction.cycles", Type::numbers, "", "required", at_least(0.0),
      "cycles, increasing; a block uses the coefficient at its first cycle"},
     {"contact.*.friction.value", Type::numbers, "", "required", at_least(0.0),
@@ -116,12 +118,16 @@ constexpr Key table[] = {
      "factor of the normal complementarity function in the first iterations"},
     {"contact.*.c_tangential", Type::number, "", "1.0", positive,
      "factor of the tangential complementarity function in the first iterations"},
-    {"contact.*.wear.law", Type::text, "", "required", one_of("energy|archard"),
-     "removed volume = coefficient x frictional work, or x pressure x slip"},
-    {"contact.*.wear.{secondary,primary}_mm3_per_J", Type::number, "mm^3/J", "0.0", at_least(0.0),
+    {"contact.*.wear.law", Type::text, "", "required", one_of("energy|archard|rate"),
+     "removed volume = coefficient x frictional work, or x pressure x slip, or x slip; each coefficient may be a "
+     "formula of pressure_MPa, speed_mm_per_s (wearing steps then need period_s), path_mm (of slip, at the secondary "
+     "side's node), depth_mm (worn off its own side) and cycle, such as \"depth_mm < 0.002 ? 1e-6 : 3e-5\""},
+    {"contact.*.wear.{secondary,primary}_mm3_per_J", Type::formula, "mm^3/J", "0.0", at_least(0.0),
      "coefficient of each side, energy law"},
-    {"contact.*.wear.{secondary,primary}_per_MPa", Type::number, "1/MPa", "0.0", at_least(0.0),
+    {"contact.*.wear.{secondary,primary}_per_MPa", Type::formula, "1/MPa", "0.0", at_least(0.0),
      "coefficient of each side, Archard's law"},
+    {"contact.*.wear.{secondary,primary}_mm_per_mm", Type::formula, "mm/mm", "0.0", at_least(0.0),
+     "depth per sliding distance of each side, law = \"rate\": the whole rate is the formula's"},
     {"contact.*.wear.pressure_exponent", Type::number, "", "0.0", {.low = -1.0, .low_open = true},
      "m: the removed volume times (pressure / pressure_ref_MPa)^m"},
     {"contact.*.wear.pressure_ref_MPa", Type::number, "MPa", "", positive, "pressure for which the coefficients hold"},

@@ -9,7 +9,7 @@ namespace reye::scene {
 /// The type of a key's value. `pair`, `triple` and `box` are lists of two, three and four numbers, `numbers` one of at
 /// least one, `curve` a list of pairs of numbers whose first ones increase. `refused` is a key that the grammar knows
 /// and this version does not build; its doc is the rule shown.
-enum class Type { text, texts, number, whole, flag, pair, triple, box, numbers, curve, history, refused };
+enum class Type { text, texts, number, formula, whole, flag, pair, triple, box, numbers, curve, history, refused };
 
 /// The values a key may take; numbers always finite. Choices are separated by '|'.
 struct Range {

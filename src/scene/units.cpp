@@ -43,7 +43,8 @@ void look_at_coefficients(const Entry& wear, Issues& found) {
   if (!wear.is_table()) return;
   const auto look = [&](const char* name, double least, double most, const std::string& much, double by,
                         const std::string& small, double up) {
-    const double value = wear.maybe_number(name).value_or(0.0);
+    const auto formula = wear.formula(name);
+    const double value = formula ? wear::at_start(formula) : wear.maybe_number(name).value_or(0.0);
     if (value > most) found.push_back({wear.key(name), wear.written(name), much + base::formatted("%.4g", value * by)});
     if (value > 0.0 && value < least)
       found.push_back({wear.key(name), wear.written(name), small + base::formatted("%.4g", value * up)});

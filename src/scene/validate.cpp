@@ -65,13 +65,23 @@ void check_step(const Entry& step, const NameList& histories, Issues& issues) {
   }
 }
 
-/// A wear law with a speed exponent asks each step that wears for its duration.
+/// What a contact needs the speed of slip for in a step that wears, or does not; empty: it does not need it.
+std::string needs_speed(const contact::ContactOptions& contact, bool wears) {
+  const auto reads = [](const wear::Formula& formula) { return formula.uses(wear::Variable::speed); };
+  if (reads(contact.friction_formula)) return "rubs by a formula of speed_mm_per_s";
+  if (!wears || !contact.wear.wears()) return {};
+  if (contact.wear.speed_exponent != 0.0) return "wears with a speed_exponent";
+  return reads(contact.wear.secondary_formula) || reads(contact.wear.primary_formula)
+             ? "wears by a formula of speed_mm_per_s"
+             : "";
+}
+
+/// A law that depends on speed asks each step in which it acts for its duration.
 void check_period(const Entry& step, const Scene& scene, Issues& issues) {
-  if (!step.flag("wear") || step.given("period_s")) return;
+  if (step.given("period_s")) return;
   for (const auto& contact : scene.contacts)
-    if (contact.wear.wears() && contact.wear.speed_exponent != 0.0) {
-      issues.push_back(
-          {step.key("period_s"), "", "missing; contact \"" + contact.name + "\" wears with a speed_exponent"});
+    if (const auto why = needs_speed(contact, step.flag("wear")); !why.empty()) {
+      issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" " + why});
       return;
     }
 }
@@ -164,6 +174,8 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
 /// coefficient x N alone: coefficients times c and jumps over c give the same states, each at 1 / c of the cycles.
 std::string no_band_rule(const Scene& scene) {
   for (const auto& contact : scene.contacts) {
+    if (contact.friction_formula || contact.wear.secondary_formula || contact.wear.primary_formula)
+      return "contact \"" + contact.name + "\" has a formula";
     if (contact.wear.threshold > 0.0) return "contact \"" + contact.name + "\" has a threshold of wear";
     if (!contact.friction_over_cycles.empty())
       return "the friction of contact \"" + contact.name + "\" changes over the cycles";

@@ -38,7 +38,11 @@ NewtonPath::NewtonPath(Increment& increment, const NewtonOptions& options, const
 
 SolveResult NewtonPath::follow(bool narrowing) {
   narrowing_ = narrowing;
-  for (ended_ = !begin(); !ended_; ++iteration_, ++since_) iterate();
+  try {
+    for (ended_ = !begin(); !ended_; ++iteration_, ++since_) iterate();
+  } catch (const wear::FormulaError& error) {
+    end(Failure::no_law, error.what());
+  }
   return std::move(result_);
 }
 

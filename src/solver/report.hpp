@@ -31,6 +31,7 @@ enum class Failure : unsigned char {
   singular,        ///< the matrix is singular though a node is in contact
   astray,          ///< the predicted start leads away from equilibrium
   passed_through,  ///< a node went through the other side undetected
+  no_law,          ///< a formula of wear or friction has no usable value
   no_convergence
 };
 

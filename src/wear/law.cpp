@@ -4,10 +4,9 @@
 
 namespace reye::wear {
 
-double Ledger::relative_error(const Law& law) const {
-  const double should = (law.secondary + law.primary) * work;
-  if (should <= 0.0) return 0.0;
-  return std::abs(removed_secondary + removed_primary - should) / should;
+double Ledger::relative_error() const {
+  if (asked <= 0.0) return 0.0;
+  return std::abs(removed_secondary + removed_primary - asked) / asked;
 }
 
 }  // namespace reye::wear

@@ -626,7 +626,7 @@ primary = ["base_top"]
          R"(wear = { law = "archard", secondary_mm3_per_J = 3e-5 })"}},
        "",
        2,
-       R"(scene.toml:15: contact.pad.wear.secondary_mm3_per_J = 3e-5: belongs to the energy law; Archard's takes per_MPa)"
+       R"(scene.toml:15: contact.pad.wear.secondary_mm3_per_J = 3e-5: belongs to law = "energy"; "archard" takes per_MPa)"
        "\n"
        R"(scene.toml:15: contact.pad.wear: needs secondary_per_MPa, primary_per_MPa or both)"
        "\n"},

@@ -153,7 +153,8 @@ void expect_volume_is_paid(const ContactCase& c) {
   }
   ASSERT_GT(work, 0.0);
   const auto removed = [&](const auto& now, const auto& then) { return total(now) - total(then); };
-  EXPECT_NEAR(after.law_work, work, 1e-14 * work);
+  const double asked = (law.secondary + law.primary) * work;
+  EXPECT_NEAR(after.law_volume, asked, 1e-14 * asked);
   EXPECT_NEAR(after.worn_work, frictional_work, 1e-14 * frictional_work);
   EXPECT_NEAR(after.frictional_work, frictional_work, 1e-14 * frictional_work);
   EXPECT_NEAR(total(after.removed_secondary), law.secondary * work, 1e-14 * law.secondary * work);
@@ -223,9 +224,9 @@ TEST(volume, is_coefficient_times_the_work_of_the_whole_law) {
   auto c = support::random_case({}, frictional(0.1, {LawKind::energy, 1e-3, 2e-3, 0.5, 30.0, -0.5, 1.0, 0.5}));
   c.increment.duration_s = 0.02;
   const auto after = support::interface_of(c, 1).accepted(c.lambda);
-  EXPECT_GT(std::abs(after.law_work / after.frictional_work - 1.0), 0.01);
-  EXPECT_NEAR(total(after.removed_secondary) / (1e-3 * after.law_work), 1.0, 1e-14);
-  EXPECT_NEAR(total(after.removed_primary) / (2e-3 * after.law_work), 1.0, 2e-14);
+  EXPECT_GT(std::abs(after.law_volume / (3e-3 * after.frictional_work) - 1.0), 0.01);
+  EXPECT_NEAR(total(after.removed_secondary) / after.law_volume * 3.0, 1.0, 1e-14);
+  EXPECT_NEAR(total(after.removed_primary) / after.law_volume * 1.5, 1.0, 2e-14);
 }
 
 // An increment's own friction must stand in its conditions in place of the contact's, and in the accepted state.

@@ -27,8 +27,9 @@ contact::NodeConstants constants() {
   c.friction = 0.3;
   c.sign = 1.0;
   c.depth = 0.01;
-  c.depth_per_work = 0.02;
+  c.depth_per_volume = 0.02;
   c.law.kind = LawKind::energy;
+  c.law.secondary = 1.0;
   return c;
 }
 
@@ -38,7 +39,7 @@ TEST(conditions, stick) {
   EXPECT_NEAR(r.lambda_n, 10.0, 1e-14);
   EXPECT_NEAR(r.lambda_t, 2.0, 1e-14);
   EXPECT_NEAR(r.tangential, 0.5, 1e-14);
-  EXPECT_EQ(r.work, 0.0);
+  EXPECT_EQ(r.worn.secondary, 0.0);
   EXPECT_NEAR(r.normal, 0.25 + 4.0 * 0.01 + 0.125, 1e-14);
 }
 
@@ -47,7 +48,7 @@ TEST(conditions, slip_with_either_law) {
   auto c = constants();
   auto r = conditions(node(), c, ContactStatus::slip);
   EXPECT_NEAR(r.tangential, 2.0 - 0.3 * 10.0, 1e-14);
-  EXPECT_NEAR(r.work, 2.0 * 0.5, 1e-14);
+  EXPECT_NEAR(r.worn.secondary, 2.0 * 0.5, 1e-14);
   EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 1.0) + 0.125, 1e-14);
   c.sign = -1.0;
   c.law.kind = LawKind::archard;
@@ -67,8 +68,8 @@ TEST(conditions, slip_with_the_whole_law) {
   c.start = {
       .jump = 4.0, .duration_s = 1.25, .energy = 12.0, .area = 2.0};  // 2 of 4 x 1 mJ are still lacking; 0.1 mm/s
   const auto r = conditions(node(), c, ContactStatus::slip);
-  EXPECT_NEAR(r.work, 0.5 * 2.0 * 2.0, 1e-14);
-  EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 2.0) + 0.125, 1e-14);
+  EXPECT_NEAR(r.worn.secondary, 4.0 * 0.5 * 2.0 * 2.0, 4e-14);
+  EXPECT_NEAR(r.normal, 0.25 + 4.0 * (0.01 + 0.02 * 8.0) + 0.125, 1e-14);
 }
 
 // Imposed sliding must be a number times the covered length, whatever the motion.
@@ -78,7 +79,7 @@ TEST(conditions, imposed_sliding) {
   c.imposed_slip = -3.0;
   const auto r = conditions(node(), c, ContactStatus::slip);
   EXPECT_NEAR(r.slip, -12.0, 1e-14);
-  EXPECT_NEAR(r.work, 2.0 * 12.0, 1e-13);
+  EXPECT_NEAR(r.worn.secondary, 2.0 * 12.0, 1e-13);
 }
 
 // Sliding out of the plane must leave no shear in the plane, and work with mu times the pressure.
@@ -90,9 +91,9 @@ TEST(conditions, sliding_out_of_the_plane) {
   auto r = conditions(node(), c, ContactStatus::slip);
   EXPECT_NEAR(r.tangential, 2.0, 1e-14);
   EXPECT_NEAR(r.drag, 0.3 * 10.0, 1e-14);
-  EXPECT_NEAR(r.work, 0.3 * 10.0 * 12.0, 1e-13);
+  EXPECT_NEAR(r.worn.secondary, 0.3 * 10.0 * 12.0, 1e-13);
   c.law.kind = LawKind::archard;
-  EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).work, 10.0 * 12.0, 1e-13);
+  EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).worn.secondary, 10.0 * 12.0, 1e-13);
 }
 
 // A node that neither side moves along the surface must keep its shear while it sticks, within the friction bound.
@@ -122,7 +123,7 @@ TEST(conditions, held_shear) {
   c.held = true;
   c.held_shear = 1.5;
   EXPECT_NEAR(conditions(node(), c, ContactStatus::slip).tangential, 2.0 - 1.5, 1e-14);
-  EXPECT_EQ(conditions(node(), c, ContactStatus::slip).work, 0.0);
+  EXPECT_EQ(conditions(node(), c, ContactStatus::slip).worn.secondary, 0.0);
   c.held_shear = -5.0;
   EXPECT_NEAR(conditions(node(), c, ContactStatus::stick).tangential, 2.0 + 3.0, 1e-14);
   auto n = node();

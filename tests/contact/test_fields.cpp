@@ -14,7 +14,7 @@ TEST(Fields, NamesAreUnique) {
   contact::for_each_field(state, [&](const contact::Field& field, const auto&) {
     EXPECT_TRUE(names.emplace(field.name).second) << field.name;
   });
-  EXPECT_EQ(names.size(), 18U);
+  EXPECT_EQ(names.size(), 19U);
 }
 
 // A list of two states must visit the same member of both.
@@ -26,7 +26,7 @@ TEST(Fields, PairsAreOfOneMember) {
     EXPECT_EQ(reinterpret_cast<char*>(&of_a) - reinterpret_cast<char*>(&a),
               reinterpret_cast<char*>(&of_b) - reinterpret_cast<char*>(&b));
   });
-  EXPECT_EQ(visits, 18);
+  EXPECT_EQ(visits, 19);
 }
 
 // A cleared state must have a value per node of its side for every nodal quantity, and none for an optional one.

@@ -54,7 +54,8 @@ TEST(BadScene, Tables) {
        "scene.toml:31: contact.pad.imposed_turn_rad = 0.1: needs analysis = \"axisymmetric\": it turns about the axis"},
       {"coefficients of the other law",
        {{"primary_mm3_per_J", "primary_per_MPa"}},
-       "scene.toml:30: contact.pad.wear.primary_per_MPa = 2.111e-5: belongs to Archard's law; energy takes mm3_per_J"},
+       "scene.toml:30: contact.pad.wear.primary_per_MPa = 2.111e-5: belongs to law = \"archard\"; "
+       "\"energy\" takes mm3_per_J"},
       {"exponents without references",
        {{"primary_mm3_per_J = 2.111e-5", "pressure_exponent = 0.5, speed_exponent = -0.5"},
         {"jump = 100 ", "period_s = 0.1\njump = 100 "}},

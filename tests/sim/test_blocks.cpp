@@ -52,7 +52,8 @@ std::vector<double> numbers(const sim::State& s) {
     for (const auto& v :
          {c.pending_secondary, c.pending_primary, c.removed_secondary, c.removed_primary, c.slip, c.energy_secondary})
       all.insert(all.end(), v.begin(), v.end());
-    all.insert(all.end(), {c.friction, c.frictional_work, c.worn_work, c.law_work, c.strip_secondary, c.strip_primary});
+    all.insert(all.end(),
+               {c.friction, c.frictional_work, c.worn_work, c.law_volume, c.strip_secondary, c.strip_primary});
   }
   for (const auto& [name, factor] : s.factors) all.push_back(factor);
   all.insert(all.end(), {s.cycle, static_cast<double>(s.counts.increments), static_cast<double>(s.counts.cutbacks)});

@@ -121,12 +121,12 @@ TEST(Drive, FrictionOverCycles) {
   controls.contacts.resize(1);
   for (const auto& [cycle, mu] :
        {std::pair{0.0, 0.3}, {10.0, 0.3}, {15.0, 0.4}, {20.0, 0.5}, {30.0, 0.45}, {50.0, 0.4}}) {
-    sim::set_friction(controls, p, cycle);
+    sim::set_cycle(controls, p, cycle);
     EXPECT_DOUBLE_EQ(controls.contacts[0].friction.value(), mu) << cycle;
   }
   const auto constant = test::problem_of(test::block_scene);
   controls.contacts[0].friction.reset();
-  sim::set_friction(controls, constant, 15.0);
+  sim::set_cycle(controls, constant, 15.0);
   EXPECT_FALSE(controls.contacts[0].friction);
 }
 

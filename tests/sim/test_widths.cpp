@@ -123,13 +123,13 @@ TEST(Widths, DepthAndLedger) {
   surface.area = {0.5, 1.0, 0.25};
   EXPECT_EQ(sim::depths(surface, {1.0, 3.0, 1.0}), (std::vector{2.0, 3.0, 4.0}));
   contact::ContactState state;
-  state.law_work = 7.0;
+  state.law_volume = 7.0;
   state.pending_secondary = {1.0, 2.0};
   state.strip_secondary = 4.0;
   state.pending_primary = {0.5};
   state.strip_primary = 0.25;
   const auto book = sim::ledger(state);
-  EXPECT_EQ(book.work, 7.0);
+  EXPECT_EQ(book.asked, 7.0);
   EXPECT_EQ(book.removed_secondary, 7.0);
   EXPECT_EQ(book.removed_primary, 0.75);
 }

@@ -137,10 +137,10 @@ TEST(law, wears) {
 // The ledger must compare both sides' removed volume with the sum of the coefficients times the work.
 TEST(ledger, relative_error) {
   const Law law{LawKind::energy, 1e-3, 3e-3};
-  EXPECT_EQ(wear::Ledger{}.relative_error(law), 0.0);
-  EXPECT_NEAR((wear::Ledger{100.0, 0.1, 0.3}).relative_error(law), 0.0, 1e-15);
-  EXPECT_NEAR((wear::Ledger{100.0, 0.1, 0.34}).relative_error(law), 0.1, 1e-14);
-  EXPECT_NEAR((wear::Ledger{100.0, 0.4, 0.4}).relative_error(law), 1.0, 1e-14);
+  EXPECT_EQ(wear::Ledger{}.relative_error(), 0.0);
+  EXPECT_NEAR((wear::Ledger{0.4, 0.1, 0.3}).relative_error(), 0.0, 1e-15);
+  EXPECT_NEAR((wear::Ledger{0.4, 0.1, 0.34}).relative_error(), 0.1, 1e-14);
+  EXPECT_NEAR((wear::Ledger{0.4, 0.4, 0.4}).relative_error(), 1.0, 1e-14);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ solver::Controls asked(const Problem& problem, const State& state, const solver:
                        const std::map<std::string, double>& factors, double from, double to) {
   const auto& span = block.span;
   auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
-  set_friction(controls, problem, state.cycle);
+  set_cycle(controls, problem, state.cycle);
   pass_on_others(controls, problem, state);
   set_thickness(controls, problem, state, system);
   count_from_renewal(controls, problem, system, state);

@@ -56,7 +56,7 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
     const auto& contact = state.solution.contacts[c];
     const auto& pressed = before[c].normal;
     const bool open = std::none_of(pressed.begin(), pressed.end(), [](double force) { return force > 0.0; });
-    if (open && contact.law_work > 0.0) return std::numeric_limits<double>::infinity();
+    if (open && contact.law_volume > 0.0) return std::numeric_limits<double>::infinity();
     largest = std::max(largest, pressure_jump(system.contacts[c], contact, before[c]));
   }
   return largest;

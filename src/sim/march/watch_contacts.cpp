@@ -69,7 +69,7 @@ class Look {
     p.size_mm = p.length_mm = spacing(setup_.secondary, peak_);  // a node at each end counts for half a facet
     walk(p);
     p.beside_zone = beside_zone(force);
-    if (contact_.law_work == 0.0) p.facets_mm = facets();
+    if (contact_.law_volume == 0.0) p.facets_mm = facets();
     return p;
   }
 

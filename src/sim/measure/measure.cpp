@@ -13,7 +13,7 @@ using contact::ContactStatus;
 
 wear::Ledger ledger(const contact::ContactState& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
-  return {state.law_work, state.strip_secondary + sum(state.pending_secondary),
+  return {state.law_volume, state.strip_secondary + sum(state.pending_secondary),
           state.strip_primary + sum(state.pending_primary)};
 }
 
@@ -204,14 +204,14 @@ ContactSummary summarise(const contact::Setup& setup, const contact::ContactStat
   const double peak = *std::max_element(s.pressure_MPa.begin(), s.pressure_MPa.end());
   if (peak > 0.0) c.peak_pressure_MPa = peak;
   c.contact_half_width_mm = contact_half_width(s, setup.analysis);
-  if (state.friction > 0.0 && !setup.options.imposed)
+  if (state.friction > 0.0 && state.nodal_friction.empty() && !setup.options.imposed)
     c.stick_half_width_mm = stick_half_width(s, state.friction, setup.analysis);
   std::tie(c.normal_force, c.tangential_force) = forces_of(state, setup.analysis);
   c.dissipated_energy = setup.options.wear.wears() ? state.worn_work : state.frictional_work;
   const auto book = ledger(state);
   c.secondary = side_summary(s, book.removed_secondary);
   c.primary = side_summary(surfaces[1], book.removed_primary);
-  if (setup.options.wear.wears()) c.ledger_relative_error = book.relative_error(setup.options.wear);
+  if (setup.options.wear.wears()) c.ledger_relative_error = book.relative_error();
   return c;
 }
 

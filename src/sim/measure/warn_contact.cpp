@@ -184,7 +184,7 @@ void warn_of_no_slip(const Problem& problem, std::size_t c, State& state, const 
   if (!options.wear.wears() || !has_worn(problem.scene, state)) return;
   const int slipped = state.watch[c].slipped_most;
   const bool sticks = options.friction > 0.0 && !options.imposed && slipped <= edge_nodes;
-  if (!sticks && state.solution.contacts[c].law_work != 0.0) return;
+  if (!sticks && state.solution.contacts[c].law_volume != 0.0) return;
   warn(state, observer,
        {"no_slip", "contact " + options.name,
         base::formatted(

@@ -67,8 +67,9 @@ double way_of_play(const Seen& c, const scene::Step& step) {
 
 std::string wears_too_fast(const Seen& c, const Attempt& attempt) {
   const auto& law = c.placed.options.wear;
-  if (!law.wears() || !attempt.step->wear) return {};
-  const double traction = c.pressure() * (law.kind == wear::LawKind::energy ? c.state.friction : 1.0);
+  if (!law.wears() || !attempt.step->wear || law.secondary_formula || law.primary_formula) return {};
+  double traction = law.kind == wear::LawKind::rate ? 1.0 : c.pressure();
+  if (law.kind == wear::LawKind::energy) traction *= c.state.friction;
   const double depth = std::max(law.secondary, law.primary) * attempt.jump * traction * way_of_play(c, *attempt.step);
   if (depth <= c.facet()) return {};
   return base::formatted(
@@ -185,6 +186,7 @@ std::string let_go(const Problem& problem, const State& last, const solver::Syst
 std::string why_failed(const Problem& problem, const State& last, const Attempt& attempt,
                        const solver::System& system) {
   const bool lost = attempt.failure == solver::Failure::contact_lost;
+  if (attempt.failure == solver::Failure::no_law) return attempt.reason;
   std::string why;
   const auto ask = [&why](std::string words) {
     if (why.empty()) why = std::move(words);

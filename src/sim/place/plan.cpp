@@ -133,6 +133,7 @@ void tell_body(const Problem& p, const solver::System& system, int b, Plan& plan
 
 std::string friction_of(const contact::ContactOptions& o) {
   const auto& table = o.friction_over_cycles;
+  if (o.friction_formula) return "friction " + o.friction_formula.text();
   if (table.empty()) return base::formatted("friction %g", o.friction);
   return base::formatted("friction from %g at cycle %g to %g at cycle %g (%d values)", table.front()[1],
                          table.front()[0], table.back()[1], table.back()[0], static_cast<int>(table.size()));
@@ -140,7 +141,11 @@ std::string friction_of(const contact::ContactOptions& o) {
 
 std::string wear_of(const wear::Law& law) {
   if (law.kind == wear::LawKind::none) return "no wear";
-  std::string words = law.kind == wear::LawKind::energy ? "wear by dissipated energy" : "wear by Archard's law";
+  std::string words = law.kind == wear::LawKind::energy    ? "wear by dissipated energy"
+                      : law.kind == wear::LawKind::archard ? "wear by Archard's law"
+                                                           : "wear by a rate per sliding distance";
+  if (law.secondary_formula) words += ", secondary " + law.secondary_formula.text();
+  if (law.primary_formula) words += ", primary " + law.primary_formula.text();
   if (law.threshold > 0.0) words += base::formatted(" beyond %g mJ/mm^2", law.threshold);
   if (law.pressure_exponent != 0.0)
     words += base::formatted(" x (pressure / %g MPa)^%g", law.pressure_ref, law.pressure_exponent);

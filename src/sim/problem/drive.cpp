@@ -174,10 +174,12 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
   return controls;
 }
 
-void set_friction(solver::Controls& controls, const Problem& problem, double cycle) {
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
+void set_cycle(solver::Controls& controls, const Problem& problem, double cycle) {
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    controls.contacts[c].cycle = cycle;
     if (const auto& table = problem.contacts[c].options.friction_over_cycles; !table.empty())
       controls.contacts[c].friction = factor_at(table, cycle);
+  }
 }
 
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,

@@ -32,8 +32,9 @@ solver::Controls controls_at(const Problem& problem, const solver::System& syste
 /// share [mm].
 double inset_at(const PlacedContact& contact, const std::map<std::string, double>& factors);
 
-/// Sets the coefficients of friction at a cycle for contacts that have a table of them: constant before and after it.
-void set_friction(solver::Controls& controls, const Problem& problem, double cycle);
+/// Sets what contacts do at a cycle: the coefficient of friction of those that have a table of it, constant before and
+/// after, and the cycle itself for formulas.
+void set_cycle(solver::Controls& controls, const Problem& problem, double cycle);
 
 /// Counts prescribed motions from the positions at which the references of their bodies were renewed.
 void count_from_renewal(solver::Controls& controls, const Problem& problem, const solver::System& system,
