@@ -6,7 +6,7 @@ set(REYE_ROOMS base algebra mesh cad material fem body mortar wear contact solve
 set(REYE_FLOORS_cad part meshing build)
 set(REYE_FLOORS_adapt shape redraw transfer)
 set(REYE_FLOORS_sim problem measure place reshape march study)
-set(REYE_FLOORS_output folder report run)
+set(REYE_FLOORS_output folder picture report run)
 foreach(room IN LISTS REYE_ROOMS)
   string(JOIN "/" order ${room} ${REYE_FLOORS_${room}})
   list(APPEND REYE_HOUSE ${order})   # sim/problem/measure/...: a room and its floors in order

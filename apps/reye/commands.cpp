@@ -16,6 +16,7 @@
 #include "output/folder/summary.hpp"
 #include "output/folder/text.hpp"
 #include "output/folder/vtk_frames.hpp"
+#include "output/picture/scene_picture.hpp"
 #include "output/report/report.hpp"
 #include "output/run/checkpoint.hpp"
 #include "output/run/commit.hpp"
@@ -57,6 +58,7 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
 /// its first block can resume, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
+  output::atomic_write(writer.dir() + "/scene.svg", output::scene_picture(problem));
   sim::State state = sim::initial_state(problem);
   checkpoints.start(state);
   return state;
@@ -210,6 +212,7 @@ int check(const Request& request) {
   }
   for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
   tell(problem.scene, problem.warnings);
+  if (!request.picture.empty()) output::atomic_write(request.picture, output::scene_picture(problem));
   std::printf("ok\n");
   return 0;
 }

@@ -7,6 +7,7 @@ namespace reye::apps {
 struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
+  std::string picture;  ///< file for a picture of the scene; empty: none
   bool restart = false, force = false, quiet = false, animation = false;
   bool trust_geometry = false;  ///< geometry scripts may use all of gmsh's language
 };

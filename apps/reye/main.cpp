@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
   auto* plan = with_scene("plan", "say what each body and contact is, what is skipped, and why");
   auto* check = with_scene("check", "read scene and geometry, mesh in memory, write nothing");
+  check->add_option("--picture", request.picture, "draw the scene into this file (.svg)");
   auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   apps::SweepRequest many;

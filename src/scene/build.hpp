@@ -21,9 +21,10 @@ std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<ca
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
 /// Boundary, point and body loads, distinguished by their keys.
 void add_loads(const Entry& root, Scene& scene, Issues& issues);
-std::map<std::string, History> histories_of(const Entry& root);
-/// All steps as they are played: those of a spectrum as often as it says.
-std::vector<Step> steps_of(const Entry& root, Issues& issues);
+/// Histories as written, and those of files, whose paths count from the scene.
+void add_histories(const Entry& root, Scene& scene, Issues& issues);
+/// All steps as they are played: those of a spectrum as often as it says, at each of its levels.
+std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Issues& issues);
 std::vector<Limit> limits_of(const Entry& root, Issues& issues);
 Remesh remesh_of(const Entry& root);
 Output output_of(const Entry& root);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/measured.hpp"
+
 namespace reye::scene {
 
 namespace {
@@ -21,8 +23,23 @@ void set_jump(const Entry& entry, double accuracy, Step& step) {
   step.jump_most = control.maybe_number("most").value_or(step.jump_most);
 }
 
+/// Steps at each level of a spectrum in turn, with its cycles; where it has no levels, the steps themselves.
+std::vector<Step> at_levels(const Entry& spectrum, const std::string& scene_path, const std::vector<Step>& steps,
+                            Issues& issues) {
+  if (!spectrum.given("levels")) return steps;
+  std::vector<Step> all;
+  for (const auto& [level, cycles] : levels_of(spectrum, scene_path, issues))
+    for (Step step : steps) {
+      step.level = level;
+      step.cycles = cycles;
+      step.jump = std::min(step.jump, cycles);
+      all.push_back(std::move(step));
+    }
+  return all;
+}
+
 /// The steps with those of the spectrum, which follow one another, repeated.
-std::vector<Step> repeated(const Entry& root, std::vector<Step> steps, Issues& issues) {
+std::vector<Step> repeated(const Entry& root, const std::string& scene_path, std::vector<Step> steps, Issues& issues) {
   const auto spectrum = root.at("spectrum");
   if (!spectrum.is_table()) return steps;
   const auto names = spectrum.texts("steps");
@@ -34,17 +51,26 @@ std::vector<Step> repeated(const Entry& root, std::vector<Step> steps, Issues& i
     return steps;
   }
   const auto count = static_cast<std::ptrdiff_t>(names.size());
-  const std::vector<Step> once(first, first + count);
-  auto after = first + count;
-  for (int k = 1; k < spectrum.whole("times"); ++k) after = steps.insert(after, once.begin(), once.end()) + count;
+  auto once = at_levels(spectrum, scene_path, {first, first + count}, issues);
+  auto after = steps.insert(steps.erase(first, first + count), once.begin(), once.end()) +
+               static_cast<std::ptrdiff_t>(once.size());
+  for (int k = 1; k < spectrum.whole("times"); ++k)
+    after = steps.insert(after, once.begin(), once.end()) + static_cast<std::ptrdiff_t>(once.size());
   return steps;
 }
 
 }  // namespace
 
-std::map<std::string, History> histories_of(const Entry& root) { return root.at("history").histories(); }
+void add_histories(const Entry& root, Scene& scene, Issues& issues) {
+  scene.histories = root.at("history").histories();
+  for (const auto& entry : root.all("history")) {
+    auto measured = measured_history(entry, scene.path, issues);
+    scene.histories[entry.name()] = measured ? measured->corners : History{{0.0, 0.0}, {1.0, 0.0}};
+    if (measured) scene.measured[entry.name()] = std::move(*measured);
+  }
+}
 
-std::vector<Step> steps_of(const Entry& root, Issues& issues) {
+std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Issues& issues) {
   std::vector<Step> steps;
   for (const auto& entry : root.all("step")) {
     Step step;
@@ -57,7 +83,7 @@ std::vector<Step> steps_of(const Entry& root, Issues& issues) {
     step.period_s = entry.number("period_s");
     steps.push_back(step);
   }
-  return repeated(root, std::move(steps), issues);
+  return repeated(root, scene_path, std::move(steps), issues);
 }
 
 std::vector<Limit> limits_of(const Entry& root, Issues& issues) {

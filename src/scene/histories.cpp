@@ -10,7 +10,10 @@ double largest_factor(const Scene& scene, const std::string& history) {
   if (found == scene.histories.end()) return 1.0;
   double most = 0.0;
   for (const auto& corner : found->second) most = std::max(most, std::abs(corner[1]));
-  return most;
+  double level = 0.0;
+  for (const auto& step : scene.steps)
+    if (std::find(step.play.begin(), step.play.end(), history) != step.play.end()) level = std::max(level, step.level);
+  return level > 0.0 ? level * most : most;
 }
 
 double largest_value(const Scene& scene, const base::Parts& parts) {
@@ -39,7 +42,8 @@ double path_of(const Scene& scene, const Step& step, const base::Parts& parts) {
   for (const auto& part : parts) {
     if (std::find(step.play.begin(), step.play.end(), part.history) == step.play.end()) continue;
     const auto& corners = scene.histories.at(part.history);
-    for (std::size_t i = 1; i < corners.size(); ++i) way += std::abs(part.value * (corners[i][1] - corners[i - 1][1]));
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      way += std::abs(part.value * step.level * (corners[i][1] - corners[i - 1][1]));
   }
   return way;
 }

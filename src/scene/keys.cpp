@@ -197,7 +197,15 @@ constexpr Key table[] = {
     {"load.*.parts[].{traction_MPa,force_N_per_mm,force_N,force_N_per_mm3}", Type::pair, "", "", any, "as above"},
     {"load.*.parts[].history", Type::text, "", "", any, "history of that part"},
 
-    {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1"},
+    {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1; or measured:"},
+    {"history.*.file", Type::text, "", "required", any,
+     "CSV file with a line of names; its first column is time_s or progress; the path counts from the scene file"},
+    {"history.*.column", Type::text, "", "", any, "the column of factors; by default the second"},
+    {"history.*.tolerance", Type::number, "", "0.01", {.low = 0.0, .high = 0.2},
+     "points are left out where straight lines between the others stay this close, as a share of the range; 0 keeps "
+     "all that are not on a line"},
+    {"history.*.close", Type::flag, "", "false", any,
+     "true: after the last point the way back to the first value is added, one mean interval long"},
 
     {"step[].name", Type::text, "", "", any, "name in messages; by default its number"},
     {"step[].play", Type::texts, "", "[]", any, "histories played; the others keep their last factor"},
@@ -217,6 +225,9 @@ constexpr Key table[] = {
      "duration of one play of the step; needed only with a speed exponent"},
 
     {"spectrum.steps", Type::texts, "", "required", any, "consecutive steps that are repeated in this order"},
+    {"spectrum.levels", Type::text, "", "", any,
+     "CSV file headed `level,cycles`: the steps are played at each level in turn, all factors they play multiplied by "
+     "it, with its number of cycles in place of their own"},
     {"spectrum.times", Type::whole, "", "required", from_to(1.0, 1e5), "number of repetitions"},
 
     {"limit.*.contact", Type::text, "", "required", any, "contact to watch"},

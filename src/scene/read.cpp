@@ -98,19 +98,22 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);
   note_points(scene);
-  scene.histories = histories_of(root);
-  scene.steps = steps_of(root, issues);
+  add_histories(root, scene, issues);
+  scene.steps = steps_of(root, scene.path, issues);
   scene.limits = limits_of(root, issues);
   scene.remesh = remesh_of(root);
   scene.output = output_of(root);
   choose_elements(scene);
 }
 
-/// The files on which the scene depends: geometry, then profiles.
-std::vector<std::string> files_of(const Scene& scene) {
+/// The files on which the scene depends: geometry, then profiles, histories and levels.
+std::vector<std::string> files_of(const Scene& scene, const Entry& root) {
   auto files = scene.geometry.files;
   for (const auto& boundary : scene.geometry.boundaries)
     if (boundary.profile) files.push_back(beside(scene.path, boundary.profile->file));
+  for (const auto& [name, measured] : scene.measured) files.push_back(beside(scene.path, measured.file));
+  if (const auto spectrum = root.at("spectrum"); spectrum.given("levels"))
+    files.push_back(beside(scene.path, spectrum.text("levels")));
   return files;
 }
 
@@ -149,8 +152,8 @@ Scene read_text(const std::string& text, const std::string& path) {
 
   auto odd = suspicious(root, scene);
   scene.warnings = in_words(odd, scene.lines, path);
-  scene.sha256 = digest(text, files_of(scene));
-  scene.fixed_sha256 = digest(fixed_part(document, text), files_of(scene));
+  scene.sha256 = digest(text, files_of(scene, root));
+  scene.fixed_sha256 = digest(fixed_part(document, text), files_of(scene, root));
   scene.text = text;
   return scene;
 }

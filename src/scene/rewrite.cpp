@@ -78,10 +78,15 @@ void add_paths(const Node& root, std::vector<const Node*>& paths) {
   const auto* geometry = root.find("geometry");
   if (geometry)
     for (const auto& file : geometry->children) paths.push_back(&file);
-  const auto* boundaries = root.find("boundary");
-  if (!boundaries) return;
-  for (const auto& boundary : boundaries->children)
-    if (const auto* profile = boundary.find("profile")) paths.push_back(profile);
+  const auto add_each = [&](const char* tables, const char* key) {
+    if (const auto* all = root.find(tables))
+      for (const auto& table : all->children)
+        if (const auto* path = table.find(key)) paths.push_back(path);
+  };
+  add_each("boundary", "profile");
+  add_each("history", "file");
+  if (const auto* spectrum = root.find("spectrum"))
+    if (const auto* levels = spectrum->find("levels")) paths.push_back(levels);
 }
 
 }  // namespace

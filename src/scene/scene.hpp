@@ -22,6 +22,16 @@ namespace reye::scene {
 /// A table over the progress of a step: [progress, factor], progress increasing from 0 to 1.
 using History = std::vector<std::array<double, 2>>;
 
+/// A history from a file, thinned.
+struct Measured {
+  History corners;
+  std::string file;         ///< as the scene writes it
+  std::size_t points = 0;   ///< of the file
+  double tolerance = 0.0;   ///< largest deviation of the corners' lines from the points, as a share of their range
+  double way_lost = 0.0;    ///< share of the way up and down that the points left out made
+  double duration_s = 0.0;  ///< 0: the file gives progress
+};
+
 struct BodyMaterial {
   std::string material;       ///< empty for a rigid body
   std::optional<bool> b_bar;  ///< default: quads of order 1 in plane strain and axisymmetry
@@ -34,6 +44,7 @@ struct Step {
   std::vector<std::string> play;
   int increments = 1;
   bool wear = true;
+  double level = 1.0;           ///< all factors that it plays are multiplied by it: of a spectrum
   double cycles = 0.0;          ///< 0: a load step, which does not count as a cycle
   double jump = 1.0;            ///< cycles per block; of the first one where a tolerance chooses the others
   double jump_tolerance = 0.0;  ///< error that the run chooses its jumps by; 0: fixed
@@ -108,6 +119,7 @@ struct Scene {
   std::vector<fem::PointLoad> point_loads;
   std::vector<fem::BodyForce> body_forces;
   std::map<std::string, History> histories;
+  std::map<std::string, Measured> measured;  ///< those of them that come from files
   std::vector<Step> steps;
   std::vector<Limit> limits;
   Output output;

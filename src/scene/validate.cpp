@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/formatted.hpp"
 #include "scene/histories.hpp"
 #include "scene/nearest.hpp"
 
@@ -116,7 +117,10 @@ bool may_go_on(const Scene& scene, const std::string& history, double rise) {
 /// A cycle ends where it began, but for whole turns: the jump back to its start would be played inside the next one's
 /// first increment, once in a block of many cycles.
 void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
-  if (step.number("cycles") <= 1.0 || !step.flag("wear")) return;
+  double cycles = step.number("cycles");
+  for (const auto& played : scene.steps)  // levels of a spectrum give others
+    if (played.name == step.text("name")) cycles = std::max(cycles, played.cycles);
+  if (cycles <= 1.0 || !step.flag("wear")) return;
   for (const auto& name : step.texts("play")) {
     const auto found = scene.histories.find(name);
     if (found == scene.histories.end() || found->second.empty()) continue;
@@ -129,7 +133,9 @@ void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
     if (start != end && !may_go_on(scene, name, end - start))
       issues.push_back({step.key("play"), step.written("play"),
                         "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " +
-                            factor(start) + "; give it the way back: a last corner [1, " + factor(start) + "]"});
+                            factor(start) + "; give it the way back: " +
+                            (scene.measured.contains(name) ? "close = true in its table"
+                                                           : "a last corner [1, " + factor(start) + "]")});
   }
 }
 
@@ -244,6 +250,30 @@ void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
   }
 }
 
+/// Warns of what thinning has taken from a measured history, and of a duration that is not its own.
+void warn_of_measured(const Entry& root, const Scene& scene, Issues& found) {
+  constexpr double least = 0.02, off = 0.01;
+  for (const auto& entry : root.all("history")) {
+    const auto at = scene.measured.find(entry.name());
+    if (at == scene.measured.end()) continue;
+    const auto& measured = at->second;
+    if (measured.way_lost > std::max(least, measured.tolerance))
+      found.push_back({entry.key("file"), entry.written("file"),
+                       base::formatted("its way up and down is %.3g %% shorter without the oscillations below %g %% of "
+                                       "its range: where they slide, wear is less by as much; write a smaller "
+                                       "tolerance, or smooth them if they are noise",
+                                       100.0 * measured.way_lost, 100.0 * measured.tolerance)});
+    for (const auto& step : root.all("step")) {
+      const auto play = step.texts("play");
+      const double period = step.number("period_s"), own = measured.duration_s;
+      if (period == 0.0 || own == 0.0 || std::abs(period - own) <= off * own) continue;
+      if (std::find(play.begin(), play.end(), entry.name()) != play.end())
+        found.push_back({step.key("period_s"), step.written("period_s"),
+                         base::formatted("history \"%s\" was measured over %.4g s", entry.name().c_str(), own)});
+    }
+  }
+}
+
 }  // namespace
 
 Issues suspicious(const Entry& root, const Scene& scene) {
@@ -258,6 +288,7 @@ Issues suspicious(const Entry& root, const Scene& scene) {
     if (!played.count(name)) found.push_back({key, "", "no step plays it; its factor stays 0"});
     if (!named.count(name)) found.push_back({key, "", "no support, load or imposed sliding names it"});
   }
+  warn_of_measured(root, scene, found);
   return found;
 }
 

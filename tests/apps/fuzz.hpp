@@ -1,6 +1,8 @@
 #pragma once
 #include <sys/resource.h>
 
+#include <csignal>
+
 #include "apps/command.hpp"
 #include "apps/scenes.hpp"
 #include "support/fuzz.hpp"
@@ -62,8 +64,10 @@ base_bottom   = { body = "base", nearest_mm = [2.0, -1.0] }
   return {name, {{"scene.toml", named ? scene : found}, {name, damage.on(shared(folder + name))}}};
 }
 
-/// Memory within 4 GB, for what a trial starts.
+/// For what a trial starts: memory within 4 GB, and an interrupt that ends it, though the tests may run where
+/// interrupts are ignored (in the background of a script), which a process inherits.
 inline void within_memory() {
+  ::signal(SIGINT, SIG_DFL);
 #if !defined(__SANITIZE_ADDRESS__)
   const rlimit limit{rlim_t{4} << 30, rlim_t{4} << 30};
   ::setrlimit(RLIMIT_AS, &limit);

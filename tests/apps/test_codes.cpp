@@ -47,7 +47,7 @@ TEST(Codes, GoodRun) {
   EXPECT_TRUE(test::holds(told.out, "page ./wearing.out/report.html"));
   for (const char* file :
        {"series.pvd", "surfaces.pvd", "history.csv", "surface_pad_secondary.csv", "surface_pad_primary.csv",
-        "summary.json", "log.txt", "checkpoint/current.bin", "report.html", "figures/overview-pad.svg"})
+        "summary.json", "log.txt", "checkpoint/current.bin", "report.html", "scene.svg", "figures/overview-pad.svg"})
     EXPECT_TRUE(test::fs::exists(place / "wearing.out" / file)) << file;
   EXPECT_TRUE(test::holds(test::read(place / "wearing.out/summary.json"), R"("status": "done",)"));
 }

@@ -274,7 +274,8 @@ TEST(BadScene, Values) {
       {"wear without law", {{R"(law = "energy", )", ""}}, "scene.toml:30: contact.pad.wear.law: missing"},
       {"history too short",
        {{"[[0.0, 0.0], [1.0, 1.0]]", "[[0.0, 0.0]]"}},
-       "scene.toml:46: history.press = [[0.0, 0.0]]: must be a list of at least two pairs [progress, factor]"},
+       "scene.toml:46: history.press = [[0.0, 0.0]]: must be a list of at least two pairs [progress, factor], or a "
+       "table of file, column, tolerance, close"},
       {"history not increasing",
        {{"[0.25, 1.0], [0.75, -1.0]", "[0.75, 1.0], [0.25, -1.0]"}},
        "scene.toml:47: history.stroke = [[0.0, 0.0], [0.75, 1.0], [0.25, -1.0], [1.0, 0.0]]: progress must increase "

@@ -27,7 +27,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 /// Whether a run writes an entry of this name at the top of its folder.
 bool is_result(const std::string& name) {
   for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "remesh.csv", "summary.json", "log.txt",
-                          "report.html", "frames", "figures", "checkpoint"})
+                          "report.html", "scene.svg", "frames", "figures", "checkpoint"})
     if (name == own) return true;
   return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));
 }
@@ -78,7 +78,7 @@ Identity identity_of(const scene::Scene& scene) {
   Identity identity{scene.name, scene.title, scene.sha256, scene.analysis, {}, {}, scene.fixed_sha256, scene.text};
   for (const auto& contact : scene.contacts) {
     auto& friction = identity.friction[contact.name];
-    if (contact.friction_over_cycles.empty()) friction = contact.friction;
+    if (contact.friction_over_cycles.empty() && !contact.friction_formula) friction = contact.friction;
     std::string primary;
     for (const auto& edge : contact.primary) primary += (primary.empty() ? "" : ", ") + with_body(scene, edge);
     identity.sides[contact.name] = {with_body(scene, contact.secondary), primary};

@@ -13,7 +13,7 @@ namespace reye::output {
 struct Identity {
   std::string name, title, sha256;
   base::Analysis analysis = base::Analysis::plane_strain;
-  std::map<std::string, std::optional<double>> friction;  ///< by contact; empty where it changes over the cycles
+  std::map<std::string, std::optional<double>> friction;  ///< by contact; empty where it changes
   std::map<std::string, std::array<std::string, 2>>
       sides{};                               ///< by contact: secondary and primary edges with their bodies
   std::string fixed_sha256{}, scene_text{};  ///< by which an extension of the run is recognised

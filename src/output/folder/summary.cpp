@@ -108,6 +108,16 @@ Json warnings(const sim::Summary& summary) {
   return all;
 }
 
+Json histories(const sim::Summary& s) {
+  Json all = Json::object();
+  for (const auto& [name, h] : s.histories)
+    all[name] = {{"points", h.points},
+                 {"points_kept", h.kept},
+                 {"tolerance", value(h.tolerance)},
+                 {"way_lost", value(h.way_lost)}};
+  return all;
+}
+
 }  // namespace
 
 const char* status_name(sim::RunStatus status) {
@@ -147,6 +157,7 @@ std::string summary_json(const sim::Summary& s) {
             {"bonds", bonds(s)},
             {"room_seconds", Json::object()},
             {"skipped", s.skipped},
+            {"histories", histories(s)},
             {"cutback_reasons", s.cutback_reasons},
             {"warnings", warnings(s)}};
   for (const auto& [room, seconds] : s.room_seconds) json["room_seconds"][room] = value(seconds);

@@ -92,13 +92,21 @@ Figure per_frame(const ContactData& contact, Figure figure, const Value& value) 
   return figure;
 }
 
-/// The history knows the depth at every increment, but only the largest of all contacts.
-void depth_from_history(const RunData& run, double factor, Figure& figure) {
+/// The largest depths of a contact at the ends of blocks, as the history has them.
+void depth_from_history(const RunData& run, const ContactData& contact, double factor, Figure& figure) {
+  const auto plays = plays_of(run.history);
+  const auto& cycle = run.history.column("cycle");
   for (const auto side : {sim::Side::secondary, sim::Side::primary}) {
+    const auto& depth = run.history.column(contact.name + "_depth_max_" + side_name(side) + "_mm");
+    if (depth.empty() || plays.empty()) continue;
     Line line = side_line(side);
-    line.x = run.history.column("cycle");
-    line.y = run.history.column(std::string("depth_max_") + side_name(side) + "_mm");
-    for (double& y : line.y) y *= factor;
+    line.dots = plays.size() <= 40;
+    line.x = {0.0};
+    line.y = {0.0};
+    for (const auto& play : plays) {
+      line.x.push_back(cycle[play.end - 1]);
+      line.y.push_back(factor * depth[play.end - 1]);
+    }
     if (largest(line.y) > 0.0) figure.lines.push_back(std::move(line));
   }
   figure.x_label = "cycles";
@@ -110,7 +118,7 @@ Figure depth_over_cycles(const RunData& run, const ContactData& contact) {
   Figure figure{.id = "depth-" + file_part(contact.name),
                 .title = title_of(run, contact, "Largest wear depth"),
                 .y_label = "depth, " + unit.name};
-  if (run.contacts.size() == 1) depth_from_history(run, unit.factor, figure);
+  depth_from_history(run, contact, unit.factor, figure);
   if (!figure.lines.empty()) return figure;
   return per_frame(contact, figure, [&](const SurfaceTable& surface, const FrameRows& rows) {
     const auto first = surface.table.column("wear_depth_mm").begin();

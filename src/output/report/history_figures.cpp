@@ -2,7 +2,9 @@
 #include <cmath>
 #include <optional>
 
+#include "output/folder/text.hpp"
 #include "output/report/figures.hpp"
+#include "output/report/profiles.hpp"
 
 namespace reye::output {
 
@@ -30,6 +32,32 @@ void add_energy(const RunData& run, std::vector<Figure>& all) {
   }
   figure.y_from_zero = true;
   figure.lines.push_back(std::move(line));
+  all.push_back(std::move(figure));
+}
+
+/// The largest pressure of a contact at the ends of blocks, and between which values it goes inside their cycles.
+void add_pressure(const RunData& run, const ContactData& contact, std::vector<Figure>& all) {
+  const auto& cycle = run.history.column("cycle");
+  const auto& pressure = run.history.column(contact.name + "_pressure_max_MPa");
+  const auto plays = plays_of(run.history);
+  if (plays.size() < 2 || pressure.empty()) return;
+  Figure figure{.id = "peak-" + file_part(contact.name),
+                .title = title_of(run, contact, "Largest pressure over cycles"),
+                .x_label = "cycles",
+                .y_label = "pressure, MPa",
+                .y_from_zero = true};
+  Line most{.label = "most and least inside a cycle", .colour = "#9fb6d2", .width = 1.2},
+      least{.colour = "#9fb6d2", .width = 1.2}, end{.label = "at its end", .dots = plays.size() <= 40};
+  for (const auto& [first, past] : plays) {
+    const auto from = pressure.begin() + static_cast<std::ptrdiff_t>(first),
+               to = pressure.begin() + static_cast<std::ptrdiff_t>(past);
+    const double at = cycle[past - 1];
+    for (auto* line : {&most, &least, &end}) line->x.push_back(at);
+    most.y.push_back(*std::max_element(from, to));
+    least.y.push_back(*std::min_element(from, to));
+    end.y.push_back(pressure[past - 1]);
+  }
+  figure.lines = {std::move(most), std::move(least), std::move(end)};
   all.push_back(std::move(figure));
 }
 
@@ -92,8 +120,22 @@ void add_forces(const RunData& run, std::vector<Figure>& all) {
 
 }  // namespace
 
+std::vector<Play> plays_of(const Table& history) {
+  const auto &progress = history.column("progress"), &step = history.column("step"), &cycle = history.column("cycle");
+  std::vector<Play> plays;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const bool last = i + 1 == cycle.size() || step[i + 1] != step[i] || progress[i + 1] <= progress[i];
+    if (!last) continue;
+    if (cycle[i] > cycle[begin] || (begin == i && cycle[i] > 0.0)) plays.push_back({begin, i + 1});
+    begin = i + 1;
+  }
+  return plays;
+}
+
 std::vector<Figure> history_figures(const RunData& run) {
   std::vector<Figure> all;
+  for (const auto& contact : run.contacts) add_pressure(run, contact, all);
   add_energy(run, all);
   add_forces(run, all);
   return all;

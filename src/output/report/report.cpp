@@ -95,14 +95,24 @@ std::string film(const std::vector<Figure>& moving) {
          "}\n</script>\n";
 }
 
-std::string page(const RunData& run, const std::vector<Figure>& all, const std::vector<Figure>& moving) {
+/// The picture of the scene that the run drew before it began; none in folders that lack it.
+std::string scene_section(const std::string& dir) {
+  const auto file = fs::path(dir) / "scene.svg";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};
+  const std::string picture = read_text(file.string());
+  return picture.starts_with("<svg") ? "<h2>Scene</h2>\n<figure id=\"scene\">\n" + picture + "</figure>\n" : "";
+}
+
+std::string page(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
+                 const std::vector<Figure>& moving) {
   std::string html =
       "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
       "<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
       escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + warning_list(run) + result_tables(run) + film(moving) + figure_grid(all) + ledger_table(run) +
-          remesh_table(run) + run_tables(run);
+  html += heading(run) + warning_list(run) + scene_section(dir) + result_tables(run) + film(moving) + figure_grid(all) +
+          ledger_table(run) + remesh_table(run) + run_tables(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }
@@ -122,7 +132,7 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
 std::string page_of(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
                     const std::vector<Figure>& moving) {
   try {
-    return page(run, all, moving);
+    return page(dir, run, all, moving);
   } catch (const nlohmann::json::exception& error) {
     throw base::InputError({{"dir", "", (fs::path(dir) / "summary.json").string() + " is damaged: " + error.what()}});
   }

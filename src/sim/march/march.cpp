@@ -251,6 +251,8 @@ class Runner {
     s.analysis = p_.scene.analysis;
     s.scene_sha256 = p_.scene.sha256;
     s.skipped = p_.plan.skipped;
+    for (const auto& [name, h] : p_.scene.measured)
+      s.histories[name] = {h.points, h.corners.size(), h.tolerance, h.way_lost};
     s.cutback_reasons = state_.cutback_reasons;
     for (const auto& limit : p_.scene.limits) summarise_limit(limit);
     if (state_.approached) summarise_joints();

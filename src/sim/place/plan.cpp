@@ -232,12 +232,22 @@ void tell_output(const Problem& p, Plan& plan) {
 
 void tell_step(const Problem& p, const scene::Step& step, Plan& plan) {
   const auto increments = static_cast<int>(increment_ends(p.scene, step).size());
-  const char* wear = step.wear ? "" : ", no wear";
+  std::string more = step.wear ? "" : ", no wear";
+  if (step.level != 1.0) more += base::formatted(", its factors times %g", step.level);
   if (step.cycles > 0.0)
     plan.lines.push_back(base::formatted("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s",
-                                         step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments, wear));
+                                         step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments,
+                                         more.c_str()));
   else
-    plan.lines.push_back(base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, wear));
+    plan.lines.push_back(base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, more.c_str()));
+}
+
+void tell_history(const std::string& name, const scene::Measured& measured, Plan& plan) {
+  plan.lines.push_back(base::formatted(
+      "history \"%s\": %zu of the %zu points of %s; straight lines between them stay within %g %% of its range, and "
+      "their way up and down is %.3g %% shorter",
+      name.c_str(), measured.corners.size(), measured.points, measured.file.c_str(), 100.0 * measured.tolerance,
+      100.0 * measured.way_lost));
 }
 
 void tell_limit(const scene::Limit& limit, Plan& plan) {
@@ -265,6 +275,7 @@ Plan make_plan(const Problem& p, const solver::System& system) {
   }
   for (auto& line : told_shared(p)) plan.lines.push_back(std::move(line));
   for (std::size_t b = 0; b < p.bonds.size(); ++b) tell_bond(system.contacts[p.contacts.size() + b], plan);
+  for (const auto& [name, measured] : p.scene.measured) tell_history(name, measured, plan);
   for (const auto& step : p.scene.steps) tell_step(p, step, plan);
   tell_remeshing(p, plan);
   tell_output(p, plan);

@@ -27,7 +27,7 @@ double played_between(const scene::Scene& scene, const scene::Step& step, const 
   for (const auto& [value, history] : parts) {
     if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
     const auto& corners = scene.histories.at(history);
-    sum += value * (factor_at(corners, to) - factor_at(corners, from));
+    sum += value * step.level * (factor_at(corners, to) - factor_at(corners, from));
   }
   return sum;
 }
@@ -86,7 +86,7 @@ double increments_of(const scene::Scene& scene, const scene::Step& step) {
 std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
                                          const std::map<std::string, double>& held) {
   auto factors = held;
-  for (const auto& name : step.play) factors[name] = factor_at(scene.histories.at(name), progress);
+  for (const auto& name : step.play) factors[name] = step.level * factor_at(scene.histories.at(name), progress);
   return factors;
 }
 

@@ -177,6 +177,12 @@ struct Warning {
 
 enum class RunStatus { done, failed, interrupted };
 
+/// What thinning has left of a measured history.
+struct ThinnedHistory {
+  std::size_t points = 0, kept = 0;
+  double tolerance = 0.0, way_lost = 0.0;  ///< shares of its range, and of its way up and down
+};
+
 struct Summary {
   // Compiled once: every file that holds one would else compile them.
   Summary();
@@ -202,8 +208,9 @@ struct Summary {
   std::vector<Warning> warnings;  ///< those known before the run, then those found in it
   Counts counts;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;
-  std::map<std::string, double> room_seconds;  ///< where the time went
-  std::vector<std::string> skipped;            ///< sentences of the plan
+  std::map<std::string, double> room_seconds;       ///< where the time went
+  std::vector<std::string> skipped;                 ///< sentences of the plan
+  std::map<std::string, ThinnedHistory> histories;  ///< those that come from files
   std::vector<std::string> cutback_reasons;
   std::string scene_sha256;
   base::Analysis analysis = base::Analysis::plane_strain;

@@ -48,7 +48,7 @@ double peak_factor(const Problem& problem, const scene::Step& step, const std::s
   if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) return peak;
   for (const auto& corner : corners)
     if (std::abs(corner[1]) > std::abs(peak)) peak = corner[1];
-  return peak;
+  return step.level * peak;
 }
 
 const body::Motion& motion_of(const Problem& problem, int b, const body::SupportColumn& column) {
