@@ -25,10 +25,10 @@ Keys keys(const Json& object) {
 // The keys of a plane problem are those of the contract, in its order; extra ones come after.
 TEST(Summary, PlaneKeysAreTheContract) {
   const Json json = read(sample::summary());
-  EXPECT_EQ(keys(json),
-            (Keys{"title",           "status", "reason",       "cycles",  "contacts",        "probes",  "life_cycles",
-                  "estimated_error", "counts", "wall_s",       "cpu_s",   "peak_rss_MB",     "version", "scene_sha256",
-                  "life_band",       "bonds",  "room_seconds", "skipped", "histories", "cutback_reasons", "warnings"}));
+  EXPECT_EQ(keys(json), (Keys{"title",       "status",          "reason",    "cycles", "contacts",     "probes",
+                              "life_cycles", "estimated_error", "counts",    "wall_s", "cpu_s",        "peak_rss_MB",
+                              "version",     "scene_sha256",    "life_band", "bonds",  "room_seconds", "skipped",
+                              "histories",   "cutback_reasons", "warnings"}));
   const Json& pad = json["contacts"]["pad"];
   EXPECT_EQ(keys(pad), (Keys{"peak_pressure_MPa", "contact_half_width_mm", "stick_half_width_mm",
                              "normal_force_N_per_mm", "tangential_force_N_per_mm", "dissipated_energy_mJ_per_mm",
