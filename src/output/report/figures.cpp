@@ -85,7 +85,7 @@ Figure per_frame(const ContactData& contact, Figure figure, const Value& value) 
       line.x.push_back(rows.cycle);
       line.y.push_back(value(surface, rows));
     }
-    figure.lines.push_back(std::move(line));
+    if (largest(line.y) > 0.0) figure.lines.push_back(std::move(line));
   }
   figure.x_label = "cycles";
   figure.y_from_zero = true;

@@ -35,6 +35,7 @@ figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: aut
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
 li { margin: 2px 0; }
 .warnings { margin: 14px 0; padding: 2px 18px 8px; background: #fff6df; border-left: 4px solid #b08900; }
+pre { white-space: pre-wrap; font: 12px/1.45 "DejaVu Sans Mono", monospace; color: #4a5058; }
 .warnings h2 { border: 0; margin: 8px 0 4px; }
 @media print { body { max-width: none; padding: 0; font-size: 12px; } h2 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; } }
@@ -104,6 +105,13 @@ std::string scene_section(const std::string& dir) {
   return picture.starts_with("<svg") ? "<h2>Scene</h2>\n<figure id=\"scene\">\n" + picture + "</figure>\n" : "";
 }
 
+/// All that went in, as the user wrote it.
+std::string scene_file(const RunData& run) {
+  if (run.identity.scene_text.empty()) return {};
+  return "<details class=\"scene\"><summary>The scene file: materials, contacts, loads and steps</summary>\n<pre>" +
+         escaped(run.identity.scene_text) + "</pre></details>\n";
+}
+
 std::string page(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
                  const std::vector<Figure>& moving) {
   std::string html =
@@ -112,7 +120,7 @@ std::string page(const std::string& dir, const RunData& run, const std::vector<F
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
       escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
   html += heading(run) + warning_list(run) + scene_section(dir) + result_tables(run) + film(moving) + figure_grid(all) +
-          ledger_table(run) + remesh_table(run) + run_tables(run);
+          ledger_table(run) + remesh_table(run) + run_tables(run) + scene_file(run);
   return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
          "</p>\n</body>\n</html>\n";
 }

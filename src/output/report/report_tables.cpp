@@ -57,8 +57,8 @@ std::vector<Quantity> contact_quantities(const Suffixes& unit) {
   return {{"Peak pressure", "peak_pressure_MPa", "MPa"},
           {"Contact half width", "contact_half_width_mm", "mm"},
           {"Stick half width", "stick_half_width_mm", "mm"},
-          {"Normal force", "normal_force_" + unit.force, "N" + per},
-          {"Tangential force", "tangential_force_" + unit.force, "N" + per},
+          {"Normal force, resultant", "normal_force_" + unit.force, "N" + per},
+          {"Tangential force, resultant", "tangential_force_" + unit.force, "N" + per},
           {"Dissipated energy", "dissipated_energy_" + unit.energy, "mJ" + per}};
 }
 
@@ -85,8 +85,16 @@ std::string contact_table(const RunData& run) {
   };
   if (contacts.empty()) return {};
   for (const auto& q : contact_quantities(unit)) add(q, "");
-  for (const char* side : {"secondary", "primary"})
-    for (const auto& q : side_quantities(unit)) add(q, side);
+  for (const std::string side : {"secondary", "primary"}) {
+    const bool worn = std::any_of(contacts.begin(), contacts.end(), [&](const Json& contact) {
+      const Json& depth = part(part(contact, side), "max_depth_mm");
+      return !depth.is_number() || depth.get<double>() != 0.0;
+    });
+    if (worn)
+      for (const auto& q : side_quantities(unit)) add(q, side);
+    else
+      rows.emplace_back(head.size(), "–").front() = "Wear, " + side + " side";
+  }
   return table(head, rows);
 }
 
