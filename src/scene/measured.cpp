@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
+#include "base/printable.hpp"
 #include "scene/geometry_files.hpp"
 
 namespace reye::scene {
@@ -23,6 +25,9 @@ class Unfit : public std::runtime_error {
 
 base::NumberTable table_of(const std::string& scene_path, const std::string& name, const std::string& header = {}) {
   const std::string file = beside(scene_path, name);
+  constexpr std::uintmax_t most_bytes = 512 << 20;
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) > most_bytes && !error) throw Unfit("is larger than 512 MB");
   if (auto rule = unreadable_rule(file); !rule.empty()) throw Unfit(rule);
   std::string bytes;
   if (!read_bytes(file, bytes)) throw Unfit("cannot be read");
@@ -33,17 +38,25 @@ base::NumberTable table_of(const std::string& scene_path, const std::string& nam
   }
 }
 
+/// A name of the file for a message, whatever bytes it has.
+std::string shown_name(const std::string& name) {
+  constexpr std::size_t most = 40;
+  return base::printable(name.substr(0, most));
+}
+
 std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
   std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (text.empty() ? "" : ", ") + shown_name(names[i]);
+  return text + (names.size() > most ? ", ..." : "");
 }
 
 /// Times or progresses, and values, as the file has them.
 History series_of(const base::NumberTable& table, const std::string& wanted) {
   const auto& names = table.names;
   if (names.front() != "time_s" && names.front() != "progress")
-    throw Unfit("its first column must be time_s or progress, and is \"" + names.front() + '"');
+    throw Unfit("its first column must be time_s or progress, and is \"" + shown_name(names.front()) + '"');
   if (names.size() < 2) throw Unfit("needs a second column, of factors");
   const int column = wanted.empty() ? 1 : table.column(wanted);
   if (column < 1) throw Unfit("has no column \"" + wanted + "\" of factors, but " + listed(names));
