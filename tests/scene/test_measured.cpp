@@ -109,6 +109,7 @@ TEST(Measured, Refusals) {
     return colon == std::string::npos ? text : text.substr(colon + 3);
   };
   EXPECT_EQ(refusal("t,mm\n0,0\n1,0\n"), "its first column must be time_s or progress, and is \"t\"");
+  EXPECT_EQ(refusal("t\x1b[31m,mm\n0,0\n1,0\n"), "its first column must be time_s or progress, and is \"t\\x1b[31m\"");
   EXPECT_EQ(refusal("time_s,mm\n0,0\n2,1\n1,0\n"), "line 4: time_s must increase");
   EXPECT_EQ(refusal("time_s,mm\n0,0\nx,1\n"), "line 3: must be two numbers with a comma between them");
   EXPECT_EQ(refusal("progress,mm\n0,0\n0.5,1\n"), "progress must begin at 0 and end at 1");
