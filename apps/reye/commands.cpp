@@ -58,9 +58,9 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
 /// its first block can resume, too.
 sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
   writer.begin();
-  output::atomic_write(writer.dir() + "/scene.svg", output::scene_picture(problem));
   sim::State state = sim::initial_state(problem);
   checkpoints.start(state);
+  output::atomic_write(writer.dir() + "/scene.svg", output::scene_picture(problem));
   return state;
 }
 
