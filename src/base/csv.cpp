@@ -63,13 +63,13 @@ NumberTable parse_numbers(const std::string& csv, const std::string& header) {
   table.names = cells_of(row);
   for (int line = 2; std::getline(text, row); ++line) {
     if (trimmed(row).empty()) continue;
-    const std::string place = "line " + std::to_string(line) + ": ";
+    const auto refuse_row = [line](const std::string& rule) { refuse("line " + std::to_string(line) + ": " + rule); };
     const auto cells = cells_of(row);
     NumberTable::Row numbers{line, {}};
     for (const auto& cell : cells) {
       const auto value = number(cell);
-      if (!value || cells.size() != table.names.size()) refuse(place + must_be(table.names.size()));
-      if (!std::isfinite(*value)) refuse(place + "must be finite");
+      if (!value || cells.size() != table.names.size()) refuse_row(must_be(table.names.size()));
+      if (!std::isfinite(*value)) refuse_row("must be finite");
       numbers.values.push_back(*value);
     }
     table.rows.push_back(std::move(numbers));

@@ -73,7 +73,11 @@ void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& 
   if (!table.is_table()) {
     contact.friction = entry.number("friction");
     contact.friction_formula = entry.formula("friction");
-    if (contact.friction_formula) contact.friction = wear::at_start(contact.friction_formula);
+    if (!contact.friction_formula) return;
+    contact.friction = wear::at_start(contact.friction_formula);
+    if (contact.friction == 0.0)  // it would count as frictionless for good
+      issues.push_back({entry.key("friction"), entry.written("friction"),
+                        "is zero where path, depth and cycle are; a formula must be above zero there"});
     return;
   }
   const auto cycles = table.numbers("cycles"), value = table.numbers("value");
@@ -104,8 +108,7 @@ void check_friction(const Entry& entry, const contact::ContactOptions& contact, 
   // a friction that is not a number, or below zero, has its own issue
   const auto& table = contact.friction_over_cycles;
   const bool zeros = !table.empty() && std::all_of(table.begin(), table.end(), [](auto& row) { return row[1] == 0.0; });
-  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros ||
-                    (contact.friction_formula && contact.friction == 0.0);
+  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
   if (!contact.wear.wears() || !none) return;
   const auto wear = entry.at("wear");
   if (contact.wear.kind == wear::LawKind::energy)

@@ -62,7 +62,7 @@ double& Place::at(Variable variable) {
 
 struct Formula::Parsed {
   std::string text;
-  mutable Place place;  ///< bound to the variables of the parser
+  mutable Place place;  ///< bound to the variables of the parser: one thread at a time evaluates a formula
   mu::Parser parser;
   std::array<bool, names.size()> used{};
 

@@ -189,6 +189,9 @@ TEST(BadScene, Values) {
       {"friction by a formula that is negative from the start",
        {{"friction  = 0.9", R"(friction = "path_mm/100 - 0.1")"}},
        R"(scene.toml:29: contact.pad.friction = "path_mm/100 - 0.1": is no usable formula: the formula "path_mm/100 - 0.1" is -0.1 at path_mm = 0; it must be finite and not negative)"},
+      {"friction by a formula that is zero at the start",
+       {{"friction  = 0.9", R"~(friction = "0.3*(cycle > 100)")~"}},
+       R"~(scene.toml:29: contact.pad.friction = "0.3*(cycle > 100)": is zero where path, depth and cycle are; a formula must be above zero there)~"},
       {"friction by a formula of speed in steps without duration",
        {{"friction  = 0.9", R"(friction = "0.3 + 1/(10 + speed_mm_per_s)*2")"}},
        "scene.toml:49: step[0].period_s: missing; contact \"pad\" rubs by a formula of speed_mm_per_s\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/formatted.hpp"
 #include "mesh/measure.hpp"
@@ -50,7 +51,7 @@ void place_on_edge(const mesh::Mesh& mesh, Action& action) {
 }
 
 void add_arrows(const body::Support& support, Action& action) {
-  const double angle = support.angle_deg * std::acos(-1.0) / 180.0;
+  const double angle = support.angle_deg * std::numbers::pi / 180.0;
   Vec2 x(std::cos(angle), std::sin(angle));
   if (support.edge_axes) x = Vec2(action.out.y(), -action.out.x());
   const Vec2 y = support.edge_axes ? action.out : Vec2(-x.y(), x.x());

@@ -4,20 +4,9 @@
 
 #include "base/formatted.hpp"
 #include "output/folder/text.hpp"
+#include "output/picture/ticks.hpp"
 
 namespace reye::output {
-
-namespace {
-
-/// A round number of mm, at least so large: 1, 2 or 5 times a power of ten.
-double round_above(double mm) {
-  double power = std::pow(10.0, std::floor(std::log10(mm)));
-  for (const double factor : {1.0, 2.0, 5.0, 10.0})
-    if (factor * power >= mm * (1.0 - 1e-9)) return factor * power;
-  return 10.0 * power;
-}
-
-}  // namespace
 
 Box box_of(const Points& points) {
   Box box{points.front(), points.front()};
@@ -110,10 +99,8 @@ void Canvas::note(const Vec2& mm, const std::string& text, const std::string& co
 }
 
 void Canvas::axes(const std::string& title) {
-  const double step = round_above(seen_.size().x() / 6.0);
   const auto marks = [&](int axis, auto draw) {
-    for (double x = std::ceil(seen_.low[axis] / step) * step; x <= seen_.high[axis]; x += step)
-      draw(std::abs(x) < 1e-9 * step ? 0.0 : x);
+    for (const double x : nice_ticks(seen_.low[axis], seen_.high[axis]).values) draw(x);
   };
   marks(0, [&](double x) {
     const double p = pixel({x, 0.0}).x();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <set>
 
 #include "base/formatted.hpp"
@@ -61,7 +62,7 @@ void draw_joint(const sim::Problem& p, const sim::PlacedContact& joint, bool bon
 }
 
 Points corners_of(const cad::FineZone& zone) {
-  const double angle = zone.angle_deg * std::acos(-1.0) / 180.0;
+  const double angle = zone.angle_deg * std::numbers::pi / 180.0;
   const Vec2 along = zone.half_width_mm * Vec2(std::cos(angle), std::sin(angle)),
              across = zone.depth_mm * Vec2(-std::sin(angle), std::cos(angle));
   const Vec2& c = zone.centre_mm;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "output/report/ticks.hpp"
+#include "output/picture/ticks.hpp"
 
 /// A small SVG plotter: line figures and bars as text, the same bytes for the same input.
 namespace reye::output {

@@ -1,4 +1,4 @@
-#include "output/report/ticks.hpp"
+#include "output/picture/ticks.hpp"
 
 #include <algorithm>
 #include <array>
