@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -26,6 +27,7 @@
 #include "signals.hpp"
 #include "sim/problem/scene_line.hpp"
 #include "sim/problem/warnings.hpp"
+#include "sim/study/forecast.hpp"
 #include "sim/study/prepare.hpp"
 #include "sim/study/run.hpp"
 
@@ -191,9 +193,17 @@ int run(const Request& request) {
 }
 
 int plan(const Request& request) {
-  const sim::Problem problem = sim::prepare(read(request));
+  const auto start = std::chrono::steady_clock::now();
+  sim::Cache cache;
+  const sim::Problem problem = sim::prepare(read(request), &cache);
   for (const auto& text : problem.plan.lines) std::printf("%s\n", base::printable(text).c_str());
   for (const auto& text : problem.plan.skipped) std::printf("skipped: %s\n", base::printable(text).c_str());
+  if (request.trial_s > 0.0) {
+    std::fflush(stdout);
+    const double prepared = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (const auto& text : sim::in_words(sim::forecast(problem, cache, request.trial_s, prepared)))
+      std::printf("%s\n", base::printable(text).c_str());
+  }
   tell(problem.scene, problem.warnings);
   return 0;
 }

@@ -7,7 +7,8 @@ namespace reye::apps {
 struct Request {
   std::string path;  ///< scene file, or output folder for `report`
   std::string out;
-  std::string picture;  ///< file for a picture of the scene; empty: none
+  std::string picture;   ///< file for a picture of the scene; empty: none
+  double trial_s = 2.0;  ///< how long `plan` plays the run to judge its time; 0: not at all
   bool restart = false, force = false, quiet = false, animation = false;
   bool trust_geometry = false;  ///< geometry scripts may use all of gmsh's language
 };

@@ -59,7 +59,10 @@ int main(int argc, char** argv) {
                 "last step or other limits");
   run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
-  auto* plan = with_scene("plan", "say what each body and contact is, what is skipped, and why");
+  auto* plan =
+      with_scene("plan", "say what each body and contact is, what is skipped and why, and what the run will take");
+  plan->add_option("--trial", request.trial_s, "seconds of the run to play for that (default: 2; 0: none)")
+      ->check(CLI::NonNegativeNumber);
   auto* check = with_scene("check", "read scene and geometry, mesh in memory, write nothing");
   check->add_option("--picture", request.picture, "draw the scene into this file (.svg)");
   auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");

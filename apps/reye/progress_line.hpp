@@ -14,12 +14,12 @@ class ProgressLine {
 
  private:
   using clock = std::chrono::steady_clock;
-  double seconds_left(double fraction);
+  double seconds_left(const sim::Progress& progress);
 
   bool wanted_, terminal_;
   std::string step_;
-  double first_fraction_ = 0.0;
-  clock::time_point step_start_ = clock::now(), last_shown_{};
+  double solved_before_ = 0.0;
+  clock::time_point start_ = clock::now(), last_shown_{};
 };
 
 }  // namespace reye::apps

@@ -13,6 +13,7 @@
 #include "output/folder/files.hpp"
 #include "output/folder/folder.hpp"
 #include "output/folder/folder_lock.hpp"
+#include "output/run/sweep_page.hpp"
 #include "output/run/sweep_table.hpp"
 #include "scene/read.hpp"
 #include "scene/sweep.hpp"
@@ -31,7 +32,7 @@ struct Place {
 
 struct Job {
   const SweepRequest& request;
-  std::string dir;
+  std::string dir, title;
   scene::Sweep sweep;
   std::vector<Place> places;  ///< one per member
   std::vector<std::size_t> wanted;
@@ -82,7 +83,7 @@ Job job_of(const SweepRequest& request) {
     throw base::InputError({{"--slurm", "", "there is no sbatch in PATH; Slurm is not installed here"}});
   const auto scene = scene::read(request.path);
   const auto dir = request.out.empty() ? "./" + scene.name + ".sweep" : request.out;
-  Job job{request, dir, scene::sweep_of(request.path, request.vary), {}, {}};
+  Job job{request, dir, scene.title, scene::sweep_of(request.path, request.vary), {}, {}};
   const auto count = job.sweep.members.size();
   for (std::size_t i = 0; i < count; ++i) job.places.push_back({name_of(i), dir + '/' + name_of(i), {}});
   if (request.member >= static_cast<int>(count)) {
@@ -210,17 +211,19 @@ std::size_t tell_undone(const Job& job) {
   return undone;
 }
 
-/// Writes the table and prints the range of lives.
+/// Writes table and page and prints the range of lives.
 void collect(const Job& job, std::size_t undone) {
   std::vector<output::SweepRow> rows;
   for (const auto i : job.wanted)
     rows.push_back({job.places[i].name, job.sweep.members[i].values, end_of(job.places[i])});
   fs::create_directories(job.dir);
   output::atomic_write(job.dir + "/sweep.csv", output::sweep_table(job.sweep.keys, rows));
+  output::atomic_write(job.dir + "/sweep.html", output::sweep_page(job.title, job.sweep.keys, rows));
   if (job.request.quiet) return;
   for (const auto& sentence : output::life_bands(rows)) std::printf("%s\n", sentence.c_str());
   const auto count = rows.size();
-  std::printf("%zu members, %zu done; table %s/sweep.csv\n", count, count - undone, base::printable(job.dir).c_str());
+  std::printf("%zu members, %zu done; table %s/sweep.csv, page %s/sweep.html\n", count, count - undone,
+              base::printable(job.dir).c_str(), base::printable(job.dir).c_str());
 }
 
 }  // namespace

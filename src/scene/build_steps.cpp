@@ -126,6 +126,15 @@ Remesh remesh_of(const Entry& root) {
   return remesh;
 }
 
+namespace {
+
+bool has_rule(const FrameRules& frames) {
+  return frames.every_cycles > 0.0 || frames.every_blocks > 0 || frames.per_decade > 0 || frames.at_remeshes ||
+         frames.every_increment || frames.last_block;
+}
+
+}  // namespace
+
 Output output_of(const Entry& root) {
   Output output;
   const auto entry = root.at("output");
@@ -137,6 +146,7 @@ Output output_of(const Entry& root) {
                    .every_increment = frames.flag("every_increment"),
                    .last_block = frames.flag("last_block"),
                    .paraview = frames.flag("paraview")};
+  output.frames.per_step = frames.given("per_step") ? frames.whole("per_step") : has_rule(output.frames) ? 0 : 5;
   output.history_every_blocks = entry.at("history").whole("every_blocks");
   output.checkpoint_s = entry.number("checkpoint_s");
   output.estimate_error = entry.maybe_flag("estimate_error").value_or(root.given("accuracy"));

@@ -240,13 +240,13 @@ constexpr Key table[] = {
      "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is reported as a band, life / "
      "factor"},
 
-    {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0),
-     "cycles between frames; without any rule only the first and last state of each step are frames"},
+    {"output.frames.per_step", Type::whole, "", "", at_least(0.0),
+     "frames of a step that counts cycles, evenly spaced, at most one per block; by default 5 without any other rule"},
+    {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0), "cycles between frames"},
     {"output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "blocks of a step between frames"},
     {"output.frames.per_decade", Type::whole, "", "0", at_least(0.0),
      "frames per factor of ten in cycles, at most one per block"},
-    {"output.frames.at_remeshes", Type::flag, "", "false", any,
-     "a frame at the end of each block with a body remeshed"},
+    {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a remesh"},
     {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
     {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
     {"output.frames.paraview", Type::flag, "", "true", any,

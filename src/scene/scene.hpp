@@ -71,6 +71,7 @@ struct Probe {
 
 /// Rules of frames besides the first and last state of each step; 0 and false: rule not active.
 struct FrameRules {
+  int per_step = 0;  ///< so many in each step that counts cycles, evenly spaced
   double every_cycles = 0.0;
   int every_blocks = 0;      ///< of a step
   int per_decade = 0;        ///< log-spaced: so many per factor of ten in cycles

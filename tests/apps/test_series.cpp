@@ -190,7 +190,7 @@ TEST(Series, AnimationHasItsFrames) {
   const auto told = run.place.reye({"report", "o", "--animation"});
   ASSERT_EQ(told.code, 0) << told.err;
   const auto page = test::read(run.place / "o/report.html");
-  for (const char* id : {"moving-bodies", "moving-pressure-pad", "moving-depth-pad"}) {
+  for (const char* id : {"moving-bodies-pad", "moving-pressure-pad", "moving-depth-pad"}) {
     const auto picture = test::read(run.place / ("o/figures/" + std::string(id) + ".svg"));
     std::size_t moments = 0;
     for (auto at = picture.find("class=\"moment\""); at != std::string::npos;

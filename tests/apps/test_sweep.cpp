@@ -88,7 +88,7 @@ TEST(Sweep, DoneIsDone) {
   const std::vector<std::string> words = {"sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1,2"};
   const auto told = place.reye(words);
   EXPECT_EQ(told.code, 0) << told.err;
-  EXPECT_EQ(told.out, "2 members, 2 done; table ./eaten.sweep/sweep.csv\n");
+  EXPECT_EQ(told.out, "2 members, 2 done; table ./eaten.sweep/sweep.csv, page ./eaten.sweep/sweep.html\n");
   const auto before = place.files("eaten.sweep");
   EXPECT_EQ(place.reye(words).err, "");
   EXPECT_EQ(place.files("eaten.sweep"), before);

@@ -30,13 +30,6 @@ void write_frames(const std::string& dir, int count) {
   for (int k = 0; k < count; ++k) writer.frame(sample::frame(18000.0 * k / (count - 1), 8 + k % 3));
 }
 
-std::vector<double> finite(const std::vector<double>& values) {
-  std::vector<double> all;
-  for (const double v : values)
-    if (std::isfinite(v)) all.push_back(v);
-  return all;
-}
-
 }  // namespace
 
 // A frame must come back with its deformed points, every edge once, and as outline those of one element only.
@@ -65,12 +58,13 @@ TEST(Animation, MomentsAreTheFrames) {
   const auto run = read_run(dir.str());
   const auto all = moving_figures(run, dir.str());
   ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all[0].id, "moving-bodies");
+  EXPECT_EQ(all[0].id, "moving-bodies-pad");
   EXPECT_EQ(all[1].id, "moving-pressure-pad");
   EXPECT_EQ(all[2].id, "moving-depth-pad");
   for (const auto& figure : all) {
     ASSERT_EQ(figure.moments.size(), 10u);
-    for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(figure.moments[k].caption, "cycle " + std::to_string(2000 * k));
+    for (std::size_t k = 0; k < 10; ++k)
+      EXPECT_TRUE(figure.moments[k].caption.starts_with("cycle " + std::to_string(2000 * k)));
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const auto& surface = run.contacts[0].sides[side];
@@ -86,8 +80,8 @@ TEST(Animation, MomentsAreTheFrames) {
   }
 }
 
-// The bodies must be drawn where they are, in the aspect of the plot: in the last moment the worn surface of the flat
-// lies at its deformed height, and the window holds the whole contact.
+// The bodies must be drawn where they are, in the aspect of the plot: the window holds the whole contact, and the
+// stress of each body is coloured in its band.
 TEST(Animation, BodiesStandWhereTheyAre) {
   sample::TemporaryFolder dir;
   write_frames(dir.str(), 3);
@@ -96,10 +90,11 @@ TEST(Animation, BodiesStandWhereTheyAre) {
   EXPECT_NEAR(bodies.x_range->width() / bodies.y_range->width(), plot_aspect, 1e-12);
   EXPECT_LT(bodies.x_range->low, 0.25 - 0.47);
   EXPECT_GT(bodies.x_range->high, 0.25 + 0.47);
-  const auto& lines = bodies.moments.back().lines;  // elements, then the outline of each body in sight
-  ASSERT_GE(lines.size(), 3u);
-  const auto flat = finite(lines[1].y);
-  EXPECT_DOUBLE_EQ(*std::max_element(flat.begin(), flat.end()), -0.01);
+  const auto& moment = bodies.moments.back();
+  ASSERT_EQ(moment.areas.size(), 2u);  // one band, since stress is the same everywhere; the rigid bar
+  EXPECT_EQ(moment.areas[0].loops.size(), 2u);
+  EXPECT_TRUE(moment.caption.find("up to 117 MPa") != std::string::npos) << moment.caption;
+  EXPECT_TRUE(bodies.title.find("wear ×") != std::string::npos) << bodies.title;
 }
 
 // However many frames there are, no more than sixty are shown, the last among them, and the page stays small.
@@ -110,7 +105,7 @@ TEST(Animation, IsBounded) {
   const std::string page = read_text(dir / "report.html");
   EXPECT_TRUE(well_formed(page));
   EXPECT_EQ(times("<g class=\"moment\"", page), 3u * 60u);
-  EXPECT_EQ(times(">cycle 18000</text>", page), 3u);
+  EXPECT_EQ(times(">cycle 18000", page), 3u);
   EXPECT_LT(page.size(), 3000000u);
   for (const char* outside : {"src=", "href=", "@import", "url(http"}) EXPECT_EQ(times(outside, page), 0u) << outside;
 }
@@ -120,7 +115,7 @@ TEST(Animation, MovesByItself) {
   sample::TemporaryFolder dir;
   write_frames(dir.str(), 4);
   write_report(dir.str(), true);
-  for (const char* id : {"moving-bodies", "moving-pressure-pad", "moving-depth-pad"}) {
+  for (const char* id : {"moving-bodies-pad", "moving-pressure-pad", "moving-depth-pad"}) {
     const std::string picture = read_text(dir / ("figures/" + std::string(id) + ".svg"));
     EXPECT_TRUE(well_formed(picture)) << id;
     EXPECT_EQ(times("<g class=\"moment\"", picture), 4u);

@@ -102,7 +102,7 @@ TEST(Svg, MomentsStandWhereLinesDo) {
   still.y_range = Range{0.0, 4.0};
   Figure moving = still;
   moving.lines.clear();
-  moving.moments = {{"early", {}}, {"late", {line}}};
+  moving.moments = {{.caption = "early"}, {.caption = "late", .lines = {line}}};
   const std::string one = svg(still), film = svg(moving);
   const auto from = one.find("<path"), to = one.find("/>", from);
   EXPECT_TRUE(holds(film, one.substr(from, to - from)));
@@ -115,7 +115,7 @@ TEST(Svg, MomentsStandWhereLinesDo) {
 // Exact ranges must be kept as they are, others are rounded out.
 TEST(Svg, ExactRanges) {
   Figure figure{.id = "f", .title = "t", .x_label = "x", .y_label = "y"};
-  figure.moments = {{"", {{.x = {0.0, 1.0}, .y = {0.37, 0.91}}}}};
+  figure.moments = {{.lines = {{.x = {0.0, 1.0}, .y = {0.37, 0.91}}}}};
   figure.x_range = Range{0.0, 1.0};
   figure.y_range = Range{0.37, 0.91};
   figure.exact_ranges = true;

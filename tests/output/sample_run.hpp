@@ -83,6 +83,7 @@ inline sim::SurfaceRecord surface(sim::Side side, int body, const sim::BodyFrame
     const double r = X.x() / a, hertz = std::abs(r) < 1.0 ? std::sqrt(1.0 - r * r) : 0.0;
     s.body.push_back(body);
     s.node.push_back(first + i);
+    s.body_on_left.push_back(side == sim::Side::primary);  // x grows along both, the secondary body is below
     s.arc_length_mm.push_back(X.x() + 1.0);
     s.x_mm.push_back(X.x());
     s.y_mm.push_back(X.y());

@@ -134,6 +134,7 @@ TEST(SurfacesVtp, PiecesOnTwoBodies) {
   const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   add(side.body, bar.body);
   add(side.node, bar.node);
+  add(side.body_on_left, bar.body_on_left);
   add(side.status, bar.status);
   for (double arc : bar.arc_length_mm) side.arc_length_mm.push_back(end + arc);
   for (auto column : {&reye::sim::SurfaceRecord::x_mm, &reye::sim::SurfaceRecord::y_mm,

@@ -71,9 +71,18 @@ TEST(FrameRules, Combined) {
 
 // A run must show its start, the ends of its steps and what the rule asks for.
 TEST(FrameRules, OfARun) {
-  EXPECT_EQ(with_output("").frames, (std::vector{0.0, 0.0, 40.0}));
+  EXPECT_EQ(with_output("frames.per_step = 0").frames, (std::vector{0.0, 0.0, 40.0}));
   EXPECT_EQ(with_output("frames = { every_blocks = 2 }", "50").frames, (std::vector{0.0, 0.0, 20.0, 40.0, 50.0}));
   EXPECT_EQ(with_output("frames = { per_decade = 2 }").frames, (std::vector{0.0, 0.0, 10.0, 40.0}));
+}
+
+// Without any rule a step that counts cycles has five frames, evenly spaced; none of them where the scene asks for
+// none.
+TEST(FrameRules, PerStep) {
+  EXPECT_EQ(with_output("frames.paraview = false", "100").frames, (std::vector<double>{0, 0, 20, 40, 60, 80, 100}));
+  EXPECT_EQ(with_output("frames.per_step = 2", "100").frames, (std::vector<double>{0, 0, 50, 100}));
+  EXPECT_EQ(with_output("frames.per_step = 0", "100").frames, (std::vector<double>{0, 0, 100}));
+  EXPECT_EQ(with_output("frames.every_cycles = 50", "100").frames, (std::vector<double>{0, 0, 50, 100}));
 }
 
 // However many rules want it, no state may be shown twice: a frame per increment and one of the start are all there is.

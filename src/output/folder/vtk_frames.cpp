@@ -143,6 +143,7 @@ struct SurfaceLines {
   vtkNew<vtkPolyData> lines;
   vtkNew<vtkPoints> points = make_points();
   vtkNew<vtkCellArray> cells;
+  vtkNew<vtkDoubleArray> reference = make_array<vtkDoubleArray>("reference_position", {"x", "y", "z"});
   vtkNew<vtkDoubleArray> pressure = make_array<vtkDoubleArray>("pressure_MPa");
   vtkNew<vtkDoubleArray> shear = make_array<vtkDoubleArray>("shear_MPa");
   vtkNew<vtkDoubleArray> slip = make_array<vtkDoubleArray>("slip_mm");
@@ -150,12 +151,15 @@ struct SurfaceLines {
   vtkNew<vtkIntArray> status = make_array<vtkIntArray>("status");
   vtkNew<vtkIntArray> surface = make_array<vtkIntArray>("surface");
   vtkNew<vtkIntArray> side = make_array<vtkIntArray>("side");
+  vtkNew<vtkIntArray> body = make_array<vtkIntArray>("body");
+  vtkNew<vtkIntArray> left = make_array<vtkIntArray>("body_on_left");
 
   void add_points(const sim::SurfaceRecord& record, const std::vector<sim::BodyFrame>& bodies) {
     for (std::size_t i = 0; i < record.x_mm.size(); ++i) {
       const auto& u = bodies.at(record.body.at(i)).u;
       const base::Vec2 moved = u.empty() ? base::Vec2(0.0, 0.0) : u.at(record.node.at(i));
       points->InsertNextPoint(record.x_mm[i] + moved.x(), record.y_mm.at(i) + moved.y(), 0.0);
+      reference->InsertNextTuple3(record.x_mm[i], record.y_mm[i], 0.0);
       pressure->InsertNextValue(record.pressure_MPa.at(i));
       shear->InsertNextValue(record.shear_MPa.at(i));
       slip->InsertNextValue(record.slip_mm.at(i));
@@ -164,11 +168,14 @@ struct SurfaceLines {
     }
   }
 
-  void add_line(const sim::SurfaceRecord& record, std::pair<vtkIdType, vtkIdType> range, int index) {
-    cells->InsertNextCell(static_cast<int>(range.second - range.first));
-    for (vtkIdType id = range.first; id < range.second; ++id) cells->InsertCellPoint(id);
+  /// Rows [start, end) of a record, whose first row is the point `first`.
+  void add_line(const sim::SurfaceRecord& record, std::size_t start, std::size_t end, vtkIdType first, int index) {
+    cells->InsertNextCell(static_cast<int>(end - start));
+    for (std::size_t i = start; i < end; ++i) cells->InsertCellPoint(first + static_cast<vtkIdType>(i));
     surface->InsertNextValue(index);
     side->InsertNextValue(record.side == sim::Side::secondary ? 0 : 1);
+    body->InsertNextValue(record.body.at(start));
+    left->InsertNextValue(record.body_on_left.at(start));
   }
 
   /// One line per chain: the next one begins where the arc length is repeated.
@@ -179,7 +186,7 @@ struct SurfaceLines {
     std::size_t start = 0;
     for (std::size_t i = 1; i <= arc.size(); ++i) {
       if (i < arc.size() && arc[i] > arc[i - 1]) continue;
-      add_line(record, {first + static_cast<vtkIdType>(start), first + static_cast<vtkIdType>(i)}, index);
+      add_line(record, start, i, first, index);
       start = i;
     }
   }
@@ -252,11 +259,15 @@ std::string surfaces_vtp(const sim::Frame& frame) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) all.add(frame.surfaces[i], frame.bodies, static_cast<int>(i));
   all.lines->SetPoints(all.points);
   all.lines->SetLines(all.cells);
-  for (vtkDoubleArray* array : {all.pressure.Get(), all.shear.Get(), all.slip.Get(), all.depth.Get()})
+  for (vtkDoubleArray* array :
+       {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(), all.depth.Get()})
     all.lines->GetPointData()->AddArray(array);
   all.lines->GetPointData()->AddArray(all.status);
-  all.lines->GetCellData()->AddArray(all.surface);
-  all.lines->GetCellData()->AddArray(all.side);
+  for (vtkIntArray* array : {all.surface.Get(), all.side.Get(), all.body.Get(), all.left.Get()})
+    all.lines->GetCellData()->AddArray(array);
+  const auto contacts = make_array<vtkStringArray>("contact_names");
+  for (const auto& record : frame.surfaces) contacts->InsertNextValue(record.contact);
+  all.lines->GetFieldData()->AddArray(contacts);
   add_field_data(all.lines, frame);
   return written<vtkXMLPolyDataWriter>(all.lines);
 }

@@ -17,8 +17,10 @@ std::string bodies_vtu(const sim::Frame& frame);
 /// read. Cells: body, boundary (-1: none). Field data: body_names, boundary_names.
 std::string mesh_vtu(const sim::Frame& frame);
 
-/// All contact surfaces as polylines (.vtp) on x. Points: pressure_MPa, shear_MPa, slip_mm, status,
-/// wear_depth_mm. Cells: surface (index in the frame), side (0 secondary, 1 primary). Field data as above.
+/// All contact surfaces as polylines (.vtp) on x. Points: reference_position (X) [mm], pressure_MPa, shear_MPa,
+/// slip_mm, status, wear_depth_mm. Cells: surface (index in the frame), side (0 secondary, 1 primary), body (index in
+/// the frame), body_on_left (1 where the body lies on the left of the line). Field data as above, and contact_names by
+/// surface.
 std::string surfaces_vtp(const sim::Frame& frame);
 
 /// Time of each frame: its cycle, or just after the frame before it where the cycle does not grow (as in load steps),

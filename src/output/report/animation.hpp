@@ -7,10 +7,10 @@
 
 namespace reye::output {
 
-/// The run as moving figures from its folder, at most 60 frames, evenly chosen, the first and last among them: outlines
-/// and nearest element edges of the bodies about all contacts, deformed as they are; per contact pressure and wear
-/// depth along the surface. None when there are fewer than two frames. Throws std::runtime_error when a frame cannot
-/// be read.
+/// The run as moving figures from its folder, at most 60 frames (fewer where several contacts share them), evenly
+/// chosen, the first and last among them. Per contact: the bodies about it, deformed as they are, coloured by von Mises
+/// stress, with wear magnified by the factor in the title; pressure and wear depth along the surface. None when there
+/// are fewer than two frames. Throws base::InputError when a frame cannot be read.
 std::vector<Figure> moving_figures(const RunData& run, const std::string& dir);
 
 }  // namespace reye::output

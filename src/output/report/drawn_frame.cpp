@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -42,18 +43,33 @@ class Edges {
   std::vector<DrawnEdge> edges_;
 };
 
-void add_cell(int type, const vtkIdList& nodes, int body, Edges& edges) {
-  const auto count = static_cast<int>(nodes.GetNumberOfIds());
-  const auto node = [&](int k) { return static_cast<int>(const_cast<vtkIdList&>(nodes).GetId(k)); };
-  if (type == VTK_POLY_LINE) {
-    for (int k = 1; k < count; ++k) edges.add({node(k - 1), -1, node(k), body});
-    return;
+/// The elements of a grid as they are gathered.
+struct Elements {
+  Edges edges;
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::vector<int>> rigid;
+
+  void add(int type, vtkIdList& nodes, int body) {
+    const auto count = static_cast<int>(nodes.GetNumberOfIds());
+    const auto node = [&](int k) { return static_cast<int>(nodes.GetId(k)); };
+    if (type == VTK_POLY_LINE) {
+      rigid.push_back({node(0)});
+      for (int k = 1; k < count; ++k) {
+        edges.add({node(k - 1), -1, node(k), body});
+        rigid.back().push_back(node(k));
+      }
+      return;
+    }
+    const bool quadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_QUADRATIC_QUAD;
+    const int corners = quadratic ? count / 2 : count;
+    for (int k = 0; k < corners; ++k)
+      edges.add({node(k), quadratic ? node(corners + k) : -1, node((k + 1) % corners), body});
+    const int inner = quadratic ? corners : 0;  // the first of the nodes between which the rest of the element lies
+    for (int k = 0; k < corners && quadratic; ++k)
+      triangles.push_back({node(k), node(corners + k), node(corners + (k + corners - 1) % corners)});
+    for (int k = 2; k < corners; ++k) triangles.push_back({node(inner), node(inner + k - 1), node(inner + k)});
   }
-  const bool quadratic = type == VTK_QUADRATIC_TRIANGLE || type == VTK_QUADRATIC_QUAD;
-  const int corners = quadratic ? count / 2 : count;
-  for (int k = 0; k < corners; ++k)
-    edges.add({node(k), quadratic ? node(corners + k) : -1, node((k + 1) % corners), body});
-}
+};
 
 [[noreturn]] void damaged(const std::string& path) {
   throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
@@ -79,8 +95,19 @@ vtkDataArray& array_of(vtkFieldData& data, const char* name, vtkIdType rows, con
   auto* array = data.GetArray(name);
   if (!array || array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() < 1) damaged(path);
   for (vtkIdType i = 0; i < rows; ++i)
-    if (!std::isfinite(array->GetComponent(i, 0))) damaged(path);
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      if (!std::isfinite(array->GetComponent(i, c))) damaged(path);
   return *array;
+}
+
+std::vector<double> values_of(vtkDataArray& array) {
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) values.push_back(array.GetComponent(i, 0));
+  return values;
+}
+
+double time_of(vtkDataSet& data, const std::string& path) {
+  return array_of(*data.GetFieldData(), "TimeValue", 1, path).GetComponent(0, 0);
 }
 
 base::Points points_of(vtkDataSet& data, const std::string& path) {
@@ -98,30 +125,72 @@ DrawnFrame read_drawn(const std::string& path) {
   const auto reader = opened<vtkXMLUnstructuredGridReader>(path);
   auto* grid = reader->GetOutput();
   auto& body = array_of(*grid->GetCellData(), "body", grid->GetNumberOfCells(), path);
-  DrawnFrame frame{array_of(*grid->GetFieldData(), "TimeValue", 1, path).GetComponent(0, 0), {}, {}};
+  auto& mises = array_of(*grid->GetPointData(), "von_mises", grid->GetNumberOfPoints(), path);
+  DrawnFrame frame;
+  frame.cycle = time_of(*grid, path);
   frame.x = points_of(*grid, path);
-  Edges edges;
+  frame.von_mises_MPa = values_of(mises);
+  frame.body.assign(frame.x.size(), 0);
+  Elements elements;
   vtkNew<vtkIdList> nodes;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
     grid->GetCellPoints(cell, nodes);
-    for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k)
+    const auto of = static_cast<int>(body.GetComponent(cell, 0));
+    for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k) {
       if (nodes->GetId(k) < 0 || nodes->GetId(k) >= grid->GetNumberOfPoints()) damaged(path);
-    add_cell(grid->GetCellType(cell), *nodes, static_cast<int>(body.GetComponent(cell, 0)), edges);
+      frame.body[static_cast<std::size_t>(nodes->GetId(k))] = of;
+    }
+    elements.add(grid->GetCellType(cell), *nodes, of);
   }
-  frame.edges = edges.take();
+  frame.edges = elements.edges.take();
+  frame.triangles = std::move(elements.triangles);
+  frame.rigid = std::move(elements.rigid);
   return frame;
 }
 
+namespace {
+
+/// The lines of a grid whose points follow one another.
+std::vector<DrawnLine> lines_of(vtkPolyData& grid, const std::string& path) {
+  const auto whole = [&](const char* name) -> vtkDataArray& {
+    return array_of(*grid.GetCellData(), name, grid.GetNumberOfLines(), path);
+  };
+  auto &surface = whole("surface"), &side = whole("side"), &body = whole("body"), &left = whole("body_on_left");
+  auto* names = vtkStringArray::SafeDownCast(grid.GetFieldData()->GetAbstractArray("contact_names"));
+  std::vector<DrawnLine> lines;
+  vtkNew<vtkIdList> ids;
+  std::size_t begin = 0;
+  for (vtkIdType k = 0; k < grid.GetNumberOfLines(); ++k) {
+    grid.GetCellPoints(k, ids);
+    const auto end = begin + static_cast<std::size_t>(ids->GetNumberOfIds());
+    const auto of = static_cast<vtkIdType>(surface.GetComponent(k, 0));
+    if (!names || of < 0 || of >= names->GetNumberOfValues()) damaged(path);
+    lines.push_back({names->GetValue(of), side.GetComponent(k, 0) == 0.0, static_cast<int>(body.GetComponent(k, 0)),
+                     left.GetComponent(k, 0) != 0.0, begin, end});
+    begin = end;
+  }
+  if (begin != static_cast<std::size_t>(grid.GetNumberOfPoints())) damaged(path);
+  return lines;
+}
+
+}  // namespace
+
 DrawnSurfaces read_drawn_surfaces(const std::string& path) {
   const auto reader = opened<vtkXMLPolyDataReader>(path);
-  auto* lines = reader->GetOutput();
-  auto& pressure = array_of(*lines->GetPointData(), "pressure_MPa", lines->GetNumberOfPoints(), path);
-  auto& depth = array_of(*lines->GetPointData(), "wear_depth_mm", lines->GetNumberOfPoints(), path);
-  DrawnSurfaces surfaces{points_of(*lines, path), {}, {}};
-  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i) {
-    surfaces.pressure_MPa.push_back(pressure.GetComponent(i, 0));
-    surfaces.wear_depth_mm.push_back(depth.GetComponent(i, 0));
-  }
+  auto& grid = *reader->GetOutput();
+  const auto column = [&](const char* name) -> vtkDataArray& {
+    return array_of(*grid.GetPointData(), name, grid.GetNumberOfPoints(), path);
+  };
+  DrawnSurfaces surfaces;
+  surfaces.cycle = time_of(grid, path);
+  surfaces.x = points_of(grid, path);
+  auto& reference = column("reference_position");
+  for (vtkIdType i = 0; i < grid.GetNumberOfPoints() && reference.GetNumberOfComponents() > 1; ++i)
+    surfaces.X.emplace_back(reference.GetComponent(i, 0), reference.GetComponent(i, 1));
+  if (surfaces.X.size() != surfaces.x.size()) damaged(path);
+  surfaces.pressure_MPa = values_of(column("pressure_MPa"));
+  surfaces.wear_depth_mm = values_of(column("wear_depth_mm"));
+  surfaces.lines = lines_of(grid, path);
   return surfaces;
 }
 

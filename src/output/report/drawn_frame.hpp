@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,17 +17,32 @@ struct DrawnEdge {
 
 struct DrawnFrame {
   double cycle = 0.0;
-  base::Points x;  ///< deformed [mm]
+  base::Points x;                     ///< deformed [mm]
+  std::vector<double> von_mises_MPa;  ///< at the same nodes
+  std::vector<int> body;              ///< of each node
   std::vector<DrawnEdge> edges;
+  std::vector<std::array<int, 3>> triangles;  ///< the elements, those of second order along their mid nodes
+  std::vector<std::vector<int>> rigid;        ///< outlines of rigid bodies
+};
+
+/// A chain of one side of a contact.
+struct DrawnLine {
+  std::string contact;
+  bool secondary = true;
+  int body = 0;
+  bool body_on_left = true;        ///< seen along the line
+  std::size_t begin = 0, end = 0;  ///< its points
 };
 
 /// Points of all contact surfaces.
 struct DrawnSurfaces {
-  base::Points x;  ///< deformed [mm]
+  double cycle = 0.0;
+  base::Points x, X;  ///< deformed, and of the stress-free bodies [mm]
   std::vector<double> pressure_MPa, wear_depth_mm;
+  std::vector<DrawnLine> lines;
 };
 
-/// Reads a .vtu that `bodies_vtu` made; throws std::runtime_error when it cannot.
+/// Reads a .vtu that `bodies_vtu` made; throws base::InputError when it cannot.
 DrawnFrame read_drawn(const std::string& path);
 
 /// Likewise a .vtp that `surfaces_vtp` made.

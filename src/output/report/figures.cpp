@@ -16,7 +16,7 @@ struct OverCycles {
   bool down = false;
 };
 
-/// One line per frame, coloured by cycle.
+/// One line per frame, coloured by its cycle, or by its number where no cycles are counted.
 Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
   Figure figure{
       .id = what.id, .title = what.title, .x_label = "position along the surface, mm", .y_label = what.y_label};
@@ -24,15 +24,18 @@ Figure over_cycles(const SurfaceTable& surface, const OverCycles& what) {
   figure.y_from_zero = true;
   const double centre = centre_of(surface);
   figure.x_range = active_range(surface, centre);
-  const Range cycles{surface.frames.front().cycle, surface.frames.back().cycle};
+  Range cycles{surface.frames.front().cycle, surface.frames.back().cycle};
+  const bool counted = cycles.width() > 0.0;
+  if (!counted) cycles = {0.0, static_cast<double>(surface.frames.size() - 1)};
   for (const std::size_t k : evenly_chosen(surface.frames.size(), 12)) {
     const FrameRows& rows = surface.frames[k];
     Line line = column_line(surface, rows, what.column, what.factor, centre);
-    const double t = cycles.width() > 0.0 ? (rows.cycle - cycles.low) / cycles.width() : 1.0;
+    const double at = counted ? rows.cycle : static_cast<double>(k);
+    const double t = cycles.width() > 0.0 ? (at - cycles.low) / cycles.width() : 1.0;
     line.colour = scale_colour(t);
     figure.lines.push_back(std::move(line));
   }
-  if (cycles.width() > 0.0) figure.scale = ColourScale{"cycles", cycles};
+  if (cycles.width() > 0.0) figure.scale = ColourScale{counted ? "cycles" : "frame", cycles};
   return figure;
 }
 
@@ -159,9 +162,9 @@ void add_contact(const RunData& run, const ContactData& contact, std::vector<Fig
   add_profiles(run, contact, all);
   const SurfaceTable& first = contact.sides.front();
   if (first.frames.size() > 1)
-    all.push_back(
-        over_cycles(first, {"pressure-" + file_part(contact.name),
-                            title_of(run, contact, "Contact pressure over cycles"), "pressure_MPa", "pressure, MPa"}));
+    all.push_back(over_cycles(
+        first, {"pressure-" + file_part(contact.name), title_of(run, contact, "Contact pressure in the frames"),
+                "pressure_MPa", "pressure, MPa"}));
   all.push_back(last_tractions(run, contact));
   if (deepest_of(contact) == 0.0 || first.frames.size() < 2) return;
   all.push_back(depth_over_cycles(run, contact));

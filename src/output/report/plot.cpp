@@ -153,6 +153,26 @@ std::string draw_line(const Line& line, const Layout& at) {
          (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
 }
 
+/// To a tenth of a pixel, without points closer than that would show; a hairline of its own colour closes the seam to
+/// the area beside it.
+std::string draw_area(const Area& area, const Layout& at) {
+  constexpr double seen = 0.6;
+  std::string path;
+  for (const auto& loop : area.loops) {
+    double last_x = NAN, last_y = NAN;
+    for (const auto& p : loop) {
+      const double x = at.px(p.x()), y = at.py(p.y());
+      if (std::hypot(x - last_x, y - last_y) < seen) continue;
+      path += (std::isnan(last_x) ? 'M' : 'L') + base::formatted("%.1f %.1f", x, y);
+      last_x = x;
+      last_y = y;
+    }
+    path += 'Z';
+  }
+  return "<path d=\"" + path + "\" fill=\"" + area.colour + "\" stroke=\"" + area.colour +
+         "\" stroke-width=\"0.6\"/>\n";
+}
+
 /// The time in the film at which the k-th of so many moments is shown.
 std::string timing(std::size_t k, std::size_t count) {
   if (count < 2) return {};
@@ -173,8 +193,10 @@ std::string draw_moments(const Figure& figure, const Layout& at, const std::stri
   std::string out;
   for (std::size_t k = 0; k < count; ++k) {
     out += "<g class=\"moment\"" + std::string(k + 1 < count ? " display=\"none\">\n" : ">\n") + timing(k, count);
-    out += text_at(at.right, 22.0, figure.moments[k].caption, {.anchor = "end"}) + "<g clip-path=\"url(#" + clip +
-           ")\">\n";
+    out += text_at(at.right + (figure.scale ? 64.0 : 0.0), 22.0, figure.moments[k].caption,
+                   {.anchor = "end", .size = 12.0}) +
+           "<g clip-path=\"url(#" + clip + ")\">\n";
+    for (const auto& area : figure.moments[k].areas) out += draw_area(area, at);
     for (const auto& line : figure.moments[k].lines) out += draw_line(line, at);
     out += "</g>\n</g>\n";
   }
@@ -183,7 +205,7 @@ std::string draw_moments(const Figure& figure, const Layout& at, const std::stri
 
 std::string draw_scale(const ColourScale& scale, const Layout& at) {
   const double x = at.right + 22.0, height = at.bottom - at.top;
-  constexpr int steps = 32;
+  const int steps = scale.steps;
   std::string out;
   for (int i = 0; i < steps; ++i) {
     const double y = at.bottom - (i + 1) * height / steps;
@@ -196,7 +218,8 @@ std::string draw_scale(const ColourScale& scale, const Layout& at) {
     const double y = at.bottom - (ticks.values[i] - range.low) / range.width() * height;
     out += text_at(x + 20.0, y + 4.0, ticks.labels[i], {.size = 12.0});
   }
-  return out + text_at(x, at.top - 8.0, with_power(scale.label, ticks.exponent), {.size = 12.5});
+  return out +
+         text_at(width - 4.0, at.top - 8.0, with_power(scale.label, ticks.exponent), {.anchor = "end", .size = 12.5});
 }
 
 Layout lay_out(const Figure& figure, std::vector<LegendEntry>& legend) {
@@ -221,9 +244,12 @@ std::string svg(const Figure& figure) {
   out += text_at(left, 22.0, figure.title, {.size = 15.0, .bold = true});
   out += draw_legend(legend) + draw_axes(figure, at);
   const std::string clip = "clip-" + figure.id;
-  out += "<clipPath id=\"" + clip + "\"><rect" + attribute("x", left - 4.0) + attribute("y", at.top - 4.0) +
-         attribute("width", at.right - left + 8.0) + attribute("height", at.bottom - at.top + 8.0) + "/></clipPath>\n";
+  const double beyond = figure.exact_ranges ? 0.0 : 4.0;  // a thick line along the frame stays whole
+  out += "<clipPath id=\"" + clip + "\"><rect" + attribute("x", left - beyond) + attribute("y", at.top - beyond) +
+         attribute("width", at.right - left + 2.0 * beyond) + attribute("height", at.bottom - at.top + 2.0 * beyond) +
+         "/></clipPath>\n";
   out += "<g clip-path=\"url(#" + clip + ")\">\n";
+  for (const auto& area : figure.areas) out += draw_area(area, at);
   for (const auto& line : figure.lines) out += draw_line(thinned(line, 1600), at);
   out += "</g>\n";
   out += draw_moments(figure, at, clip);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/linalg.hpp"
 #include "output/picture/ticks.hpp"
 
 /// A small SVG plotter: line figures and bars as text, the same bytes for the same input.
@@ -17,21 +18,30 @@ struct Line {
   bool dots = false;  ///< mark the points: few values, or values far apart
 };
 
-/// Lines shown for a while, with their label.
+/// A filled region: polygons, holes among them running the other way round.
+struct Area {
+  std::string colour{};
+  std::vector<base::Points> loops{};
+};
+
+/// Areas, and lines above them, shown for a while, with their label.
 struct Moment {
   std::string caption{};
+  std::vector<Area> areas{};
   std::vector<Line> lines{};
 };
 
-/// Explains lines coloured by a value with `scale_colour`.
+/// Explains what is coloured by a value with `scale_colour`.
 struct ColourScale {
   std::string label;
   Range range;
+  int steps = 32;
 };
 
 struct Figure {
   std::string id{};  ///< file name and prefix of ids inside the SVG
   std::string title{}, x_label{}, y_label{};
+  std::vector<Area> areas{};  ///< below the lines
   std::vector<Line> lines{};
   std::vector<Moment> moments{};  ///< shown one after the other, `moment_seconds` each, again and again
   std::optional<ColourScale> scale{};

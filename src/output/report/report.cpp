@@ -7,39 +7,16 @@
 #include "output/folder/text.hpp"
 #include "output/report/animation.hpp"
 #include "output/report/figures.hpp"
+#include "output/report/html.hpp"
 #include "output/report/report_tables.hpp"
 #include "output/report/run_data.hpp"
+#include "output/report/shape_figures.hpp"
 
 namespace reye::output {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* style = R"(
-:root { color-scheme: light; }
-body { margin: 0 auto; max-width: 1180px; padding: 28px 24px 60px; color: #2b2f36; background: #fff;
-       font: 15px/1.5 Helvetica, Arial, "DejaVu Sans", sans-serif; }
-h1 { font-size: 26px; line-height: 1.25; margin: 0 0 6px; }
-h2 { font-size: 18px; margin: 34px 0 10px; padding-bottom: 5px; border-bottom: 1px solid #d9dde2; }
-p { margin: 4px 0; }
-.quiet { color: #6a717c; font-size: 13px; word-break: break-all; }
-.status { display: inline-block; padding: 2px 12px; border-radius: 11px; color: #fff; font-weight: 600; }
-.done { background: #2f8f5b; } .failed { background: #b8352a; } .interrupted, .open { background: #b08900; }
-table { border-collapse: collapse; margin: 6px 0 10px; font-variant-numeric: tabular-nums; }
-th, td { text-align: left; padding: 4px 18px 4px 0; border-bottom: 1px solid #eceff2; vertical-align: top; }
-th { font-weight: 600; } tbody th { font-weight: 400; } thead th { color: #6a717c; font-size: 13px; }
-td.number { text-align: right; white-space: nowrap; } th.number { text-align: right; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 18px; }
-figure { margin: 0; break-inside: avoid; } figure svg { width: 100%; height: auto; display: block; }
-.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 0 40px; }
-li { margin: 2px 0; }
-.warnings { margin: 14px 0; padding: 2px 18px 8px; background: #fff6df; border-left: 4px solid #b08900; }
-pre { white-space: pre-wrap; font: 12px/1.45 "DejaVu Sans Mono", monospace; color: #4a5058; }
-.warnings h2 { border: 0; margin: 8px 0 4px; }
-@media print { body { max-width: none; padding: 0; font-size: 12px; } h2 { break-after: avoid; }
-  .figures { grid-template-columns: 1fr 1fr; } }
-)";
 
 std::string heading(const RunData& run) {
   const bool ended = run.summary.is_object();
@@ -71,25 +48,19 @@ std::string warning_list(const RunData& run) {
   return html + "</ul>\n</div>\n";
 }
 
-std::string figure_grid(const std::vector<Figure>& all) {
-  if (all.empty()) return {};
-  std::string html = "<h2>Figures</h2>\n<div class=\"figures\">\n";
-  for (const auto& figure : all) html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
-  return html + "</div>\n";
-}
-
-/// Moving figures, in step with each other, with a slider to hold them at any frame.
+/// Moving figures, in step with each other; where scripts run, with a slider to hold them at any frame.
 std::string film(const std::vector<Figure>& moving) {
   if (moving.empty()) return {};
   const std::string seconds = number(moment_seconds), last = std::to_string(moving.front().moments.size() - 1);
   std::string html =
-      "<h2>Animation</h2>\n<p><button type=\"button\" onclick=\"play()\">play</button> "
+      "<h2>Animation</h2>\n<p id=\"hand\" hidden=\"hidden\"><button type=\"button\" onclick=\"play()\">play</button> "
       "<input type=\"range\" id=\"moment\" min=\"0\" max=\"" +
       last + "\" value=\"" + last + "\" oninput=\"hold(Number(this.value))\"/></p>\n<div class=\"figures moving\">\n";
   for (const auto& figure : moving)
     html += "<figure id=\"" + escaped(figure.id) + "\">\n" + svg(figure) + "</figure>\n";
   return html +
-         "</div>\n<script>\nconst films = document.querySelectorAll('.moving svg');\n"
+         "</div>\n<script>\ndocument.getElementById('hand').hidden = false;\nconst films = "
+         "document.querySelectorAll('.moving svg');\n"
          "function hold(k) { films.forEach(f => { f.pauseAnimations(); f.setCurrentTime((k + 0.5) * " +
          seconds +
          "); }); }\nfunction play() { films.forEach(f => { f.setCurrentTime(0); f.unpauseAnimations(); }); "
@@ -114,15 +85,11 @@ std::string scene_file(const RunData& run) {
 
 std::string page(const std::string& dir, const RunData& run, const std::vector<Figure>& all,
                  const std::vector<Figure>& moving) {
-  std::string html =
-      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
-      "<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-      escaped(run.identity.title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n";
-  html += heading(run) + warning_list(run) + scene_section(dir) + result_tables(run) + film(moving) + figure_grid(all) +
-          ledger_table(run) + remesh_table(run) + run_tables(run) + scene_file(run);
-  return html + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) +
-         "</p>\n</body>\n</html>\n";
+  std::string html;
+  html += heading(run) + warning_list(run) + scene_section(dir) + result_tables(run) + film(moving) +
+          figure_grid("Figures", all) + ledger_table(run) + remesh_table(run) + run_tables(run) + scene_file(run);
+  html += "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) + "</p>\n";
+  return html_page(run.identity.title, html);
 }
 
 /// Worn profile and pressure of each contact beside each other: the most important picture of a run.
@@ -157,11 +124,17 @@ fs::path emptied_figures(const std::string& dir) {
   return folder;
 }
 
+std::vector<Figure> all_figures(const RunData& run, const std::string& dir) {
+  auto all = shape_figures(run, dir);
+  for (auto& figure : figures(run)) all.push_back(std::move(figure));
+  return all;
+}
+
 }  // namespace
 
 void write_report(const std::string& dir, bool animation) {
   const RunData run = read_run(dir);
-  const auto all = figures(run);
+  const auto all = all_figures(run, dir);
   const auto moving = animation ? moving_figures(run, dir) : std::vector<Figure>{};
   const std::string html = page_of(dir, run, all, moving);
   const auto folder = emptied_figures(dir);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "output/folder/text.hpp"
+#include "output/report/html.hpp"
 #include "output/report/plot.hpp"
 
 namespace reye::output {
@@ -12,8 +13,6 @@ namespace reye::output {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-using Row = std::vector<std::string>;  ///< label, then numbers as HTML
 
 /// A value of the summary for readers; a dash where it is null or missing.
 std::string shown(const Json& object, const std::string& key, int digits = 5, double factor = 1.0) {
@@ -24,23 +23,6 @@ std::string shown(const Json& object, const std::string& key, int digits = 5, do
 const Json& part(const Json& object, const std::string& key) {
   static const Json none;
   return object.is_object() && object.contains(key) ? object[key] : none;
-}
-
-/// All columns but the first and those in `texts` are set as numbers.
-std::string table(const Row& head, const std::vector<Row>& rows, const std::set<std::size_t>& texts = {}) {
-  if (rows.empty()) return {};
-  const auto open = [&](const std::string& cell, std::size_t i) {
-    return '<' + cell + (i == 0 || texts.count(i) ? ">" : " class=\"number\">");
-  };
-  std::string html = "<table>\n<thead><tr>";
-  for (std::size_t i = 0; i < head.size(); ++i) html += open("th", i) + escaped(head[i]) + "</th>";
-  html += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows) {
-    html += "<tr><th>" + escaped(row[0]) + "</th>";
-    for (std::size_t i = 1; i < row.size(); ++i) html += open("td", i) + escaped(row[i]) + "</td>";
-    html += "</tr>\n";
-  }
-  return html + "</tbody>\n</table>\n";
 }
 
 std::string section(const std::string& title, const std::string& body) {
@@ -69,6 +51,13 @@ std::vector<Quantity> side_quantities(const Suffixes& unit) {
           {"Scar width", "scar_width_mm", "mm"}};
 }
 
+/// Whether a tangential force is nothing beside the normal one.
+bool only_round_off(const Json& contact, const Quantity& q, const Suffixes& unit) {
+  const Json &force = part(contact, q.key), &normal = part(contact, "normal_force_" + unit.force);
+  return q.key.starts_with("tangential_force") && force.is_number() && normal.is_number() &&
+         std::abs(force.get<double>()) < 1e-10 * std::abs(normal.get<double>());
+}
+
 std::string contact_table(const RunData& run) {
   const auto unit = suffixes(run.identity.analysis);
   const Json& contacts = part(run.summary, "contacts");
@@ -79,7 +68,9 @@ std::string contact_table(const RunData& run) {
   const auto add = [&](const Quantity& q, const std::string& side) {
     Row row{side.empty() ? q.label : q.label + ", " + side};
     for (const auto& contact : contacts)
-      row.push_back(shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
+      row.push_back(only_round_off(contact, q, unit)
+                        ? "0"
+                        : shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
     row.push_back(q.unit);
     rows.push_back(std::move(row));
   };
@@ -95,7 +86,7 @@ std::string contact_table(const RunData& run) {
     else
       rows.emplace_back(head.size(), "–").front() = "Wear, " + side + " side";
   }
-  return table(head, rows);
+  return html_table(head, rows);
 }
 
 /// ", 1000 to 4000 under the scatter of wear"; empty where the limit has none or is not reached.
@@ -132,7 +123,7 @@ std::string bond_table(const RunData& run) {
     }
   const Row head{"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
                  "where the largest, mm, and when"};
-  return table(head, rows, {4}) + (singular ? singular_note : "");
+  return html_table(head, rows, {4}) + (singular ? singular_note : "");
 }
 
 std::string life_table(const RunData& run) {
@@ -140,14 +131,14 @@ std::string life_table(const RunData& run) {
   for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
     rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
                               band_of(run, name)});
-  return table({"Limit", "life"}, rows);
+  return html_table({"Limit", "life"}, rows);
 }
 
 std::string probe_table(const RunData& run) {
   std::vector<Row> rows;
   for (const auto& [name, u] : part(run.summary, "probes").items())
     rows.push_back({name, shown(u, "u_x_mm"), shown(u, "u_y_mm")});
-  return table({"Probe", "u_x, mm", "u_y, mm"}, rows);
+  return html_table({"Probe", "u_x, mm", "u_y, mm"}, rows);
 }
 
 std::string error_table(const RunData& run) {
@@ -158,7 +149,7 @@ std::string error_table(const RunData& run) {
         std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
         std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
     if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
-  return table({"Estimated relative error", ""}, rows);
+  return html_table({"Estimated relative error", ""}, rows);
 }
 
 std::string list(const Json& sentences) {
@@ -193,7 +184,7 @@ std::string count_table(const RunData& run) {
   rows.push_back({"Wall time, s", shown(run.summary, "wall_s", 4)});
   rows.push_back({"Processor time, s", shown(run.summary, "cpu_s", 4)});
   rows.push_back({"Largest memory, MB", shown(run.summary, "peak_rss_MB", 4)});
-  return table({"Counts", ""}, rows);
+  return html_table({"Counts", ""}, rows);
 }
 
 /// Cells of one row of remesh.csv; jumps in percent.
@@ -226,9 +217,9 @@ std::string ledger_table(const RunData& run) {
     rows.push_back({name, shown(contact, "dissipated_energy_" + unit.energy, 6),
                     shown(part(contact, "secondary"), unit.worn, 6), shown(part(contact, "primary"), unit.worn, 6),
                     shown(contact, "ledger_relative_error", 2)});
-  const std::string body = table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
-                                  "secondary" + amount, "primary" + amount, "relative error"},
-                                 rows);
+  const std::string body = html_table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
+                                       "secondary" + amount, "primary" + amount, "relative error"},
+                                      rows);
   if (body.empty()) return {};
   return section("Ledger", body +
                                "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
@@ -246,7 +237,7 @@ std::string remesh_table(const RunData& run) {
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
          "><summary>Remeshed bodies: " + std::to_string(count) +
          (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
-         table(head, rows, {1, 7}) +
+         html_table(head, rows, {1, 7}) +
          "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "
          "difference in pressure over the pressure, both as root mean squares, difference of contact force and of "
          "strain energy. Outside: "

@@ -1,6 +1,8 @@
 #include "output/report/run_data.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 
@@ -8,6 +10,7 @@
 #include "output/folder/csv.hpp"
 #include "output/folder/files.hpp"
 #include "output/folder/text.hpp"
+#include "output/folder/vtk_frames.hpp"
 
 namespace reye::output {
 
@@ -158,6 +161,20 @@ RunData read_run(const std::string& dir) {
     throw base::InputError({{"dir", "", error.what()}});
   }
   return run;
+}
+
+std::string frame_path(const std::string& dir, const char* stem, const char* ext, std::size_t k) {
+  return (fs::path(dir) / frame_file(stem, ext, k)).string();
+}
+
+std::size_t frame_count(const RunData& run, const std::string& dir) {
+  std::size_t count = run.contacts.empty() ? 0 : SIZE_MAX;
+  for (const auto& contact : run.contacts) {
+    if (contact.sides.empty()) return 0;
+    for (const auto& surface : contact.sides) count = std::min(count, surface.frames.size());
+  }
+  while (count > 0 && !fs::is_regular_file(frame_path(dir, "surface", "vtp", count - 1))) --count;
+  return count;
 }
 
 double worn_amount(const SurfaceTable& surface, const FrameRows& rows, base::Analysis analysis) {

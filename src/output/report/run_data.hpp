@@ -59,6 +59,12 @@ struct RunData {
 /// that is missing, cut or altered.
 RunData read_run(const std::string& dir);
 
+/// Number of frames whose file of surfaces and rows of all tables are there; none where no files for ParaView are.
+std::size_t frame_count(const RunData& run, const std::string& dir);
+
+/// Path of a file of the k-th frame: (dir, "bodies", "vtu", k).
+std::string frame_path(const std::string& dir, const char* stem, const char* ext, std::size_t k);
+
 /// sum over nodes of depth times half the neighbouring lengths (times 2 pi x in axisymmetry).
 double worn_amount(const SurfaceTable& surface, const FrameRows& rows, base::Analysis analysis);
 

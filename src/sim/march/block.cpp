@@ -188,6 +188,8 @@ void tell_progress(const Playing& block, const Problem& problem, const State& st
   p.newton = block.newton;
   p.depth_max_mm = deepest_of_all(problem, system, state);
   p.fraction = span.cycles ? (state.step_cycles + span.jump * progress) / span.step->cycles : progress;
+  p.solved = static_cast<double>(state.counts.increments);
+  p.to_be_solved = std::max(0.0, span.increments_of_run - p.solved);
   block.observer.progress(p);
 }
 

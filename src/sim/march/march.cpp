@@ -11,6 +11,7 @@
 #include "sim/march/recording.hpp"
 #include "sim/march/stick_edge.hpp"
 #include "sim/march/watch_block.hpp"
+#include "sim/march/work.hpp"
 #include "sim/measure/bond_traction.hpp"
 #include "sim/measure/corners.hpp"
 #include "sim/measure/frame.hpp"
@@ -27,8 +28,6 @@
 namespace reye::sim {
 
 namespace {
-
-bool controlled(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
 /// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share the rest
 /// of a step when one is not enough.
@@ -48,12 +47,17 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   if (!span.cycles) return span;
   const double left = remaining(step, state);
   span.jump = std::min(state.block_cycles > 0.0 ? state.block_cycles : step.jump, left);
-  if (controlled(step))
+  if (under_tolerance(step))
     span.jump = fitted(scene.output.frames, state.cycle,
                        std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   span.last = left - span.jump <= 1e-9 * step.cycles;
-  span.level =
-      frame_due(scene.output.frames, {state.cycle, state.cycle + span.jump, state.step_blocks + 1, span.last, false});
+  const double done = state.step_cycles / step.cycles;
+  span.level = frame_due(scene.output.frames, {.cycle_before = state.cycle,
+                                               .cycle = state.cycle + span.jump,
+                                               .number = state.step_blocks + 1,
+                                               .last = span.last,
+                                               .share_before = done,
+                                               .share = done + span.jump / step.cycles});
   return span;
 }
 
@@ -108,8 +112,8 @@ class Runner {
   }
 
   Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {
-    return controlled(*span.step) ? play_controlled(p_, from, cache_, span, observer)
-                                  : play_fixed(p_, from, cache_, span, observer);
+    return under_tolerance(*span.step) ? play_controlled(p_, from, cache_, span, observer)
+                                       : play_fixed(p_, from, cache_, span, observer);
   }
 
   /// Cycles after which a block that was played passes a limit that stops the run; empty where it passes none.
@@ -169,7 +173,10 @@ class Runner {
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
     const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_)};
-    Outcome outcome = play_to_limit(next_span(p_.scene, step, state_));
+    BlockSpan span = next_span(p_.scene, step, state_);
+    if (observer_.progress)
+      span.increments_of_run = static_cast<double>(state_.counts.increments) + work_left(p_, state_).increments;
+    Outcome outcome = play_to_limit(std::move(span));
     state_ = std::move(outcome.state);
     if (!outcome.failure.empty()) return fail(outcome.failure);
     if (outcome.interrupted) return interrupt(step);
@@ -190,9 +197,13 @@ class Runner {
   bool end_block_of(const scene::Step& step, const BlockStart& start, const std::map<std::string, double>& middle) {
     const bool stop = watch_limits(p_, state_, *system_of(p_, state_, cache_), start.cycle, middle);
     const bool last = stop || step_over(step, state_);
-    if (last && controlled(step)) watch_tolerance(step, state_, observer_);
-    if (frame_due(p_.scene.output.frames, {start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)}))
-      show(step.name);
+    if (last && under_tolerance(step)) watch_tolerance(step, state_, observer_);
+    PlayedBlock played{start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)};
+    if (step.cycles > 0.0) {
+      played.share = state_.step_cycles / step.cycles;
+      played.share_before = played.share - (state_.cycle - start.cycle) / step.cycles;
+    }
+    if (frame_due(p_.scene.output.frames, played)) show(step.name);
     if (observer_.block) observer_.block(state_);
     return !stop;
   }

@@ -136,6 +136,7 @@ void append(SurfaceRecord& record, const Row& row, const NodalValues& v, const s
     const auto j = static_cast<std::size_t>(row.surface_node[i]);
     record.body.push_back(row.body);
     record.node.push_back(node);
+    record.body_on_left.push_back(row.chain.along);
     record.arc_length_mm.push_back(start + row.chain.arc[i]);
     record.x_mm.push_back(row.mesh->X[node].x());
     record.y_mm.push_back(row.mesh->X[node].y());

@@ -213,10 +213,10 @@ void tell_remeshing(const Problem& p, Plan& plan) {
 }
 
 void tell_output(const Problem& p, Plan& plan) {
-  const auto& [cycles, blocks, decade, remeshes, increments, last_block, paraview] = p.scene.output.frames;
+  const auto& [per_step, cycles, blocks, decade, remeshes, increments, last_block, paraview] = p.scene.output.frames;
   if (!paraview)
     plan.skipped.push_back("no files for ParaView: frames are rows of the surface tables alone");
-  else if (cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
+  else if (per_step == 0 && cycles == 0.0 && blocks == 0 && decade == 0 && !remeshes && !increments && !last_block)
     plan.skipped.push_back("frames only of the start and of the end of each step: stress is recovered only there");
   const auto passes = [&](const scene::Step& step) {
     return step.cycles > 0.0 && (step.jump_tolerance > 0.0 || std::fmod(cycles, step.jump) != 0.0);

@@ -80,7 +80,8 @@ struct SurfaceRecord {
 
   std::string contact;
   Side side = Side::secondary;
-  std::vector<int> body, node;  ///< of each row: the body, and the node of its mesh
+  std::vector<int> body, node;       ///< of each row: the body, and the node of its mesh
+  std::vector<char> body_on_left{};  ///< of each row: whether the body lies on the left of increasing arc length
   std::vector<double> arc_length_mm, x_mm, y_mm, pressure_MPa, shear_MPa, slip_mm, wear_depth_mm;
   std::vector<int> status;
 };
@@ -223,7 +224,9 @@ struct Progress {
   int increment = 0, increments = 0;
   int newton = 0;
   double depth_max_mm = 0.0;
-  double fraction = 0.0;  ///< of the whole run's increments
+  double fraction = 0.0;      ///< of the step
+  double solved = 0.0;        ///< increments of the run so far, those of halves and refused blocks included
+  double to_be_solved = 0.0;  ///< increments left, by an estimate at the start of the block
 };
 
 }  // namespace reye::sim

@@ -15,6 +15,7 @@ bool passes_whole(double before, double after) { return std::floor(after + 1e-9)
 bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block) {
   if (block.last || rules.every_increment || (rules.at_remeshes && block.remeshed)) return true;
   if (rules.every_blocks > 0 && block.number % rules.every_blocks == 0) return true;
+  if (passes_whole(rules.per_step * block.share_before, rules.per_step * block.share)) return true;
   const double before = block.cycle_before, after = block.cycle;
   if (rules.every_cycles > 0.0 && passes_whole(before / rules.every_cycles, after / rules.every_cycles)) return true;
   return rules.per_decade > 0 && after > before &&
@@ -28,6 +29,8 @@ std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double fr
     last = std::max(last, std::pow(10.0, std::floor(n * std::log10(to) + 1e-9) / n));
   return last > from * (1.0 + 1e-9) ? std::optional(last) : std::nullopt;
 }
+
+bool under_tolerance(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
 bool history_due(const scene::Output& output, long number, bool last) {
   return number == 1 || last || number % output.history_every_blocks == 0;

@@ -12,6 +12,7 @@ struct PlayedBlock {
   long number = 1;                         ///< in its step, from 1
   bool last = false;                       ///< of its step, or of the run
   bool remeshed = false;                   ///< a body was remeshed in it
+  double share_before = 0.0, share = 0.0;  ///< of its step's cycles that are played at its start and end
 };
 
 /// Whether the state at the end of the block is a frame; several rules that want it make one frame.
@@ -20,6 +21,9 @@ bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block);
 
 /// The last cycle in (from, to] at which `every_cycles` or `per_decade` ask for a frame.
 std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double from, double to);
+
+/// Whether the blocks of a step are chosen by the error they make.
+bool under_tolerance(const scene::Step& step);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.
 bool history_due(const scene::Output& output, long number, bool last);

@@ -17,7 +17,8 @@ struct BlockSpan {
   bool remesh = true;  ///< false: poor elements wait for the end of the block
   bool extrapolated =
       false;  ///< its wear was corrected, but not the pressures, which therefore do not fit the new shape
-  std::vector<double> ends{};  ///< of its increments, by progress; empty: as the step has them
+  std::vector<double> ends{};      ///< of its increments, by progress; empty: as the step has them
+  double increments_of_run = 0.0;  ///< those solved before it and those that are left, by an estimate; 0: not asked for
 };
 
 /// A state, or the reason of a failure.

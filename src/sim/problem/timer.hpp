@@ -31,6 +31,13 @@ inline double cpu_seconds() {
   return s(usage.ru_utime) + s(usage.ru_stime);
 }
 
+/// The largest memory of this program so far.
+inline double peak_memory_MB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 inline SystemPtr timed_system(const Problem& problem, const State& state, Cache& cache) {
   Timer timer(cache, "body");
   return system_of(problem, state, cache);

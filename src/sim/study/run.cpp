@@ -1,7 +1,5 @@
 #include "sim/study/run.hpp"
 
-#include <sys/resource.h>
-
 #include <chrono>
 
 #include "base/formatted.hpp"
@@ -12,12 +10,6 @@
 namespace reye::sim {
 
 namespace {
-
-double peak_rss_MB() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 std::string in_words(const DiscretisationError& error) {
   if (!error.surface) return "no estimate of the mesh's error: " + error.reason;
@@ -52,7 +44,7 @@ Summary run(const Problem& problem, State& state, const Observer& observer, Cach
     estimate(problem, state, observer, cache, summary);
   summary.wall_s = std::chrono::duration<double>(clock::now() - start).count();
   summary.cpu_s = cpu_seconds() - cpu + cache.cpu_s;
-  summary.peak_rss_MB = peak_rss_MB();
+  summary.peak_rss_MB = peak_memory_MB();
   return summary;
 }
 

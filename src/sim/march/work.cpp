@@ -1,0 +1,106 @@
+#include "sim/march/work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/measure/limits.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/problem/ending.hpp"
+#include "sim/problem/rules.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double plays_of_block = 3.0;  ///< once as a whole, once in two halves
+constexpr double plays_of_levelling = 4.0;
+constexpr double growth = 4.0;  ///< of a block over the one before it, at most
+constexpr long settled = 3;     ///< blocks after which the length of the next one says something
+
+/// Where a run stands in its cycles.
+struct Place {
+  double cycle = 0.0;                                    ///< of the run
+  double done = 0.0;                                     ///< of the step
+  double jump = 0.0;                                     ///< cycles of the next block under a tolerance
+  double share = 1.0;                                    ///< of the cycles before it that a block has at most
+  double end = std::numeric_limits<double>::infinity();  ///< cycle at which a limit may end the run
+};
+
+/// The cycle at which the first limit that ends the run is reached if its measure grows as it has on average.
+double end_by_limits(const scene::Scene& scene, const State& state) {
+  double end = std::numeric_limits<double>::infinity();
+  for (const auto& limit : scene.limits) {
+    const auto measure = state.limit_measure.find(limit.name);
+    if (limit.stop && measure != state.limit_measure.end() && measure->second > 0.0)
+      end = std::min(end, state.cycle * std::max(1.0, bound_of(limit) / measure->second));
+  }
+  return end;
+}
+
+Work fixed_blocks(double left, double jump, double increments) {
+  const double blocks = std::ceil(left / jump - 1e-9);
+  return {blocks, blocks, blocks * increments};
+}
+
+Work controlled_blocks(const scene::FrameRules& frames, const scene::Step& step, Place& at, double until,
+                       double increments) {
+  Work work;
+  while (at.done < until * (1.0 - 1e-9)) {
+    const double left = until - at.done;
+    const double cycles =
+        std::min({at.jump, step.jump_most, left < 2.0 * at.jump && left > at.jump ? 0.5 * left : left});
+    const bool last = cycles >= left * (1.0 - 1e-9);
+    const bool levelled = frame_due(frames, {.cycle_before = at.cycle,
+                                             .cycle = at.cycle + cycles,
+                                             .number = static_cast<long>(work.blocks) + 1,
+                                             .last = last,
+                                             .share_before = at.done / step.cycles,
+                                             .share = (at.done + cycles) / step.cycles});
+    const double plays = plays_of_block + (levelled ? plays_of_levelling : 0.0);
+    work += {1.0, plays, plays * increments};
+    at.done += cycles;
+    at.cycle += cycles;
+    at.jump = std::max(at.jump, std::min(growth * at.jump, at.share * at.cycle));
+  }
+  return work;
+}
+
+}  // namespace
+
+Work& Work::operator+=(const Work& more) {
+  blocks += more.blocks;
+  cycles += more.cycles;
+  increments += more.increments;
+  return *this;
+}
+
+Work work_left(const Problem& problem, const State& state) {
+  const scene::Scene& scene = problem.scene;
+  Place at{state.cycle, state.step_cycles, state.jump};
+  if (state.counts.blocks > settled && state.cycle > 0.0 && state.jump > 0.0)
+    at.share = std::clamp(state.jump / state.cycle, 0.02, 1.0);
+  at.end = end_by_limits(scene, state);
+  Work work;
+  for (auto s = static_cast<std::size_t>(state.step); s < scene.steps.size() && at.cycle < at.end; ++s) {
+    const scene::Step& step = scene.steps[s];
+    const bool present = static_cast<int>(s) == state.step;
+    if (present && step_over(step, state)) continue;
+    const auto increments = static_cast<double>(increment_ends(scene, step).size());
+    const double until = std::min(step.cycles, at.done + at.end - at.cycle);  // of the step
+    if (step.cycles == 0.0) {
+      work += {1.0, 0.0, increments};
+    } else if (under_tolerance(step)) {
+      if (at.jump == 0.0) at.jump = step.jump;
+      work += controlled_blocks(scene.output.frames, step, at, until, increments);
+    } else {
+      const bool cut = present && state.block_cycles > 0.0;
+      work += fixed_blocks(until - at.done, cut ? state.block_cycles : step.jump, increments);
+      at.cycle += until - at.done;
+    }
+    at.done = 0.0;
+  }
+  return work;
+}
+
+}  // namespace reye::sim
