@@ -24,7 +24,7 @@ void ProgressLine::show(const sim::Progress& p) {
   if (step_.empty()) solved_before_ = p.solved - 1.0;  // by the run that this one resumes
   step_ = p.step;
   const double pause = terminal_ ? 0.1 : 5.0;
-  const bool last = p.to_be_solved == 0.0;
+  const bool last = p.fraction >= 1.0 - 1e-12;  // of the step
   if (!last && std::chrono::duration<double>(now - last_shown_).count() < pause) return;
   last_shown_ = now;
   std::fprintf(stderr, "%s%-16s cycle %.6g%s  increment %d/%d  newton %d  depth %.4g um  %3.0f %%  %.0f s left%s",

@@ -60,14 +60,16 @@ struct Source {
   }
 };
 
-Node convert(const toml::node& value, const Source& source, std::string key, std::string name);
+constexpr int most_nested = 64;  ///< values inside one another; the functions below call each other for each
 
-void add_children(Node& node, const toml::table& table, const Source& source) {
+Node convert(const toml::node& value, const Source& source, std::string key, std::string name, int depth);
+
+void add_children(Node& node, const toml::table& table, const Source& source, int depth) {
   std::vector<std::tuple<toml::source_position, Node>> placed;
   for (const auto& [name, value] : table) {
     const std::string child(name.str());
     placed.emplace_back(name.source().begin,
-                        convert(value, source, node.key.empty() ? child : node.key + '.' + child, child));
+                        convert(value, source, node.key.empty() ? child : node.key + '.' + child, child, depth));
     if (name.source().begin) std::get<Node>(placed.back()).line = static_cast<int>(name.source().begin.line);
   }
   std::stable_sort(placed.begin(), placed.end(),
@@ -75,10 +77,10 @@ void add_children(Node& node, const toml::table& table, const Source& source) {
   for (auto& [place, child] : placed) node.children.push_back(std::move(child));
 }
 
-void add_elements(Node& node, const toml::array& list, const Source& source) {
+void add_elements(Node& node, const toml::array& list, const Source& source, int depth) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto index = '[' + std::to_string(i) + ']';
-    node.children.push_back(convert(*list.get(i), source, node.key + index, node.name + index));
+    node.children.push_back(convert(*list.get(i), source, node.key + index, node.name + index, depth));
   }
 }
 
@@ -105,7 +107,9 @@ void read_value(Node& node, const toml::node& value) {
   }
 }
 
-Node convert(const toml::node& value, const Source& source, std::string key, std::string name) {
+Node convert(const toml::node& value, const Source& source, std::string key, std::string name, int depth) {
+  if (depth > most_nested)
+    throw SyntaxError("values nested more than 64 deep", static_cast<int>(value.source().begin.line));
   Node node;
   node.kind = NodeKind::other;
   node.key = std::move(key);
@@ -113,10 +117,10 @@ Node convert(const toml::node& value, const Source& source, std::string key, std
   locate(node, value, source);
   if (const auto* table = value.as_table()) {
     node.kind = NodeKind::table;
-    add_children(node, *table, source);
+    add_children(node, *table, source, depth + 1);
   } else if (const auto* list = value.as_array()) {
     node.kind = NodeKind::list;
-    add_elements(node, *list, source);
+    add_elements(node, *list, source, depth + 1);
   } else {
     read_value(node, value);
   }
@@ -165,7 +169,7 @@ Node parse(const std::string& toml) {
   const Source source(toml);
   check_depth(source.lines);
   try {
-    auto root = convert(toml::parse(toml), source, "", "");
+    auto root = convert(toml::parse(toml), source, "", "", 0);
     root.line = 1;
     return root;
   } catch (const toml::parse_error& error) {

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "places.hpp"
 #include "scenes.hpp"
+#include "support/sanitizers.hpp"
 
 using namespace reye;
 
@@ -74,6 +75,7 @@ TEST(HostileFiles, FileThatCrashesItsReader) {
   place.write("scene.toml", test::changed(test::blocks, {{"blocks.geo", "line_32.step"}}));
   const auto told = place.refused({"check", "scene.toml"});
   EXPECT_TRUE(
+      reye::support::address_sanitizer ||  // which turns the crash into an ordinary end
       told.err.starts_with("scene.toml:1: geometry = \"line_32.step\": the program that reads it crashes on it"))
       << told.err;
 }
@@ -106,7 +108,7 @@ TEST(HostileFiles, ScenesWithoutBounds) {
     nested += "{ a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
     closing += " }";
   }
-  EXPECT_TRUE(test::holds(told_of(nested + "1" + closing + "\n"), "scene.toml:1: "));
+  EXPECT_EQ(told_of(nested + "1" + closing + "\n"), "scene.toml:1: is not TOML: values nested more than 64 deep\n");
   const std::string blocks = test::blocks;
   std::string corners = "press = [";
   for (int i = 0; i <= 20000; ++i) corners += "[" + std::to_string(i / 20000.0) + ", 1.0], ";

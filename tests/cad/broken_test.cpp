@@ -1,5 +1,6 @@
 #include "cad/part/raw_bytes.hpp"
 #include "support.hpp"
+#include "support/sanitizers.hpp"
 
 namespace {
 
@@ -35,6 +36,7 @@ TEST(broken, vtu) {
   for (const auto& [file, rule] : files) {
     const std::string told = refusal_of_broken(file);
     EXPECT_TRUE(told.starts_with("geometry = ")) << file;
+    if (support::address_sanitizer && std::string_view(rule) == "GB of memory") continue;
     EXPECT_NE(told.find(rule), std::string::npos) << file << ": " << told;
   }
 }

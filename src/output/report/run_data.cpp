@@ -173,6 +173,7 @@ std::size_t frame_count(const RunData& run, const std::string& dir) {
     if (contact.sides.empty()) return 0;
     for (const auto& surface : contact.sides) count = std::min(count, surface.frames.size());
   }
+  if (!fs::is_regular_file(frame_path(dir, "surface", "vtp", 0))) return 0;
   while (count > 0 && !fs::is_regular_file(frame_path(dir, "surface", "vtp", count - 1))) --count;
   return count;
 }

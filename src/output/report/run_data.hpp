@@ -59,7 +59,7 @@ struct RunData {
 /// that is missing, cut or altered.
 RunData read_run(const std::string& dir);
 
-/// Number of frames whose file of surfaces and rows of all tables are there; none where no files for ParaView are.
+/// Number of frames whose file of surfaces and rows of all tables are there; none where the first file is not.
 std::size_t frame_count(const RunData& run, const std::string& dir);
 
 /// Path of a file of the k-th frame: (dir, "bodies", "vtu", k).

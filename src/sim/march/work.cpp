@@ -27,13 +27,14 @@ struct Place {
   double end = std::numeric_limits<double>::infinity();  ///< cycle at which a limit may end the run
 };
 
-/// The cycle at which the first limit that ends the run is reached if its measure grows as it has on average.
+/// The cycle at which the first limit that ends the run is reached. A depth grows with the cycles to the power of 2/3
+/// to 1, from a line contact to a flat one: between them.
 double end_by_limits(const scene::Scene& scene, const State& state) {
   double end = std::numeric_limits<double>::infinity();
   for (const auto& limit : scene.limits) {
     const auto measure = state.limit_measure.find(limit.name);
     if (limit.stop && measure != state.limit_measure.end() && measure->second > 0.0)
-      end = std::min(end, state.cycle * std::max(1.0, bound_of(limit) / measure->second));
+      end = std::min(end, state.cycle * std::pow(std::max(1.0, bound_of(limit) / measure->second), 1.25));
   }
   return end;
 }

@@ -13,7 +13,7 @@ struct Work {
   Work& operator+=(const Work& more);
 };
 
-/// The work after a block end, up to the cycle at which a limit ends the run if its measure grows as before: exact for
+/// The work after a block end, up to the cycle at which a limit would end the run, as its measure grows: exact for
 /// load steps and fixed jumps that are not cut; under a tolerance the next blocks grow as they may, each to at most the
 /// cycles played before it, or to the share of them that the last one has settled at.
 Work work_left(const Problem& problem, const State& state);

@@ -49,6 +49,7 @@ double spread_of(const Problem& problem, const Trial& trial) {
   return given ? 1.5 : 2.0;
 }
 
+constexpr double later = 1.2;      ///< times the pace of the trial: remeshes, a wider contact, files (results/forecast)
 constexpr double companion = 1.4;  ///< times the run, where the error of the mesh is estimated
 
 std::string duration(double s) {
@@ -71,7 +72,8 @@ Forecast forecast(const Problem& problem, Cache& cache, double seconds, double p
   f.cycles = static_cast<double>(counts.cycles_solved) + left.cycles;
   f.increments = static_cast<double>(counts.increments) + left.increments;
   if (!trial.failure.empty()) f.unknown = "the run fails in its first seconds: " + trial.failure;
-  if (trial.increments > 0.0) f.seconds = trial.seconds * std::max(1.0, f.increments / trial.increments);
+  const double beyond = std::max(0.0, f.increments - trial.increments);
+  if (trial.increments > 0.0) f.seconds = trial.seconds * (1.0 + later * beyond / trial.increments);
   if (problem.scene.output.estimate_error) f.seconds *= companion;
   f.seconds += prepared_s;
   f.spread = spread_of(problem, trial);
