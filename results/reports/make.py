@@ -17,8 +17,8 @@ SCENES = ("fretting_demo", "hertz_block", "measured_load", "two_pins", "pin_in_h
           "bonded_coat", "block_on_ring", "ball_worn_flat", "ball_in_cup", "rubber_pin_wear", "three_bodies",
           "partial_slip_life", "upsetting_remesh")
 WIDTHS = (1280, 480)
-PROBE = ("<script>addEventListener('load', () => requestAnimationFrame(() => { document.title = "
-         "'opened ' + Math.round(performance.now()) + ' ' + document.documentElement.scrollHeight; }));</script></body>")
+PROBE = ("<script>addEventListener('load', () => { const tall = document.documentElement.scrollHeight; document.title = "
+         "'opened ' + Math.round(performance.now()) + ' ' + tall; });</script></body>")
 
 
 def seconds(*command):
@@ -34,7 +34,7 @@ def chromium(page, width, height, *more):
 
 
 def opened(page, width):
-    """Milliseconds until all is drawn, and the height of the page."""
+    """Milliseconds until all is loaded and laid out, and the height of the page."""
     probe = page.with_name("probe.html")
     probe.write_text(page.read_text(encoding="utf-8").replace("</body>", PROBE), encoding="utf-8")
     dom = chromium(probe, width, 900, "--timeout=5000", "--dump-dom")

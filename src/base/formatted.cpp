@@ -1,5 +1,8 @@
 #include "base/formatted.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdarg>
 #include <cstdio>
 
@@ -9,11 +12,23 @@ std::string formatted(const char* format, ...) {
   std::va_list arguments, again;
   va_start(arguments, format);
   va_copy(again, arguments);
-  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), '\0');
+  std::array<char, 256> most{};  // long enough for nearly all, which are then printed once
+  const auto size = static_cast<std::size_t>(std::vsnprintf(most.data(), most.size(), format, arguments));
   va_end(arguments);
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  std::string text(most.data(), std::min(size, most.size() - 1));
+  if (size > text.size()) {
+    text.resize(size);
+    std::vsnprintf(text.data(), size + 1, format, again);
+  }
   va_end(again);
   return text;
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> digits{};  // 309 before the point
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals);
+  return {digits.data(), end.ptr};
 }
 
 }  // namespace reye::base

@@ -64,22 +64,29 @@ class Descriptor {
   int fd_;
 };
 
-}  // namespace
-
-void atomic_write(const std::string& path, const std::string& text) {
+/// Writes a temporary file, on disk for good where `synced`, and renames it.
+void write_and_rename(const std::string& path, const std::string& text, bool synced) {
   // The process number distinguishes the files of a run from those of a report made at the same time.
   const std::string temporary = path + '.' + std::to_string(::getpid()) + ".tmp";
   ::unlink(temporary.c_str());
   Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open()) fail("write", path, errno);
-  const bool written = file.write(text) && file.sync() && file.close();
+  const bool written = file.write(text) && (!synced || file.sync()) && file.close();
   if (!written || std::rename(temporary.c_str(), path.c_str()) != 0) {
     const int error = errno;
     ::unlink(temporary.c_str());
     fail("write", path, error);
   }
+}
+
+}  // namespace
+
+void atomic_write(const std::string& path, const std::string& text) {
+  write_and_rename(path, text, true);
   sync_folder(fs::path(path).parent_path().string());
 }
+
+void replace_text(const std::string& path, const std::string& text) { write_and_rename(path, text, false); }
 
 void append_text(const std::string& path, const std::string& text) {
   Descriptor file(path, O_WRONLY | O_CREAT | O_APPEND);

@@ -33,7 +33,7 @@ std::string Canvas::path(const Points& x) const {
   std::string text;
   for (const Vec2& point : x) {
     const Vec2 p = pixel(point);
-    text += base::formatted("%c%.1f %.1f", text.empty() ? 'M' : 'L', p.x(), p.y());
+    text += (text.empty() ? 'M' : 'L') + base::fixed(p.x(), 1) + ' ' + base::fixed(p.y(), 1);
   }
   return text;
 }

@@ -15,7 +15,7 @@ constexpr double width = 720.0, left = 76.0, bottom_space = 52.0, plot_height = 
 constexpr const char* ink = "#2b2f36";
 constexpr const char* faint = "#e3e6ea";
 
-std::string fixed(double value) { return base::formatted("%.2f", value); }
+std::string fixed(double value) { return base::fixed(value, 2); }
 
 std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + fixed(value) + '"'; }
 
@@ -163,7 +163,7 @@ std::string draw_area(const Area& area, const Layout& at) {
     for (const auto& p : loop) {
       const double x = at.px(p.x()), y = at.py(p.y());
       if (std::hypot(x - last_x, y - last_y) < seen) continue;
-      path += (std::isnan(last_x) ? 'M' : 'L') + base::formatted("%.1f %.1f", x, y);
+      path += (std::isnan(last_x) ? 'M' : 'L') + base::fixed(x, 1) + ' ' + base::fixed(y, 1);
       last_x = x;
       last_y = y;
     }

@@ -99,7 +99,7 @@ void write_overviews(const RunData& run, const std::vector<Figure>& all, const f
     std::vector<Figure> row;
     for (const auto& figure : all)
       if (figure.id == "profile-" + name + "-secondary" || figure.id == "pressure-" + name) row.push_back(figure);
-    if (row.size() == 2) atomic_write((folder / ("overview-" + name + ".svg")).string(), svg_row(row));
+    if (row.size() == 2) replace_text((folder / ("overview-" + name + ".svg")).string(), svg_row(row));
   }
 }
 
@@ -139,9 +139,9 @@ void write_report(const std::string& dir, bool animation) {
   const std::string html = page_of(dir, run, all, moving);
   const auto folder = emptied_figures(dir);
   for (const auto* list : {&all, &moving})
-    for (const auto& figure : *list) atomic_write((folder / (figure.id + ".svg")).string(), svg(figure));
+    for (const auto& figure : *list) replace_text((folder / (figure.id + ".svg")).string(), svg(figure));
   write_overviews(run, all, folder);
-  atomic_write((fs::path(dir) / "report.html").string(), html);
+  replace_text((fs::path(dir) / "report.html").string(), html);
 }
 
 }  // namespace reye::output

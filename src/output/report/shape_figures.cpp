@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "output/folder/text.hpp"
 #include "output/report/contact_zone.hpp"
@@ -81,11 +82,31 @@ std::size_t last_pressed(const ContactData& contact, std::size_t count) {
   return count - 1;
 }
 
-void add_stress(const RunData& run, const ContactData& contact, const std::string& dir, std::size_t count,
-                std::vector<Figure>& all) {
-  const std::size_t k = last_pressed(contact, count);
-  const DrawnSurfaces surfaces = read_drawn_surfaces(frame_path(dir, "surface", "vtp", k));
-  const DrawnFrame frame = read_drawn(frame_path(dir, "bodies", "vtu", k));
+/// A frame with its surfaces.
+struct FrameDrawn {
+  DrawnSurfaces surfaces;
+  DrawnFrame bodies;
+};
+
+/// Frames that are read once, however many contacts ask for them.
+class Frames {
+ public:
+  explicit Frames(std::string dir) : dir_(std::move(dir)) {}
+
+  const FrameDrawn& operator[](std::size_t k) {
+    const auto known = drawn_.find(k);
+    if (known != drawn_.end()) return known->second;
+    return drawn_[k] = {read_drawn_surfaces(frame_path(dir_, "surface", "vtp", k)),
+                        read_drawn(frame_path(dir_, "bodies", "vtu", k))};
+  }
+
+ private:
+  std::string dir_;
+  std::map<std::size_t, FrameDrawn> drawn_;
+};
+
+void add_stress(const RunData& run, const ContactData& contact, const FrameDrawn& drawn, std::vector<Figure>& all) {
+  const auto& [surfaces, frame] = drawn;
   const Window window = contact_window(contact.name, {surfaces}, Held::deformed, margin_of_stress);
   const double top = largest_stress(frame, window);
   if (!(top > 0.0)) return;
@@ -104,11 +125,11 @@ std::vector<Figure> shape_figures(const RunData& run, const std::string& dir) {
   std::vector<Figure> all;
   const std::size_t count = frame_count(run, dir);
   if (count == 0) return all;
-  const DrawnSurfaces first = read_drawn_surfaces(frame_path(dir, "surface", "vtp", 0)),
-                      last = read_drawn_surfaces(frame_path(dir, "surface", "vtp", count - 1));
+  const DrawnSurfaces first = read_drawn_surfaces(frame_path(dir, "surface", "vtp", 0));
+  Frames frames(dir);
   for (const auto& contact : run.contacts) {
-    add_shapes(run, contact, first, last, all);
-    add_stress(run, contact, dir, count, all);
+    add_shapes(run, contact, first, frames[count - 1].surfaces, all);
+    add_stress(run, contact, frames[last_pressed(contact, count)], all);
   }
   return all;
 }
