@@ -1,16 +1,24 @@
 #!/usr/bin/env python3
-"""Puts the table of scene keys, as `reye reference` prints it, between its markers in geo/REFERENCE.md."""
+"""Puts the tables of scene keys, as `reye reference` prints them, between their markers in geo/REFERENCE.md."""
 import os
 import pathlib
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BEGIN, END = "<!-- scene reference: begin -->", "<!-- scene reference: end -->"
 COMMAND = pathlib.Path(os.environ.get("REYE_BUILD", ROOT / "build")) / "bin" / "reye"
+TABLES = {"scene": [], "solid": ["--solid"]}
+
+
+def with_table(text, name, options):
+    """The page with a fresh table of this name."""
+    begin, end = f"<!-- {name} reference: begin -->", f"<!-- {name} reference: end -->"
+    table = subprocess.run([str(COMMAND), "reference", *options], check=True, capture_output=True, text=True).stdout
+    head, rest = text.split(begin)
+    return f"{head}{begin}\n{table}{end}{rest.split(end)[1]}"
+
 
 page = ROOT / "geo" / "REFERENCE.md"
 text = page.read_text(encoding="utf-8")
-table = subprocess.run([str(COMMAND), "reference"], check=True, capture_output=True, text=True).stdout
-head, rest = text.split(BEGIN)
-tail = rest.split(END)[1]
-page.write_text(f"{head}{BEGIN}\n{table}{END}{tail}", encoding="utf-8")
+for name, options in TABLES.items():
+    text = with_table(text, name, options)
+page.write_text(text, encoding="utf-8")

@@ -3,10 +3,17 @@
 set(REYE_ROOMS base algebra mesh cad material fem body mortar wear contact solver adapt scene sim output)
 
 # Large rooms are divided into floors, folders that are in order, too: a floor includes only itself and floors before it.
-set(REYE_FLOORS_cad part meshing build)
+set(REYE_FLOORS_mesh solid)
+set(REYE_FLOORS_cad part meshing build solid)
+set(REYE_FLOORS_fem solid)
+set(REYE_FLOORS_body solid)
+set(REYE_FLOORS_mortar solid)
+set(REYE_FLOORS_contact solid)
+set(REYE_FLOORS_solver solid)
 set(REYE_FLOORS_adapt shape redraw transfer)
-set(REYE_FLOORS_sim problem measure place reshape march study)
-set(REYE_FLOORS_output folder picture report run)
+set(REYE_FLOORS_scene solid)
+set(REYE_FLOORS_sim problem measure place reshape march study solid)
+set(REYE_FLOORS_output folder picture report run solid)
 foreach(room IN LISTS REYE_ROOMS)
   string(JOIN "/" order ${room} ${REYE_FLOORS_${room}})
   list(APPEND REYE_HOUSE ${order})   # sim/problem/measure/...: a room and its floors in order

@@ -22,14 +22,18 @@
 #include "output/run/checkpoint.hpp"
 #include "output/run/commit.hpp"
 #include "output/run/run_writer.hpp"
+#include "output/solid/solid_report.hpp"
 #include "progress_line.hpp"
 #include "scene/read.hpp"
+#include "scene/solid/solid_keys.hpp"
+#include "scene/solid/solid_scene.hpp"
 #include "signals.hpp"
 #include "sim/problem/scene_line.hpp"
 #include "sim/problem/warnings.hpp"
 #include "sim/study/forecast.hpp"
 #include "sim/study/prepare.hpp"
 #include "sim/study/run.hpp"
+#include "solids.hpp"
 
 namespace reye::apps {
 
@@ -161,9 +165,10 @@ void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::st
 }  // namespace
 
 std::string version() { return std::string(output::version) + " (commit " + output::commit() + ")"; }
-std::string reference() { return scene::reference(); }
+std::string reference(bool of_solids) { return of_solids ? scene::solid_reference() : scene::reference(); }
 
 int run(const Request& request) {
+  if (scene::is_solid(request.path)) return run_solid(request);
   ignore_lost_output();
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
@@ -193,6 +198,7 @@ int run(const Request& request) {
 }
 
 int plan(const Request& request) {
+  if (scene::is_solid(request.path)) return plan_solid(request);
   const auto start = std::chrono::steady_clock::now();
   sim::Cache cache;
   const sim::Problem problem = sim::prepare(read(request), &cache);
@@ -209,6 +215,7 @@ int plan(const Request& request) {
 }
 
 int check(const Request& request) {
+  if (scene::is_solid(request.path)) return check_solid(request);
   const sim::Problem problem = sim::prepare(read(request));
   for (int b = 0; b < problem.body_count(); ++b) {
     const auto& mesh = problem.shapes[b]->mesh;
@@ -228,6 +235,7 @@ int check(const Request& request) {
 }
 
 int mesh(const Request& request) {
+  if (scene::is_solid(request.path)) return mesh_solid(request);
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
   const sim::Problem problem = sim::prepare(scene);
@@ -245,6 +253,13 @@ int mesh(const Request& request) {
 }
 
 int report(const Request& request) {
+  if (const auto identity = output::read_identity(request.path); identity && identity->solid) {
+    if (request.animation)
+      throw base::InputError({{"--animation", "", "a run of solids has no moving picture: ParaView plays series.pvd"}});
+    output::write_solid_report(request.path);
+    std::printf("%s/report.html\n", base::printable(request.path).c_str());
+    return 0;
+  }
   output::write_report(request.path, request.animation);
   std::printf("%s/report.html\n", base::printable(request.path).c_str());
   return 0;

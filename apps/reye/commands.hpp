@@ -15,8 +15,8 @@ struct Request {
 
 std::string version();
 
-/// The table of scene keys as markdown: the table in geo/REFERENCE.md.
-std::string reference();
+/// The table of scene keys, of plane scenes or of solids, as markdown: the tables in geo/REFERENCE.md.
+std::string reference(bool of_solids);
 
 int run(const Request& request);
 int plan(const Request& request);

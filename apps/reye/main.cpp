@@ -74,6 +74,8 @@ int main(int argc, char** argv) {
   report->add_flag("--animation", request.animation,
                    "bodies, pressure and wear moving from frame to frame, in the page");
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
+  bool of_solids = false;
+  reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
 
   try {
     app.parse(argc, argv);
@@ -88,7 +90,7 @@ int main(int argc, char** argv) {
     if (*sweep) return apps::sweep(many);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
-    if (*reference) std::cout << apps::reference();
+    if (*reference) std::cout << apps::reference(of_solids);
     return 0;
   } catch (const base::InputError& error) {
     std::cerr << error.what() << '\n';

@@ -1,28 +1,10 @@
 #include "algebra/compliance.hpp"
 
-#include <string>
 #include <utility>
 
-#include "algebra/blas.hpp"
-#include "base/errors.hpp"
+#include "algebra/factor.hpp"
 
 namespace reye::algebra {
-
-namespace {
-
-/// Replaces a symmetric definite matrix by its inverse, both triangles.
-void invert(Matrix& A) {
-  single_thread();
-  const int n = static_cast<int>(A.rows());
-  int info = 0;
-  dpotrf_("L", &n, A.data(), &n, &info);
-  if (info == 0) dpotri_("L", &n, A.data(), &n, &info);
-  if (info != 0)
-    throw base::SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
-  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
-}
-
-}  // namespace
 
 Compliance::Compliance(Matrix S, const std::vector<int>& held) : C_(std::move(S)), springs_(Vector::Zero(C_.rows())) {
   for (int k : held) springs_[k] = C_(k, k) > 0.0 ? C_(k, k) : 1.0;

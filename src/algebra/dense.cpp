@@ -116,6 +116,17 @@ Matrix DenseCholesky::condense(Matrix& B) const {
   return C;
 }
 
+void invert(Matrix& A) {
+  single_thread();
+  const int n = static_cast<int>(A.rows());
+  int info = 0;
+  dpotrf_("L", &n, A.data(), &n, &info);
+  if (info == 0) dpotri_("L", &n, A.data(), &n, &info);
+  if (info != 0)
+    throw SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+}
+
 Vector solve_dense(Matrix& A, const Vector& b) {
   DenseFactor factor;
   factor.factor(A);

@@ -67,6 +67,16 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
                        std::to_string(order[j]) + "); a rigid motion may be unconstrained");
 }
 
+/// Elimination order of an upper triangle: the interior as chosen, then what is retained as it stands.
+std::vector<int> retained_last(const SparseMatrix& upper, int retained, Ordering by) {
+  const int n = static_cast<int>(upper.rows()), interior = n - retained;
+  std::vector<int> order =
+      by == Ordering::minimum_degree ? minimum_degree(upper, interior) : nested_dissection(upper, interior);
+  order.resize(static_cast<size_t>(n));
+  std::iota(order.begin() + interior, order.end(), interior);
+  return order;
+}
+
 /// L L^T - diag(shift), both triangles. LAPACK multiplies a triangle with its own transpose as U U^T; L turned round in
 /// rows and columns is such a U.
 Matrix product(const Matrix& L, const Vector& shift) {
@@ -84,22 +94,23 @@ Matrix product(const Matrix& L, const Vector& shift) {
 
 struct SchurAnalysis {
   int retained;
+  Ordering ordering;
   Entries entries;  ///< of the upper triangle
   Symbolic symbolic;
 
-  SchurAnalysis(SparseMatrix& upper, int c) : retained(c), entries(upper) {
-    const int n = static_cast<int>(upper.rows()), interior = n - retained;
-    std::vector<int> order = minimum_degree(upper, interior);
-    order.resize(static_cast<size_t>(n));
-    std::iota(order.begin() + interior, order.end(), interior);
+  SchurAnalysis(SparseMatrix& upper, int c, Ordering by) : retained(c), ordering(by), entries(upper) {
+    std::vector<int> order = retained_last(upper, c, by);
     symbolic = analyse(upper, order);
   }
 
-  bool fits(const SparseMatrix& upper, int c) const { return c == retained && entries.are_of(upper); }
+  bool fits(const SparseMatrix& upper, int c, Ordering by) const {
+    return c == retained && by == ordering && entries.are_of(upper);
+  }
 };
 
 struct SchurFactor::Impl {
   int size = 0, retained = 0;
+  Ordering ordering = Ordering::minimum_degree;
   SchurAnalysisPtr analysis;
   mutable Supernodal L;  // its workspace changes in solves
   Matrix Lcc, S;
@@ -113,7 +124,9 @@ struct SchurFactor::Impl {
       S = Matrix(SparseMatrix(upper.selfadjointView<Eigen::Upper>()));
       return;
     }
-    start(known && known->fits(upper, retained) ? known : std::make_shared<const SchurAnalysis>(upper, retained));
+    start(known && known->fits(upper, retained, ordering)
+              ? known
+              : std::make_shared<const SchurAnalysis>(upper, retained, ordering));
     const Vector shift = add_shift(upper);
     L.factorise(upper);
     check_pivots(L, upper, interior());
@@ -146,9 +159,11 @@ struct SchurFactor::Impl {
   }
 };
 
-SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known) : impl_(std::make_unique<Impl>()) {
+SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known, Ordering ordering)
+    : impl_(std::make_unique<Impl>()) {
   if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
   impl_->retained = retained;
+  impl_->ordering = ordering;
   SparseMatrix upper = upper_triangle(K);
   SparseMatrix().swap(K);  // assignment from an empty matrix would keep the memory
   impl_->factorise(upper, known);
@@ -165,6 +180,7 @@ const SchurAnalysisPtr& SchurFactor::analysis() const { return impl_->analysis; 
 int SchurFactor::size() const { return impl_->size; }
 int SchurFactor::retained() const { return impl_->retained; }
 const Matrix& SchurFactor::schur() const { return impl_->S; }
+Matrix SchurFactor::take_schur() { return std::move(impl_->S); }
 
 Vector SchurFactor::condense(const Vector& f) const {
   const int c = retained();
@@ -184,6 +200,14 @@ Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
   for (int k = 0; k < size() - c; ++k) u[order[k]] = x[k];
   u.tail(c) = u_c;
   return u;
+}
+
+FactorCost factor_cost(SparseMatrix graph, int retained, int block) {
+  std::vector<int> order = retained_last(graph, retained, Ordering::nested_dissection);
+  Fill fill;
+  analyse(graph, order, &fill);
+  const double b = block;
+  return {b * b * fill.entries, b * b * b * fill.flops};
 }
 
 struct Cholesky::Impl {

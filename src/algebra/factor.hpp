@@ -14,6 +14,10 @@ using base::Vector;
 struct SchurAnalysis;
 using SchurAnalysisPtr = std::shared_ptr<const SchurAnalysis>;
 
+/// How the interior is ordered: approximate minimum degree (plane problems), or nested dissection of the graph of nodes
+/// (solids: half the time of a factor and less of its memory).
+enum class Ordering { minimum_degree, nested_dissection };
+
 /// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
 /// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
 ///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma        (theory: exact whatever rigid motion is free)
@@ -22,7 +26,7 @@ class SchurFactor {
  public:
   /// K: n x n, its upper triangle is read; a temporary is released before the factor is made. `known`:
   /// the analysis of another factor, used where it fits. Throws base::SolveError when K_ii is not positive definite.
-  SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known = {});
+  SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known = {}, Ordering ordering = Ordering::minimum_degree);
   ~SchurFactor();
   SchurFactor(SchurFactor&&) noexcept;
   SchurFactor& operator=(SchurFactor&&) noexcept;
@@ -32,6 +36,7 @@ class SchurFactor {
   int size() const;
   int retained() const;
   const Matrix& schur() const;  ///< retained x retained, symmetric, both triangles
+  Matrix take_schur();          ///< moves it out; `schur` is empty from then on
 
   /// f_c - K_ci K_ii^-1 f_i for a full load vector f (size n): one forward solve.
   Vector condense(const Vector& f) const;
@@ -42,6 +47,15 @@ class SchurFactor {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// What a factorisation with `retained` rows last would take.
+struct FactorCost {
+  double entries = 0.0;  ///< of L
+  double flops = 0.0;
+};
+/// From the graph of nodes alone (upper triangle, the nodes retained last), each of `block` dofs: nested dissection and
+/// symbolic analysis.
+FactorCost factor_cost(SparseMatrix graph, int retained, int block);
 
 /// Plain sparse Cholesky of a symmetric positive definite matrix, factor kept.
 class Cholesky {
@@ -89,6 +103,10 @@ class DenseCholesky {
  private:
   Matrix L_;
 };
+
+/// Replaces a dense symmetric positive definite matrix by its inverse, both triangles.
+/// Throws base::SolveError when A is not definite.
+void invert(Matrix& A);
 
 /// Solves the dense square system A x = b; A is overwritten.
 /// Throws base::SolveError when A is singular to working precision or x is not finite.

@@ -58,7 +58,9 @@ void Workspace::check(const char* task, const cholmod_factor* factor) const {
   if (common.status == CHOLMOD_OK) return;
   if (common.status == CHOLMOD_OUT_OF_MEMORY) throw SolveError(std::string(task) + ": out of memory");
   if (common.status == CHOLMOD_TOO_LARGE)
-    throw SolveError(std::string(task) + ": problem too large for 32-bit indices");
+    throw SolveError(std::string(task) +
+                     ": the factor would have more than 2^31 entries (17 GB), more than can be addressed; a coarser "
+                     "mesh away from contact makes it smaller");
   if (common.status == CHOLMOD_NOT_POSDEF) {
     const int at = factor && factor->minor < factor->n ? ints(factor->Perm)[factor->minor] : -1;
     throw SolveError(std::string(task) + ": the matrix is not positive definite (pivot of row " + std::to_string(at) +
@@ -67,7 +69,7 @@ void Workspace::check(const char* task, const cholmod_factor* factor) const {
   throw SolveError(std::string(task) + ": CHOLMOD status " + std::to_string(common.status));
 }
 
-Symbolic analyse(SparseMatrix& K, std::span<int> order) {
+Symbolic analyse(SparseMatrix& K, std::span<int> order, Fill* fill) {
   Workspace workspace;
   // Postordering would shuffle rows the caller wants last; without a given order it helps and is allowed.
   workspace.common.postorder = order.empty();
@@ -75,6 +77,7 @@ Symbolic analyse(SparseMatrix& K, std::span<int> order) {
   cholmod_sparse A = view(K);
   cholmod_factor* factor = cholmod_analyze_p(&A, order.empty() ? nullptr : order.data(), nullptr, 0, &workspace.common);
   workspace.check("symbolic analysis");
+  if (fill) *fill = {workspace.common.lnz, workspace.common.fl};
   return {factor, free_factor};
 }
 

@@ -26,9 +26,14 @@ class Workspace {
 /// Order of elimination and fill of a pattern, without numbers; never changed, shared by all factors of the pattern.
 using Symbolic = std::shared_ptr<cholmod_factor>;
 
+/// What an analysis has counted.
+struct Fill {
+  double entries = 0.0, flops = 0.0;
+};
+
 /// Analyses the upper triangle of K; no function here reads the lower one. `order` empty: AMD with postordering; else
-/// the given elimination order, kept as it is.
-Symbolic analyse(base::SparseMatrix& K, std::span<int> order);
+/// the given elimination order, kept as it is. `fill`: receives the size of the factor.
+Symbolic analyse(base::SparseMatrix& K, std::span<int> order, Fill* fill = nullptr);
 
 /// Supernodal Cholesky P K P^T = L L^T of a symmetric sparse matrix by CHOLMOD, which is called here alone.
 /// Every failure is a base::SolveError.
@@ -66,5 +71,9 @@ class Supernodal {
 
 /// Fill-reducing order (approximate minimum degree) of the leading `count` rows of K, upper triangle or both.
 std::vector<int> minimum_degree(const base::SparseMatrix& K, int count);
+
+/// Fill-reducing order of the same rows by METIS's nested dissection. Neighbouring rows with the same entries, as those
+/// of a node, are one point of the graph and follow one another in the order. K: upper triangle.
+std::vector<int> nested_dissection(const base::SparseMatrix& K, int count);
 
 }  // namespace reye::algebra

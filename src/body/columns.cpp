@@ -209,7 +209,7 @@ class Numbering {
   const Mesh& mesh_;
   const BodyInput& input_;
   const std::vector<int>& retained_;
-  std::vector<mesh::Facet> edges_;
+  std::vector<mesh::LineFacet> edges_;
   base::Points points_;  ///< of nodes, control points in place of mid nodes on contact boundaries
   std::vector<SupportPlace> places_;
   std::vector<Constraint> constraints_;

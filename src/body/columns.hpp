@@ -29,9 +29,9 @@ struct Columns {
   int retained = 0;
   std::vector<std::vector<Term>> terms;  ///< per node: u = sum y[column] * direction (columns of y, not of q)
   std::vector<int> contact_nodes;
-  std::vector<ContactNode> seen;          ///< per contact node
-  std::vector<mesh::Facet> curved_edges;  ///< on contact boundaries
-  std::vector<SupportColumn> supports;    ///< columns of q
+  std::vector<ContactNode> seen;              ///< per contact node
+  std::vector<mesh::LineFacet> curved_edges;  ///< on contact boundaries
+  std::vector<SupportColumn> supports;        ///< columns of q
 
   base::SparseMatrix expansion() const;  ///< B, 2n x (interior + retained)
   /// The columns y of a rigid motion by one along x, and along y: all columns x 2. In axisymmetry nothing moves along

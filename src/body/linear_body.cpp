@@ -190,7 +190,7 @@ double LinearBody::angle(const Vector& q) const { return impl_->turning ? q[impl
 const Translation& LinearBody::translation() const { return impl_->translation; }
 const std::vector<SupportColumn>& LinearBody::support_columns() const { return impl_->columns.supports; }
 const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
-const std::vector<mesh::Facet>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
+const std::vector<mesh::LineFacet>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
 NodePosition LinearBody::position(int contact_node, const Vector& q) const {
   const ContactNode& node = impl_->columns.seen[contact_node];

@@ -117,8 +117,8 @@ class LinearBody {
   const std::vector<int>& contact_nodes() const;  ///< mesh nodes; of a body that turns two more may follow
   NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
   NodeFreedom freedom(int contact_node) const;
-  const std::vector<mesh::Facet>& curved_edges() const;  ///< on contact boundaries, mesh nodes
-  const Matrix& stiffness() const;                       ///< S, constant, in the body's frame
+  const std::vector<mesh::LineFacet>& curved_edges() const;  ///< on contact boundaries, mesh nodes
+  const Matrix& stiffness() const;                           ///< S, constant, in the body's frame
   std::shared_ptr<const Matrix> shared_stiffness() const;
   /// The inverse that replaces S where contact moves round the body, made on first use; null where it keeps its
   /// direction.

@@ -24,7 +24,7 @@ namespace {
 std::vector<Vec2> seen_by_contact(const LinearBody& body, const std::vector<Vec2>& u) {
   std::unordered_map<int, int> place;
   for (std::size_t k = 0; k < u.size(); ++k) place[body.contact_nodes()[k]] = static_cast<int>(k);
-  std::vector<mesh::Facet> facets;
+  std::vector<mesh::LineFacet> facets;
   for (const auto& [a, b, mid] : body.curved_edges()) facets.push_back({place[a], place[b], place[mid]});
   return mesh::control_points(facets, u);
 }

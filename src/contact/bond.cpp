@@ -6,7 +6,7 @@
 namespace reye::contact {
 
 /// The secondary facet with which a node's drawn offset turns.
-mortar::Facet Interface::carrier(int node) const {
+mortar::LineFacet Interface::carrier(int node) const {
   const auto& s = setup_->secondary;
   return s.facets[s.before[node] >= 0 ? s.before[node] : s.after[node]];
 }

@@ -187,7 +187,7 @@ class Interface {
   void integrate_bond(const Points& xs, const Points& xm);
   void evaluate_bond(const std::vector<Vec2>& lambda);
   void linearise_bond(Linearised& out) const;
-  mortar::Facet carrier(int node) const;
+  mortar::LineFacet carrier(int node) const;
   Vec2 turned_offset(int node) const;
   std::array<Vec2, 2> directions(int node) const;
   NodeConstants constants(int node) const;

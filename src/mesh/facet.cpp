@@ -13,14 +13,14 @@ std::array<double, 3> straight_shares(const Vec2& a, const Vec2& b, base::Analys
 
 }  // namespace
 
-Points middle_nodes(const std::vector<Facet>& facets, Points P) {
+Points middle_nodes(const std::vector<LineFacet>& facets, Points P) {
   for (const auto& [a, b, c] : facets)
     if (c >= 0) P[c] = 0.5 * P[c] + 0.25 * (P[a] + P[b]);
   return P;
 }
 
-std::array<double, 3> nodal_shares(FacetKind kind, const std::array<Vec2, 3>& x, base::Analysis analysis) {
-  if (kind == FacetKind::line2) return straight_shares(x[0], x[1], analysis);
+std::array<double, 3> nodal_shares(LineKind kind, const std::array<Vec2, 3>& x, base::Analysis analysis) {
+  if (kind == LineKind::line2) return straight_shares(x[0], x[1], analysis);
   std::array<double, 3> shares{};
   for (const auto& [xi, weight] : gauss5) {
     const auto N = facet_functions(kind, xi), d = facet_slopes(kind, xi);

@@ -12,7 +12,7 @@ namespace reye::mortar {
 
 using base::Kinematics;
 using base::value;
-using mesh::FacetKind;
+using mesh::LineKind;
 
 /// A pair of scalars in the plane.
 template <class T>
@@ -57,13 +57,13 @@ Pair<T> averaged(const Pair<T>& n1, const Pair<T>& n2) {
 /// `xm`; `pairs` are primary facets in these numbers.
 template <class T>
 struct FacetInput {
-  FacetKind kind = FacetKind::line2;        ///< of a curve the control point comes last
+  LineKind kind = LineKind::line2;          ///< of a curve the control point comes last
   std::array<Pair<T>, 3> x, n;              ///< positions, and the normal field: n(xi) = sum N_j n_j
   std::array<Pair<double>, 3> X, x_before;  ///< on X; at the start of the increment
   std::array<bool, 3> cut{};                ///< the node carries no multiplier
   std::vector<Pair<T>> xm;
   std::vector<Pair<double>> xm_before;
-  std::vector<Facet> pairs;
+  std::vector<LineFacet> pairs;
   Analysis analysis = Analysis::plane_strain;
   Kinematics measure = Kinematics::small;  ///< integrals over length on X (small) or on x (finite)
   double search = 0.0;                     ///< pairs farther apart than this do not meet

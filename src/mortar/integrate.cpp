@@ -107,7 +107,7 @@ void integrate_duals(Workspace<base::Dual<16>>& w) { integrate(w); }
 #endif
 
 /// Distance of a curve from its chord.
-double sag(const Points& x, const Facet& f) {
+double sag(const Points& x, const LineFacet& f) {
   return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm();
 }
 
@@ -156,7 +156,7 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
     const auto [a, b, c] = opposite;
     if ((x1 - x0).dot(p.xm[b] - p.xm[a]) >= 0.0) continue;
     if (base::cross(n0, p.xm[a] - x0) <= 0.0 || base::cross(n1, p.xm[b] - x1) >= 0.0) continue;
-    Facet pair{-1, -1, -1};
+    LineFacet pair{-1, -1, -1};
     for (std::size_t e = 0; e < 3; ++e) {
       const int node = opposite[e];
       if (node < 0) continue;

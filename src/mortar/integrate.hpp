@@ -19,7 +19,7 @@ struct Placement {
   Kinematics measure = Kinematics::small;  ///< strain measure of the secondary body: integrals over length on X or on x
   double search = 0.0;
 
-  bool near(const std::vector<char>& marks, const Facet& facet) const {
+  bool near(const std::vector<char>& marks, const LineFacet& facet) const {
     return marks.empty() || (marks[facet[0]] && marks[facet[1]] && (facet[2] < 0 || marks[facet[2]]));
   }
   int secondary_dofs() const { return 2 * secondary->node_count(); }
@@ -29,9 +29,9 @@ struct Placement {
 /// The integrals of one covered facet and, once differentiated, their derivatives.
 struct FacetRecord {
   int facet = 0;
-  int count = 2;               ///< its nodes
-  std::vector<int> primaries;  ///< primary surface node of each local one
-  std::vector<Facet> pairs;    ///< primary facets in local numbers
+  int count = 2;                 ///< its nodes
+  std::vector<int> primaries;    ///< primary surface node of each local one
+  std::vector<LineFacet> pairs;  ///< primary facets in local numbers
   FacetIntegrals<double> value;
   std::vector<int> dofs;      ///< surface dofs the integrals depend on
   std::vector<double> slope;  ///< one row of dofs.size() per output
@@ -78,7 +78,7 @@ class Integrator {
   static constexpr int width = 16;
   /// A primary facet that takes part, and a circle round it.
   struct Opposite {
-    Facet nodes;
+    LineFacet nodes;
     Vec2 middle;
     double radius = 0.0;
   };

@@ -34,12 +34,12 @@ template <class T, class S>
 T length_element(const FacetInput<T>& in, const std::array<Pair<S>, 3>& p, const Quadrature<T>& q, double factor) {
   using std::sqrt;
   T r = p[0].x * q.N[0] + p[1].x * q.N[1];
-  if (in.kind == FacetKind::line2) {
+  if (in.kind == LineKind::line2) {
     const Pair<S> t = (p[1] - p[0]) * 0.5;
     return base::out_of_plane(in.analysis, r) * (sqrt(dot(t, t)) * factor);
   }
   r += p[2].x * q.N[2];
-  const auto d = mesh::facet_slopes(FacetKind::line3, q.xi);
+  const auto d = mesh::facet_slopes(LineKind::line3, q.xi);
   const Pair<T> t{p[0].x * d[0] + p[1].x * d[1] + p[2].x * d[2], p[0].y * d[0] + p[1].y * d[1] + p[2].y * d[2]};
   return base::out_of_plane(in.analysis, r) * (sqrt(dot(t, t)) * factor);
 }
@@ -71,7 +71,7 @@ void place_points(Workspace<T>& w) {
     if (value(hi) - value(lo) < 1e-12) continue;
     const auto middle = project(in, pair, T(0.5 * (lo + hi)));
     if (std::abs(value(middle.gap)) > in.search) continue;
-    if (in.kind == FacetKind::line2 && in.pairs[pair][2] < 0)
+    if (in.kind == LineKind::line2 && in.pairs[pair][2] < 0)
       place_segment(w, pair, lo, hi, mesh::gauss3);
     else
       place_segment(w, pair, lo, hi, mesh::gauss5);
@@ -115,7 +115,7 @@ void clear(FacetIntegrals<T>& out, int count, std::size_t primaries) {
 /// Weight by which node j spreads the primary's wear: N_j, and half of N of a control point that has no multiplier.
 template <class T>
 T spreading_weight(const FacetInput<T>& in, const Quadrature<T>& q, int j) {
-  return in.kind == FacetKind::line3 && in.cut[2] ? q.N[j] + 0.5 * q.N[2] : q.N[j];
+  return in.kind == LineKind::line3 && in.cut[2] ? q.N[j] + 0.5 * q.N[2] : q.N[j];
 }
 
 /// All integrals of the facet described by w.in, into w.out.

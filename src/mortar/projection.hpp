@@ -37,11 +37,11 @@ T curved_image(const FacetInput<T>& in, const Pair<T>& p) {
   const auto x = values(in.x), n = values(in.n);
   const Pair<double> at{value(p.x), value(p.y)};
   const auto off_normal = [&](double xi) {
-    const auto N = mesh::facet_functions(FacetKind::line3, xi);
+    const auto N = mesh::facet_functions(LineKind::line3, xi);
     return cross(combined(3, n, N), at - combined(3, x, N));
   };
   const auto slope = [&](double xi) {
-    const auto N = mesh::facet_functions(FacetKind::line3, xi), d = mesh::facet_slopes(FacetKind::line3, xi);
+    const auto N = mesh::facet_functions(LineKind::line3, xi), d = mesh::facet_slopes(LineKind::line3, xi);
     return cross(combined(3, n, d), at - combined(3, x, N)) - cross(combined(3, n, N), combined(3, x, d));
   };
   if (off_normal(-1.0) <= 0.0) return T(-1.0);
@@ -56,13 +56,13 @@ T curved_image(const FacetInput<T>& in, const Pair<T>& p) {
     xi = next;
     if (way < 1e-14) break;
   }
-  const auto N = mesh::facet_functions(FacetKind::line3, xi);
+  const auto N = mesh::facet_functions(LineKind::line3, xi);
   return xi - cross(combined(3, in.n, N), p - combined(3, in.x, N)) / slope(xi);
 }
 
 template <class T>
 T image(const FacetInput<T>& in, const Pair<T>& p) {
-  return in.kind == FacetKind::line2 ? straight_image(in, p) : curved_image(in, p);
+  return in.kind == LineKind::line2 ? straight_image(in, p) : curved_image(in, p);
 }
 
 /// Coordinate s in [0, 1] where the line from x along n meets the curve (p_0, p_1; control point p_2): the root of
@@ -95,7 +95,7 @@ Quadrature<T> project(const FacetInput<T>& in, int pair, const T& xi) {
     q.gap = dot(n, a + edge * s - x);
   } else {
     const std::array<Pair<T>, 3> p{a, in.xm[last], in.xm[control]};
-    q.Nm = mesh::facet_functions(FacetKind::line3, T(2.0 * meeting(p, x, n) - 1.0));
+    q.Nm = mesh::facet_functions(LineKind::line3, T(2.0 * meeting(p, x, n) - 1.0));
     q.gap = dot(n, combined(3, p, q.Nm) - x);
   }
   return q;

@@ -18,14 +18,14 @@ void find_corners(Surface& s) {
   }
 }
 
-void add_facet(Surface& s, const Facet& facet) {
+void add_facet(Surface& s, const LineFacet& facet) {
   const auto [a, b, c] = facet;
   s.after[a] = s.before[b] = s.facet_count();
   if (c >= 0) s.before[c] = s.after[c] = s.facet_count();
   s.facets.push_back(facet);
 }
 
-void add_area(Surface& s, const Facet& facet, Analysis analysis) {
+void add_area(Surface& s, const LineFacet& facet, Analysis analysis) {
   const auto [a, b, c] = facet;
   const auto share = mesh::nodal_shares(mesh::kind_of(facet), {s.X[a], s.X[b], s.X[c < 0 ? a : c]}, analysis);
   for (std::size_t j = 0; j < 3; ++j)

@@ -13,7 +13,7 @@ using base::Analysis;
 using base::Points;
 using base::Vec2;
 
-using mesh::Facet;
+using mesh::LineFacet;
 
 /// One side of a contact as a line on X: straight facets, or quadratic Bezier curves x = (1-t)^2 a + 2t(1-t) c + t^2 b
 /// with nodes a, b and a control point c = 2 x(1/2) - (a + b) / 2. All nodal quantities are coefficients of the
@@ -21,7 +21,7 @@ using mesh::Facet;
 /// normal is the tangent turned by -90 degrees.
 struct Surface {
   Points X;  ///< nodes and control points on X [mm]
-  std::vector<Facet> facets;
+  std::vector<LineFacet> facets;
   int order = 1;                   ///< 2 when some facet has a control point
   std::vector<int> before, after;  ///< per node: the facet that ends / starts there, or -1; a control point: its own
   std::vector<char> corner;        ///< per node: the surface turns by more than 50 degrees there

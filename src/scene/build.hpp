@@ -21,13 +21,37 @@ std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<ca
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);
 /// Boundary, point and body loads, distinguished by their keys.
 void add_loads(const Entry& root, Scene& scene, Issues& issues);
+
+struct Histories {
+  std::map<std::string, History> corners;    ///< of all
+  std::map<std::string, Measured> measured;  ///< of those from files
+};
+
 /// Histories as written, and those of files, whose paths count from the scene.
-void add_histories(const Entry& root, Scene& scene, Issues& issues);
+Histories histories_of(const Entry& root, const std::string& scene_path, Issues& issues);
+/// Name, histories, increments and cycles of the step at an index.
+Step step_of(const Entry& entry, std::size_t index);
 /// All steps as they are played: those of a spectrum as often as it says, at each of its levels.
 std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Issues& issues);
 std::vector<Limit> limits_of(const Entry& root, Issues& issues);
 Remesh remesh_of(const Entry& root);
+FrameRules frames_of(const Entry& frames);
 Output output_of(const Entry& root);
+
+/// The keys of a motion's parts: imposed, loaded, and its spring.
+struct MotionKeys {
+  std::string_view moved, loaded, spring;
+};
+
+/// A motion that is the sum of parts: all of them impose it, or all of them load it.
+body::Motion motion_of(const std::vector<Entry>& parts, const MotionKeys& keys, Issues& issues);
+
+/// A part of a load names where it acts as the whole does: the parts of a list, or the load itself, in which `values`
+/// must not stand beside the list.
+std::vector<Entry> parts_of(const Entry& load, std::initializer_list<std::string_view> values, Issues& issues);
+
+/// The primary side names at least one place, none twice, and not the secondary one. `place`: "boundary", "face".
+void check_sides(const Entry& entry, const std::string& place, Issues& issues);
 
 /// True when exactly one of the keys is given; else an issue that names them.
 bool exactly_one(const Entry& entry, std::initializer_list<std::string_view> names, Issues& issues);

@@ -92,18 +92,6 @@ void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& 
   }
 }
 
-void check_sides(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
-  const auto flag = [&](const std::string& rule) {
-    issues.push_back({entry.key("primary"), entry.written("primary"), rule});
-  };
-  if (entry.empty_list("primary")) flag("must name at least one boundary");
-  std::set<std::string> seen;
-  for (const auto& name : contact.primary) {
-    if (name == contact.secondary) flag("\"" + name + "\" is also the secondary side");
-    if (!seen.insert(name).second) flag("names \"" + name + "\" twice");
-  }
-}
-
 void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
   // a friction that is not a number, or below zero, has its own issue
   const auto& table = contact.friction_over_cycles;
@@ -189,12 +177,24 @@ cad::FineZone zone_of(const Entry& place, const std::string& joint, const std::v
 
 }  // namespace
 
+void check_sides(const Entry& entry, const std::string& place, Issues& issues) {
+  const auto flag = [&](const std::string& rule) {
+    issues.push_back({entry.key("primary"), entry.written("primary"), rule});
+  };
+  if (entry.empty_list("primary")) flag("must name at least one " + place);
+  std::set<std::string> seen;
+  for (const auto& name : entry.texts("primary")) {
+    if (name == entry.text("secondary")) flag("\"" + name + "\" is also the secondary side");
+    if (!seen.insert(name).second) flag("names \"" + name + "\" twice");
+  }
+}
+
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues) {
   std::vector<contact::ContactOptions> contacts;
   const bool axisymmetric = root.text("analysis") == "axisymmetric";
   for (const auto& entry : root.all("contact")) {
     contacts.push_back(contact_of(entry, axisymmetric, issues));
-    check_sides(entry, contacts.back(), issues);
+    check_sides(entry, "boundary", issues);
     check_friction(entry, contacts.back(), issues);
   }
   return contacts;
@@ -209,7 +209,7 @@ std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues)
     bond.secondary = entry.text("secondary");
     bond.primary = entry.texts("primary");
     bond.bonded = true;
-    check_sides(entry, bond, issues);
+    check_sides(entry, "boundary", issues);
     if (std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.name() == bond.name; }))
       issues.push_back({entry.key(), "", "a contact has this name, too"});
     bonds.push_back(std::move(bond));

@@ -8,14 +8,6 @@ namespace {
 
 const base::Vec2 none(0.0, 0.0);
 
-/// The parts of a load, which add up. Without a list the load itself is the only one.
-std::vector<Entry> parts_of(const Entry& entry, Issues& issues) {
-  if (!entry.given("parts")) return {entry};
-  refuse(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3", "history"},
-         "stands in each of the parts", issues);
-  return entry.all("parts");
-}
-
 void add_boundary_load(const Entry& entry, const std::vector<Entry>& parts, Scene& scene, Issues& issues) {
   fem::BoundaryLoad load;
   load.name = entry.name();
@@ -72,10 +64,18 @@ void add_body_force(const Entry& entry, const std::vector<Entry>& parts, Scene& 
 
 }  // namespace
 
+std::vector<Entry> parts_of(const Entry& load, std::initializer_list<std::string_view> values, Issues& issues) {
+  if (!load.given("parts")) return {load};
+  refuse(load, values, "stands in each of the parts", issues);
+  refuse(load, {"history"}, "stands in each of the parts", issues);
+  return load.all("parts");
+}
+
 void add_loads(const Entry& root, Scene& scene, Issues& issues) {
   for (const auto& entry : root.all("load")) {
     const bool on_edge = entry.given("edge"), at_point = entry.given("point_mm");
-    const auto parts = parts_of(entry, issues);
+    const auto parts =
+        parts_of(entry, {"pressure_MPa", "traction_MPa", "force_N_per_mm", "force_N", "force_N_per_mm3"}, issues);
     const auto has_force = [](const Entry& part) { return part.given("force_N_per_mm3"); };
     if (on_edge && at_point)
       issues.push_back({entry.key(), "", "acts on an edge, at a point or in a body; not on two of them"});

@@ -61,24 +61,30 @@ std::vector<Step> repeated(const Entry& root, const std::string& scene_path, std
 
 }  // namespace
 
-void add_histories(const Entry& root, Scene& scene, Issues& issues) {
-  scene.histories = root.at("history").histories();
+Histories histories_of(const Entry& root, const std::string& scene_path, Issues& issues) {
+  Histories histories{root.at("history").histories(), {}};
   for (const auto& entry : root.all("history")) {
-    auto measured = measured_history(entry, scene.path, issues);
-    scene.histories[entry.name()] = measured ? measured->corners : History{{0.0, 0.0}, {1.0, 0.0}};
-    if (measured) scene.measured[entry.name()] = std::move(*measured);
+    auto measured = measured_history(entry, scene_path, issues);
+    histories.corners[entry.name()] = measured ? measured->corners : History{{0.0, 0.0}, {1.0, 0.0}};
+    if (measured) histories.measured[entry.name()] = std::move(*measured);
   }
+  return histories;
+}
+
+Step step_of(const Entry& entry, std::size_t index) {
+  Step step;
+  step.name = entry.given("name") ? entry.text("name") : "step " + std::to_string(index + 1);
+  step.play = entry.texts("play");
+  step.increments = entry.whole("increments");
+  step.cycles = entry.number("cycles");
+  return step;
 }
 
 std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Issues& issues) {
   std::vector<Step> steps;
   for (const auto& entry : root.all("step")) {
-    Step step;
-    step.name = entry.given("name") ? entry.text("name") : "step " + std::to_string(steps.size() + 1);
-    step.play = entry.texts("play");
-    step.increments = entry.whole("increments");
+    Step step = step_of(entry, steps.size());
     step.wear = entry.flag("wear");
-    step.cycles = entry.number("cycles");
     set_jump(entry, root.number("accuracy"), step);
     step.period_s = entry.number("period_s");
     steps.push_back(step);
@@ -135,18 +141,22 @@ bool has_rule(const FrameRules& frames) {
 
 }  // namespace
 
-Output output_of(const Entry& root) {
-  Output output;
-  const auto entry = root.at("output");
-  const auto frames = entry.at("frames");
-  output.frames = {.every_cycles = frames.number("every_cycles"),
+FrameRules frames_of(const Entry& frames) {
+  FrameRules rules{.every_cycles = frames.number("every_cycles"),
                    .every_blocks = frames.whole("every_blocks"),
                    .per_decade = frames.whole("per_decade"),
                    .at_remeshes = frames.flag("at_remeshes"),
                    .every_increment = frames.flag("every_increment"),
                    .last_block = frames.flag("last_block"),
                    .paraview = frames.flag("paraview")};
-  output.frames.per_step = frames.given("per_step") ? frames.whole("per_step") : has_rule(output.frames) ? 0 : 5;
+  rules.per_step = frames.given("per_step") ? frames.whole("per_step") : has_rule(rules) ? 0 : 5;
+  return rules;
+}
+
+Output output_of(const Entry& root) {
+  Output output;
+  const auto entry = root.at("output");
+  output.frames = frames_of(entry.at("frames"));
   output.history_every_blocks = entry.at("history").whole("every_blocks");
   output.checkpoint_s = entry.number("checkpoint_s");
   output.estimate_error = entry.maybe_flag("estimate_error").value_or(root.given("accuracy"));

@@ -4,31 +4,8 @@ namespace reye::scene {
 
 namespace {
 
-struct Keys {
-  std::string_view moved, loaded, spring;
-  std::vector<std::string_view> other;  ///< those of the other kind of problem, force and spring
-};
-
-Keys keys_of(std::string_view motion, base::Analysis analysis) {
-  if (motion == "rotation") return {"motion_rad", "moment_N_mm_per_mm", "spring_N_mm_per_mm", {}};
-  if (analysis == base::Analysis::axisymmetric)
-    return {"motion_mm", "force_N", "spring_N_per_mm", {"force_N_per_mm", "spring_N_per_mm2"}};
-  return {"motion_mm", "force_N_per_mm", "spring_N_per_mm2", {"force_N", "spring_N_per_mm"}};
-}
-
-/// Whether a part has keys of the other kind of problem; they are refused.
-bool of_other_problem(const Entry& part, const Keys& keys, base::Analysis analysis, Issues& issues) {
-  bool found = false;
-  for (const auto other : keys.other) {
-    if (!part.given(other)) continue;
-    found = true;
-    refuse(part, {other}, takes_instead(analysis, other.starts_with("force") ? keys.loaded : keys.spring), issues);
-  }
-  return found;
-}
-
 /// Adds one part: all parts of a motion impose it, or all of them load it.
-void add_part(const Entry& part, const Keys& keys, body::Motion& motion, Issues& issues) {
+void add_part(const Entry& part, const MotionKeys& keys, body::Motion& motion, Issues& issues) {
   if (part.given(keys.spring) && !part.given(keys.moved) && !part.given(keys.loaded)) return;
   if (!exactly_one(part, {keys.moved, keys.loaded}, issues)) return;
   const bool moved = part.given(keys.moved), far_end = moved && motion.stiffness != 0.0;
@@ -45,7 +22,7 @@ void add_part(const Entry& part, const Keys& keys, body::Motion& motion, Issues&
 }
 
 /// The spring of a motion, in the one of its parts that has it.
-void add_spring(const std::vector<Entry>& parts, const Keys& keys, body::Motion& motion, Issues& issues) {
+void add_spring(const std::vector<Entry>& parts, const MotionKeys& keys, body::Motion& motion, Issues& issues) {
   for (const auto& part : parts) {
     if (!part.given(keys.spring)) continue;
     if (motion.stiffness != 0.0)
@@ -55,18 +32,53 @@ void add_spring(const std::vector<Entry>& parts, const Keys& keys, body::Motion&
   }
 }
 
-body::Motion motion_of(const Entry& support, std::string_view name, base::Analysis analysis, Issues& issues) {
-  const auto parts = support.parts(name);
+}  // namespace
+
+body::Motion motion_of(const std::vector<Entry>& parts, const MotionKeys& keys, Issues& issues) {
+  body::Motion motion;
+  add_spring(parts, keys, motion, issues);
+  for (const auto& part : parts) add_part(part, keys, motion, issues);
+  return motion;
+}
+
+namespace {
+
+struct PlaneKeys {
+  MotionKeys own;
+  std::vector<std::string_view> other;  ///< those of the other kind of problem, force and spring
+};
+
+PlaneKeys plane_keys_of(std::string_view motion, base::Analysis analysis) {
+  if (motion == "rotation") return {{"motion_rad", "moment_N_mm_per_mm", "spring_N_mm_per_mm"}, {}};
+  if (analysis == base::Analysis::axisymmetric)
+    return {{"motion_mm", "force_N", "spring_N_per_mm"}, {"force_N_per_mm", "spring_N_per_mm2"}};
+  return {{"motion_mm", "force_N_per_mm", "spring_N_per_mm2"}, {"force_N", "spring_N_per_mm"}};
+}
+
+/// Whether a part has keys of the other kind of problem; they are refused.
+bool of_other_problem(const Entry& part, const PlaneKeys& keys, base::Analysis analysis, Issues& issues) {
+  bool found = false;
+  for (const auto other : keys.other) {
+    if (!part.given(other)) continue;
+    found = true;
+    refuse(part, {other}, takes_instead(analysis, other.starts_with("force") ? keys.own.loaded : keys.own.spring),
+           issues);
+  }
+  return found;
+}
+
+body::Motion plane_motion_of(const Entry& support, std::string_view name, base::Analysis analysis, Issues& issues) {
+  auto parts = support.parts(name);
   if (parts.empty()) return {.drive = support.text(name) == "fixed" ? body::Drive::fixed : body::Drive::free};
   if (name == "rotation" && analysis == base::Analysis::axisymmetric) {
     issues.push_back({support.key(name), "", "must be \"fixed\" or \"free\" in an axisymmetric scene"});
     return {};
   }
-  const auto keys = keys_of(name, analysis);
-  body::Motion motion;
-  add_spring(parts, keys, motion, issues);
-  for (const auto& part : parts)
-    if (!of_other_problem(part, keys, analysis, issues)) add_part(part, keys, motion, issues);
+  const auto keys = plane_keys_of(name, analysis);
+  Issues others;
+  std::erase_if(parts, [&](const Entry& part) { return of_other_problem(part, keys, analysis, others); });
+  const auto motion = motion_of(parts, keys.own, issues);
+  issues.insert(issues.end(), others.begin(), others.end());
   return motion;
 }
 
@@ -105,9 +117,9 @@ body::Support support_of(const Entry& entry, base::Analysis analysis, Issues& is
   support.body = entry.text("body");
   support.angle_deg = entry.number("angle_deg");
   support.edge_axes = entry.given("tangent") || entry.given("normal");
-  support.x = motion_of(entry, support.edge_axes ? "tangent" : "x", analysis, issues);
-  support.y = motion_of(entry, support.edge_axes ? "normal" : "y", analysis, issues);
-  support.rotation = motion_of(entry, "rotation", analysis, issues);
+  support.x = plane_motion_of(entry, support.edge_axes ? "tangent" : "x", analysis, issues);
+  support.y = plane_motion_of(entry, support.edge_axes ? "normal" : "y", analysis, issues);
+  support.rotation = plane_motion_of(entry, "rotation", analysis, issues);
   const bool by_default = !support.point_mm && (entry.given("rotation") || loaded(support));
   support.rigid = entry.maybe_flag("rigid").value_or(by_default);
   return support;

@@ -28,6 +28,7 @@ constexpr TypeWords type_words[] = {
     {Type::pair, "two numbers", "must be a list of two numbers"},
     {Type::triple, "three numbers", "must be a list of three numbers"},
     {Type::box, "four numbers", "must be a list of four numbers"},
+    {Type::solid_box, "six numbers", "must be a list of six numbers, [x_min, y_min, z_min, x_max, y_max, z_max]"},
     {Type::numbers, "list of numbers", "must be a list of numbers"},
     {Type::curve, "list of pairs", "must be a list of at least two pairs of numbers"},
     {Type::history, "list of pairs", "must be a list of at least two pairs [progress, factor]"},
@@ -62,6 +63,8 @@ bool has_type(const Node& node, Type type) {
       return numbers(node, 3);
     case Type::box:
       return numbers(node, 4);
+    case Type::solid_box:
+      return numbers(node, 6);
     case Type::texts:
       return node.kind == NodeKind::list &&
              std::all_of(parts.begin(), parts.end(), [](const Node& n) { return n.kind == NodeKind::text; });
@@ -92,11 +95,16 @@ bool listed(std::string_view choices, const std::string& value) {
   return std::find(names.begin(), names.end(), value) != names.end();
 }
 
-/// The addition to a message that a motion may also be a table, or a list of them.
-std::string or_a_table(const Spec& place) {
+std::string names_in(const Spec& place) {
   std::string names;
   for (const auto& [name, child] : place.named)
     if (!child->key || child->key->type != Type::refused) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+/// The addition to a message that a motion may also be a table, or a list of them.
+std::string or_a_table(const Spec& place) {
+  const auto names = names_in(place);
   return names.empty() ? "" : ", or a table of " + names + (place.list_or_table ? ", or a list of such tables" : "");
 }
 
@@ -122,7 +130,8 @@ std::string choice_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   const auto value = key.type == Type::whole ? shown(node.number) : node.text;
   if (listed(key.range.choices, value)) return {};
-  return rule_of(key) + or_a_table(place);
+  const std::string why(key.range.why);
+  return rule_of(key) + or_a_table(place) + (why.empty() ? "" : ": " + why);
 }
 
 /// The rule that a plain value breaks; empty when it is fine.
@@ -195,7 +204,8 @@ void check(const Node& node, const Spec& place, Issues& issues) {
     if (!rule.empty()) issues.push_back({node.key, node.written, rule});
   } else {
     issues.push_back({node.key, node.written,
-                      place.list_or_table ? "must be a table, or a list of such tables" : "must be a table"});
+                      place.list_or_table ? "must be a table of " + names_in(place) + ", or a list of such tables"
+                                          : "must be a table"});
   }
 }
 

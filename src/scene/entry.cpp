@@ -129,6 +129,11 @@ std::map<std::string, std::vector<std::array<double, 2>>> Entry::histories() con
   return tables;
 }
 
+std::optional<base::Vec3> Entry::triple(std::string_view name) const {
+  const auto list = numbers(name);
+  return list.size() == 3 ? std::optional(base::Vec3(list[0], list[1], list[2])) : std::nullopt;
+}
+
 std::optional<base::Vec2> Entry::pair(std::string_view name) const {
   const auto list = numbers(name);
   return list.size() == 2 ? std::optional(base::Vec2(list[0], list[1])) : std::nullopt;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/linalg.hpp"
+#include "base/space.hpp"
 #include "scene/document.hpp"
 #include "scene/spec.hpp"
 #include "wear/formula.hpp"
@@ -48,6 +49,7 @@ class Entry {
   std::optional<bool> maybe_flag(std::string_view name) const;
   std::optional<double> maybe_number(std::string_view name) const;
   std::optional<base::Vec2> pair(std::string_view name) const;
+  std::optional<base::Vec3> triple(std::string_view name) const;
   std::vector<double> numbers(std::string_view name) const;
   /// A list of pairs.
   std::vector<std::array<double, 2>> curve(std::string_view name) const;

@@ -6,19 +6,27 @@
 namespace reye::scene {
 
 double largest_factor(const Scene& scene, const std::string& history) {
-  const auto found = scene.histories.find(history);
-  if (found == scene.histories.end()) return 1.0;
+  return largest_factor({scene.histories, scene.steps}, history);
+}
+
+double largest_factor(const Played& played, const std::string& history) {
+  const auto found = played.histories.find(history);
+  if (found == played.histories.end()) return 1.0;
   double most = 0.0;
   for (const auto& corner : found->second) most = std::max(most, std::abs(corner[1]));
   double level = 0.0;
-  for (const auto& step : scene.steps)
+  for (const auto& step : played.steps)
     if (std::find(step.play.begin(), step.play.end(), history) != step.play.end()) level = std::max(level, step.level);
   return level > 0.0 ? level * most : most;
 }
 
 double largest_value(const Scene& scene, const base::Parts& parts) {
+  return largest_value({scene.histories, scene.steps}, parts);
+}
+
+double largest_value(const Played& played, const base::Parts& parts) {
   double most = 0.0;
-  for (const auto& part : parts) most += std::abs(part.value) * largest_factor(scene, part.history);
+  for (const auto& part : parts) most += std::abs(part.value) * largest_factor(played, part.history);
   return most;
 }
 

@@ -1,27 +1,25 @@
 #include "scene/keys.hpp"
 
+#include "scene/shared_keys.hpp"
+
 namespace reye::scene {
 
-namespace {
+/// The rows of plane scenes, in the order of the reference.
+namespace plane_rows {
 
-constexpr Range any{};
-constexpr Range positive{.low = 0.0, .low_open = true};
-constexpr Range at_least(double low) { return {.low = low}; }
-constexpr Range from_to(double low, double high) { return {.low = low, .high = high}; }
-constexpr Range one_of(std::string_view choices) { return {.choices = choices}; }
+using namespace rows;
 
 // One key a paragraph.
 // clang-format off
 constexpr Key table[] = {
-    {"title", Type::text, "", "", any, "headline of the results; by default the scene's name"},
-    {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric"),
+    title,
+    {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric|solid"),
      "idealisation; axisymmetric: r = x >= 0, axis y; of a section drawn on both sides of the axis the half x >= 0 is "
-     "taken"},
+     "taken; solid: three dimensions, with keys of their own, below"},
     {"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
      "relative error asked for, of worn profiles, or of tractions without wear: a pilot run chooses the element size "
      "of fine zones without `size_mm`; wearing steps without `jump` get half of it as tolerance"},
-    {"geometry", Type::texts, "", "required", any,
-     "geometry files in mm (.step .stp .iges .igs .brep .geo .msh .vtu); paths count from the scene file"},
+    geometry,
     {"section.point_mm", Type::triple, "mm", "required", any,
      "a point of the plane that cuts every solid of the geometry files into faces"},
     {"section.normal", Type::triple, "", "required", any, "normal of that plane; length and sign do not matter"},
@@ -31,9 +29,8 @@ constexpr Key table[] = {
      one_of("linear_elastic|st_venant_kirchhoff|neo_hookean|hencky|hencky_cauchy|hencky_j2"),
      "stress law; `linear_elastic` is for small strain only, where the other elastic laws reduce to it; "
      "hencky: Kirchhoff stress linear in log strain, hencky_cauchy: Cauchy stress"},
-    {"material.*.E_MPa", Type::number, "MPa", "required", positive, "Young's modulus"},
-    {"material.*.nu", Type::number, "", "required",
-     {.low = -1.0, .high = 0.5, .low_open = true, .high_open = true}, "Poisson's ratio"},
+    modulus,
+    poisson,
     {"material.*.volumetric", Type::text, "", "log_squared", one_of("log_squared|quadratic|mixed|power"),
      "volumetric part of the neo-Hookean energy: lambda/2 (ln J)^2, lambda/2 (J - 1)^2, lambda/4 (J^2 - 1 - 2 ln J); "
      "power: mu/2 (I1 - 3) + mu/(2 beta) (J^(-2 beta) - 1) as a whole, beta = nu/(1 - 2 nu)"},
@@ -55,8 +52,8 @@ constexpr Key table[] = {
     {"body.*.name", Type::text, "", "", any,
      "label in the geometry (STEP product, physical surface); with neither `at` nor `name` the name of the body in the "
      "scene"},
-    {"body.*.material", Type::text, "", "", any, "one of the materials; none for a rigid body"},
-    {"body.*.rigid", Type::flag, "", "false", any, "the body does not deform"},
+    body_material,
+    body_rigid,
     {"body.*.b_bar", Type::flag, "", "", any,
      "remedy for volumetric locking, B-bar or (finite) F-bar; by default on for quads of order 1 in plane strain and "
      "axisymmetry"},
@@ -71,8 +68,7 @@ constexpr Key table[] = {
     {"body.*.mesh.element", Type::text, "", "quad", one_of("quad|tri"), "kind of the elements"},
     {"body.*.mesh.far_size_mm", Type::number, "mm", "", positive,
      "element size away from contacts; by default a twentieth of the body's diagonal"},
-    {"body.*.mesh.growth", Type::number, "", "1.3", {.low = 1.0, .high = 3.0, .low_open = true},
-     "ratio of neighbouring element sizes away from fine zones"},
+    mesh_growth,
 
     {"boundary.*.body", Type::text, "", "required", any,
      "body whose edges are named; without a selector the physical curve of this name, or else the whole outline"},
@@ -112,8 +108,7 @@ constexpr Key table[] = {
     {"contact.*.imposed_turn_rad[?].value", Type::number, "rad", "required", any, "angle at factor 1"},
     {"contact.*.{imposed_sliding_mm,imposed_out_of_plane_mm,imposed_turn_rad}[?].history", Type::text, "", "", any,
      "slip follows the factor of this history while a step plays it, back and forth; without it slip is even"},
-    {"contact.*.search_mm", Type::number, "mm", "", positive,
-     "facets farther apart are not paired; by default chosen from the size of the bodies"},
+    search,
     {"contact.*.c_normal", Type::number, "", "1.0", positive,
      "factor of the normal complementarity function in the first iterations"},
     {"contact.*.c_tangential", Type::number, "", "1.0", positive,
@@ -149,6 +144,14 @@ constexpr Key table[] = {
      "element size inside; may be left out only with `accuracy`"},
     {"{contact,bond}.*.fine_zone[?].angle_deg", Type::number, "degree", "0.0", any, "direction of the width, from x"},
 
+    {"face", Type::refused, "", "", any,
+     "faces are of solids, analysis = \"solid\"; a plane scene names edges, in [boundary]"},
+    {"symmetry", Type::refused, "", "", any,
+     "is a list of faces of solids, analysis = \"solid\"; in a plane scene a support with normal = \"fixed\" is "
+     "symmetry"},
+    {"{support,load}.*.face", Type::refused, "", "", any,
+     "faces are of solids, analysis = \"solid\"; a plane scene takes edge"},
+
     {"support.*.edge", Type::text, "", "", any, "boundary that is held or moved; or `point_mm`"},
     {"support.*.point_mm", Type::pair, "mm", "", any,
      "a point of the body, at most a quarter of an element beside it: a node of each of its meshes"},
@@ -180,7 +183,7 @@ constexpr Key table[] = {
     {"support.*.rotation[?].history", Type::text, "", "", any, "its factor over a step"},
 
     {"load.*.edge", Type::text, "", "", any, "boundary under pressure or traction; or `point_mm` or `body`"},
-    {"load.*.pressure_MPa", Type::number, "MPa", "", any, "pressure, > 0 pushes on the body"},
+    pressure,
     {"load.*.traction_MPa", Type::pair, "MPa", "", any, "traction in x and y, added to the pressure"},
     {"load.*.interval_mm", Type::pair, "mm", "", at_least(0.0),
      "loaded range of arc length, from the end with smaller x (then smaller y)"},
@@ -190,27 +193,20 @@ constexpr Key table[] = {
     {"load.*.force_N", Type::pair, "N", "", any, "force on the whole ring, axisymmetric problems"},
     {"load.*.body", Type::text, "", "", any, "body of the point, or body under a body force"},
     {"load.*.force_N_per_mm3", Type::pair, "N/mm^3", "", any, "force per volume on the body"},
-    {"load.*.history", Type::text, "", "", any,
-     "history of its factor over a step; without one the full value acts from the start"},
-    {"load.*.parts[].pressure_MPa", Type::number, "MPa", "", any,
-     "value of one part of a load, which is the sum of a list of parts"},
+    load_history,
+    part_pressure,
     {"load.*.parts[].{traction_MPa,force_N_per_mm,force_N,force_N_per_mm3}", Type::pair, "", "", any, "as above"},
-    {"load.*.parts[].history", Type::text, "", "", any, "history of that part"},
+    part_history,
 
-    {"history.*", Type::history, "", "", any, "[progress of the step, factor], progress from 0 to 1; or measured:"},
-    {"history.*.file", Type::text, "", "required", any,
-     "CSV file with a line of names; its first column is time_s or progress; the path counts from the scene file"},
-    {"history.*.column", Type::text, "", "", any, "the column of factors; by default the second"},
-    {"history.*.tolerance", Type::number, "", "0.01", {.low = 0.0, .high = 0.2},
-     "points are left out where straight lines between the others stay this close, as a share of the range; 0 keeps "
-     "all that are not on a line"},
-    {"history.*.close", Type::flag, "", "false", any,
-     "true: after the last point the way back to the first value is added, one mean interval long"},
+    history,
+    history_file,
+    history_column,
+    history_tolerance,
+    history_close,
 
-    {"step[].name", Type::text, "", "", any, "name in messages; by default its number"},
-    {"step[].play", Type::texts, "", "[]", any, "histories played; the others keep their last factor"},
-    {"step[].increments", Type::whole, "", "1", from_to(1.0, 1e5),
-     "number of equal increments; corners of histories are always ends of increments"},
+    step_name,
+    step_play,
+    step_increments,
     {"step[].wear", Type::flag, "", "true", any, "false: nothing wears in this step"},
     {"step[].cycles", Type::number, "", "0", at_least(0.0),
      "number of repetitions; 0: a load step, which does not count as a cycle"},
@@ -240,25 +236,21 @@ constexpr Key table[] = {
      "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is reported as a band, life / "
      "factor"},
 
-    {"output.frames.per_step", Type::whole, "", "", at_least(0.0),
-     "frames of a step that counts cycles, evenly spaced, at most one per block; by default 5 without any other rule"},
-    {"output.frames.every_cycles", Type::number, "", "0", at_least(0.0), "cycles between frames"},
+    frames_per_step,
+    frames_every_cycles,
     {"output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "blocks of a step between frames"},
-    {"output.frames.per_decade", Type::whole, "", "0", at_least(0.0),
-     "frames per factor of ten in cycles, at most one per block"},
+    frames_per_decade,
     {"output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a remesh"},
-    {"output.frames.every_increment", Type::flag, "", "false", any, "a frame at each increment"},
-    {"output.frames.last_block", Type::flag, "", "false", any, "a frame at each increment of the last block of a step"},
-    {"output.frames.paraview", Type::flag, "", "true", any,
-     "false: rows of the surface tables alone, no .vtu and .vtp; stress inside the bodies is not computed"},
+    frames_every_increment,
+    frames_last_block,
+    frames_paraview,
     {"output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
      "blocks of a step between rows of history.csv; the first and last block always have rows"},
-    {"output.checkpoint_s", Type::number, "s", "1", at_least(0.0),
-     "least wall time between two checkpoints; 0: one at each block end. The last block end of a run is always kept"},
+    checkpoint,
     {"output.estimate_error", Type::flag, "", "", any,
      "by default true with `accuracy`, else false; true: the run is repeated on elements twice as large, which gives "
      "the error of the mesh and takes some 0.4 of a long run's time"},
-    {"output.probes.*.body", Type::text, "", "required", any, "body of the probe"},
+    probe_body,
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any,
      "point whose displacement is reported; on the body, or at most a quarter of an element beside it"},
 
@@ -283,17 +275,17 @@ constexpr Key table[] = {
      "transfer of plastic state to a fresh mesh: from the nearest Gauss point, by patch recovery, or by L2 projection, "
      "which keeps its integral"},
 
-    {"solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"},
-    {"solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"},
+    max_newton,
+    max_cutbacks,
 };
 // clang-format on
 
-}  // namespace
+}  // namespace plane_rows
 
 bool Range::holds(double value) const {
   return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
 }
 
-std::span<const Key> keys() { return table; }
+std::span<const Key> keys() { return plane_rows::table; }
 
 }  // namespace reye::scene

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/in_words.hpp"
 #include "base/printable.hpp"
 #include "scene/build.hpp"
 #include "scene/choose_elements.hpp"
 #include "scene/fixed_part.hpp"
 #include "scene/geometry_files.hpp"
+#include "scene/located.hpp"
 #include "scene/validate.hpp"
 
 namespace reye::scene {
@@ -16,55 +16,6 @@ namespace reye::scene {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Lines = std::map<std::string, int>;
-
-void add_lines(const Node& node, Lines& lines) {
-  if (!node.key.empty()) lines[node.key] = node.line;
-  for (const auto& child : node.children) add_lines(child, lines);
-}
-
-/// The line of the longest part of the key that the file has.
-int line_of(std::string key, const Lines& lines) {
-  while (!key.empty()) {
-    if (const auto found = lines.find(key); found != lines.end()) return found->second;
-    const auto cut = key.find_last_of(".[");
-    key.resize(cut == std::string::npos ? 0 : cut);
-  }
-  return 1;
-}
-
-std::string in_words(const base::Issue& issue, int line, const std::string& path) {
-  return base::printable(path) + ':' + std::to_string(line) + ": " + base::in_words(issue);
-}
-
-std::vector<std::string> in_words(Issues& issues, const Lines& lines, const std::string& path) {
-  std::stable_sort(issues.begin(), issues.end(),
-                   [&](const auto& a, const auto& b) { return line_of(a.key, lines) < line_of(b.key, lines); });
-  std::vector<std::string> texts;
-  for (const auto& issue : issues) texts.push_back(in_words(issue, line_of(issue.key, lines), path));
-  return texts;
-}
-
-base::InputError located(Issues issues, const Lines& lines, const std::string& path) {
-  std::string text;
-  for (const auto& line : in_words(issues, lines, path)) text += (text.empty() ? "" : "\n") + line;
-  return {std::move(issues), text};
-}
-
-Node document_of(const std::string& text, const std::string& path) {
-  try {
-    return parse(text);
-  } catch (const SyntaxError& error) {
-    const base::Issue issue{"", "", std::string("is not TOML: ") + error.what()};
-    throw base::InputError({issue}, in_words(issue, error.line, path));
-  }
-}
-
-std::string name_of(const std::string& path) {
-  const auto file = fs::absolute(path).lexically_normal();
-  return file.filename() == "scene.toml" ? file.parent_path().filename().string() : file.stem().string();
-}
 
 /// Points of loads and supports become vertices of the body they name; where they name none, of all that hold them.
 void note_points(Scene& scene) {
@@ -98,7 +49,9 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.supports = supports_of(root, issues);
   add_loads(root, scene, issues);
   note_points(scene);
-  add_histories(root, scene, issues);
+  auto histories = histories_of(root, scene.path, issues);
+  scene.histories = std::move(histories.corners);
+  scene.measured = std::move(histories.measured);
   scene.steps = steps_of(root, scene.path, issues);
   scene.limits = limits_of(root, issues);
   scene.remesh = remesh_of(root);
@@ -138,10 +91,14 @@ Scene read(const std::string& path) { return read_text(text_of(path), path); }
 
 Scene read_text(const std::string& text, const std::string& path) {
   const auto document = document_of(text, path);
+  if (const auto* analysis = document.find("analysis"); analysis && analysis->text == "solid")
+    throw located(
+        {{analysis->key, analysis->written, "a scene of solids; this command takes plane scenes only so far"}},
+        lines_of(document), path);
   Scene scene;
   scene.path = path;
   scene.name = name_of(path);
-  add_lines(document, scene.lines);
+  scene.lines = lines_of(document);
 
   Issues issues;
   check(document, spec(), issues);

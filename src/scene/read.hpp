@@ -1,8 +1,10 @@
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/errors.hpp"
+#include "scene/keys.hpp"
 #include "scene/scene.hpp"
 
 namespace reye::scene {
@@ -22,7 +24,10 @@ std::string text_of(const std::string& path);
 /// that the file has (line 1 when it has none).
 base::InputError located(const Scene& scene, const std::vector<base::Issue>& issues);
 
-/// The table of keys as markdown, for geo/REFERENCE.md.
+/// The table of keys of plane scenes as markdown, for geo/REFERENCE.md.
 std::string reference();
+
+/// Another table in the same form.
+std::string reference(std::span<const Key> table);
 
 }  // namespace reye::scene

@@ -18,9 +18,11 @@ std::string takes(const Key& key) {
 
 }  // namespace
 
-std::string reference() {
+std::string reference() { return reference(keys()); }
+
+std::string reference(std::span<const Key> table) {
   std::string text = "| key | takes | unit | default | meaning |\n|---|---|---|---|---|\n";
-  for (const auto& key : keys()) {
+  for (const auto& key : table) {
     if (key.type == Type::refused) continue;
     const std::string fallback(key.fallback);
     text += "| `" + std::string(key.pattern) + "` | " + takes(key) + " | " + std::string(key.unit) + " | " +

@@ -50,12 +50,14 @@ const Spec* Spec::find(std::string_view name) const {
   return any.get();
 }
 
+Spec tree_of(std::span<const Key> table) {
+  Spec tree;
+  for (const auto& key : table) insert(tree, split(key.pattern, '.'), key);
+  return tree;
+}
+
 const Spec& spec() {
-  static const Spec root = [] {
-    Spec tree;
-    for (const auto& key : keys()) insert(tree, split(key.pattern, '.'), key);
-    return tree;
-  }();
+  static const Spec root = tree_of(keys());
   return root;
 }
 

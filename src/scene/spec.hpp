@@ -21,6 +21,9 @@ struct Spec {
   bool is_table() const { return any || !named.empty(); }
 };
 
+/// The tree of a table, which must outlive it.
+Spec tree_of(std::span<const Key> table);
+
 /// The tree of `keys()`, built once.
 const Spec& spec();
 

@@ -4,42 +4,14 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <sstream>
 
 #include "base/formatted.hpp"
 #include "scene/histories.hpp"
-#include "scene/nearest.hpp"
+#include "scene/names.hpp"
 
 namespace reye::scene {
 
 namespace {
-
-using NameList = std::vector<std::string>;
-
-template <class Items>
-NameList names_of(const Items& items) {
-  NameList names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
-}
-
-template <class Value>
-NameList keys_of(const std::map<std::string, Value>& items) {
-  NameList names;
-  for (const auto& [name, value] : items) names.push_back(name);
-  return names;
-}
-
-bool holds(const NameList& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The name written under `key`, if any, must be one of `names`.
-void refer(const Entry& entry, std::string_view key, const std::string& what, const NameList& names, Issues& issues) {
-  const auto name = entry.text(key);
-  if (name.empty() || holds(names, name)) return;
-  issues.push_back({entry.key(key), entry.written(key), unknown_name_rule(what, name, names)});
-}
 
 constexpr std::string_view motions[] = {"x", "y", "tangent", "normal", "rotation"};
 
@@ -53,16 +25,6 @@ void check_histories(const Entry& root, const NameList& histories, Issues& issue
   for (const auto& load : root.all("load")) {
     refer(load, "history", "history", histories, issues);
     for (const auto& part : load.all("parts")) refer(part, "history", "history", histories, issues);
-  }
-}
-
-void check_step(const Entry& step, const NameList& histories, Issues& issues) {
-  std::set<std::string> seen;
-  for (const auto& name : step.texts("play")) {
-    if (!holds(histories, name))
-      issues.push_back({step.key("play"), step.written("play"), unknown_name_rule("history", name, histories)});
-    if (!seen.insert(name).second)
-      issues.push_back({step.key("play"), step.written("play"), "names \"" + name + "\" twice"});
   }
 }
 
@@ -124,32 +86,19 @@ void check_cycle(const Entry& step, const Scene& scene, Issues& issues) {
   for (const auto& name : step.texts("play")) {
     const auto found = scene.histories.find(name);
     if (found == scene.histories.end() || found->second.empty()) continue;
-    const auto factor = [](double v) {
-      std::ostringstream text;
-      text << v;
-      return text.str();
-    };
-    const double start = found->second.front()[1], end = found->second.back()[1];
-    if (start != end && !may_go_on(scene, name, end - start))
-      issues.push_back({step.key("play"), step.written("play"),
-                        "history \"" + name + "\" ends a cycle at " + factor(end) + " and began it at " +
-                            factor(start) + "; give it the way back: " +
-                            (scene.measured.contains(name) ? "close = true in its table"
-                                                           : "a last corner [1, " + factor(start) + "]")});
+    const auto& corners = found->second;
+    const auto rule = open_cycle_rule(name, corners, scene.measured.contains(name));
+    if (!rule.empty() && !may_go_on(scene, name, corners.back()[1] - corners.front()[1]))
+      issues.push_back({step.key("play"), step.written("play"), rule});
   }
 }
 
 void check_steps(const Entry& root, const Scene& scene, Issues& issues) {
-  const auto histories = keys_of(scene.histories);
-  std::set<std::string> seen;
+  check_plays(root, keys_of(scene.histories), issues);
   for (const auto& step : root.all("step")) {
-    check_step(step, histories, issues);
     check_period(step, scene, issues);
     check_cycle(step, scene, issues);
-    if (step.given("name") && !seen.insert(step.text("name")).second)
-      issues.push_back({step.key("name"), step.written("name"), "another step has this name"});
   }
-  if (!root.given("step")) issues.push_back({"step", "", "missing; a scene has at least one [[step]]"});
 }
 
 /// A finite-strain body needs a law of finite strain.
@@ -250,45 +199,14 @@ void warn_of_locking(const Entry& root, const Scene& scene, Issues& found) {
   }
 }
 
-/// Warns of what thinning has taken from a measured history, and of a duration that is not its own.
-void warn_of_measured(const Entry& root, const Scene& scene, Issues& found) {
-  constexpr double least = 0.02, off = 0.01;
-  for (const auto& entry : root.all("history")) {
-    const auto at = scene.measured.find(entry.name());
-    if (at == scene.measured.end()) continue;
-    const auto& measured = at->second;
-    if (measured.way_lost > std::max(least, measured.tolerance))
-      found.push_back({entry.key("file"), entry.written("file"),
-                       base::formatted("its way up and down is %.3g %% shorter without the oscillations below %g %% of "
-                                       "its range: where they slide, wear is less by as much; write a smaller "
-                                       "tolerance, or smooth them if they are noise",
-                                       100.0 * measured.way_lost, 100.0 * measured.tolerance)});
-    for (const auto& step : root.all("step")) {
-      const auto play = step.texts("play");
-      const double period = step.number("period_s"), own = measured.duration_s;
-      if (period == 0.0 || own == 0.0 || std::abs(period - own) <= off * own) continue;
-      if (std::find(play.begin(), play.end(), entry.name()) != play.end())
-        found.push_back({step.key("period_s"), step.written("period_s"),
-                         base::formatted("history \"%s\" was measured over %.4g s", entry.name().c_str(), own)});
-    }
-  }
-}
-
 }  // namespace
 
 Issues suspicious(const Entry& root, const Scene& scene) {
   Issues found;
   warn_of_locking(root, scene, found);
   suspicious_values(root, scene, found);
-  std::set<std::string> played;
-  for (const auto& step : scene.steps) played.insert(step.play.begin(), step.play.end());
-  const auto named = acting_histories(scene);
-  for (const auto& [name, history] : scene.histories) {
-    const auto key = root.at("history").key(name);
-    if (!played.count(name)) found.push_back({key, "", "no step plays it; its factor stays 0"});
-    if (!named.count(name)) found.push_back({key, "", "no support, load or imposed sliding names it"});
-  }
-  warn_of_measured(root, scene, found);
+  warn_of_idle(root, {scene.histories, scene.steps}, acting_histories(scene), found);
+  warn_of_measured(root, scene.measured, found);
   return found;
 }
 

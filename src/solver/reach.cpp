@@ -144,7 +144,7 @@ bool Reach::encloses(int contact, const contact::Interface& face) const {
   const auto &near_secondary = secondary[contact], &near_primary = primary[contact];
   const auto rim = [](const mortar::Surface& s, const std::vector<char>& near, int node) {
     for (int facet : {s.before[node], s.after[node]})
-      for (int k : facet < 0 ? mortar::Facet{-1, -1, -1} : s.facets[facet])
+      for (int k : facet < 0 ? mortar::LineFacet{-1, -1, -1} : s.facets[facet])
         if (k >= 0 && !near[k]) return true;
     return false;
   };

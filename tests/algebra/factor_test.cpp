@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -91,6 +92,56 @@ TEST(schur, known_analysis_equals_fresh) {
   same.refactor(grid(9, 8, 0.0, -0.3));
   EXPECT_EQ((same.schur() - algebra::SchurFactor(grid(9, 8, 0.0, -0.3), 16).schur()).norm(), 0.0);
   EXPECT_EQ((other.schur() - algebra::SchurFactor(grid(12, 7, 1.0), 16).schur()).norm(), 0.0);
+}
+
+// Nested dissection must give the same complement as minimum degree to round-off, whatever is retained, and keep its
+// analysis apart.
+TEST(schur, nested_dissection_equals_minimum_degree) {
+  for (int retained : {0, 1, 30, 599, 600}) {
+    const SparseMatrix K = grid(20, 15, 3.0);
+    const algebra::SchurFactor a(K, retained), b(K, retained, a.analysis(), algebra::Ordering::nested_dissection);
+    EXPECT_LT((a.schur() - b.schur()).norm(), 1e-13 * K.norm());
+    const Vector load = wave(600), u_c = wave(retained);
+    EXPECT_LT((a.condense(load) - b.condense(load)).norm(), 1e-11 * load.norm());
+    EXPECT_LT((a.recover(load, u_c) - b.recover(load, u_c)).norm(), 1e-11 * a.recover(load, u_c).norm());
+    EXPECT_TRUE(retained == 600 || a.analysis() != b.analysis());
+  }
+}
+
+// The complement that is taken out must leave the factor able to recover.
+TEST(schur, taken_out) {
+  const SparseMatrix K = grid(10, 10, 2.0);
+  algebra::SchurFactor f(K, 20);
+  const Matrix before = f.schur(), S = f.take_schur();
+  EXPECT_EQ((S - before).norm(), 0.0);
+  const Vector load = wave(200);
+  EXPECT_LT((K * f.recover(load, S.ldlt().solve(f.condense(load))) - load).norm(), 1e-11 * load.norm());
+}
+
+// The predicted size of a factor must grow with what is retained, and be that of a dense one where all is.
+TEST(factor_cost, counts_entries) {
+  const int n = 300;
+  SparseMatrix graph(n, n);
+  std::vector<base::Triplet> t;
+  for (int k = 0; k < n; ++k) {
+    t.emplace_back(k, k, 1.0);
+    if (k > 0) t.emplace_back(k - 1, k, 1.0);
+  }
+  graph.setFromTriplets(t.begin(), t.end());
+  EXPECT_LT(algebra::factor_cost(graph, 0, 3).entries, 9.0 * 6.0 * n);
+  EXPECT_NEAR(algebra::factor_cost(SparseMatrix(Matrix::Ones(50, 50).sparseView()), 50, 3).entries, 9.0 * 50 * 51 / 2,
+              1.0);
+}
+
+// The inverse of a dense definite matrix must be one, and what is not definite be refused.
+TEST(dense, inverts_definite_matrices) {
+  const Matrix A = Matrix(grid(5, 4, 3.0));
+  Matrix C = A;
+  algebra::invert(C);
+  EXPECT_LT((C * A - Matrix::Identity(40, 40)).norm(), 1e-11);
+  EXPECT_EQ((C - C.transpose()).norm(), 0.0);
+  C = -A;
+  EXPECT_THROW(algebra::invert(C), base::SolveError);
 }
 
 // Condensed equations plus recovery must give the direct solution to 1e-11.

@@ -46,7 +46,7 @@ std::vector<char> linear_multipliers(const mortar::Surface& s) {
 TEST(second_order, chains_become_bezier_curves) {
   const auto s = support::polyline({{2, 0}, {1, 0.5}, {0, 0}, {-1, 0}, {-2, 0}}, base::Analysis::plane_strain, 2);
   ASSERT_EQ(s.facet_count(), 2);
-  EXPECT_EQ(s.facets[1], (mortar::Facet{2, 4, 3}));
+  EXPECT_EQ(s.facets[1], (mortar::LineFacet{2, 4, 3}));
   EXPECT_LT((s.X[1] - Vec2(1, 1)).norm(), 1e-15);
   EXPECT_TRUE(s.is_control_point(1));
   EXPECT_FALSE(s.is_control_point(2));
@@ -65,7 +65,7 @@ TEST(second_order, nodal_areas) {
 /// A workspace with one curved facet below three primary nodes that reach from x = a to x = b.
 mortar::Workspace<double> curved_facet_under(double a, double b) {
   mortar::Workspace<double> w;
-  w.in.kind = mesh::FacetKind::line3;
+  w.in.kind = mesh::LineKind::line3;
   w.in.x = {mortar::Pair<double>{2, 0}, mortar::Pair<double>{1, 0}, mortar::Pair<double>{1.45, 0.1}};
   w.in.X = w.in.x_before = w.in.x;
   w.in.n = {mortar::Pair<double>{0.1, 1.0}, mortar::Pair<double>{-0.2, 0.98}, mortar::Pair<double>{0.0, 1.0}};

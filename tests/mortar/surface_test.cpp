@@ -78,7 +78,7 @@ TEST(surface, joined_surfaces_stay_apart) {
   const auto one = support::polyline({{0, 0}, {1, 0}}), two = support::polyline({{2, 0}, {3, 0}, {4, 0}});
   const auto all = mortar::joined({one, two});
   ASSERT_EQ(all.facet_count(), 3);
-  EXPECT_EQ(all.facets[1], (mortar::Facet{2, 3, -1}));
+  EXPECT_EQ(all.facets[1], (mortar::LineFacet{2, 3, -1}));
   EXPECT_EQ(all.after[1], -1);
   EXPECT_EQ(all.before[2], -1);
   EXPECT_EQ(all.before[3], 1);

@@ -21,8 +21,8 @@ namespace {
 Origin origin() { return {"0.1.0", "c0ffee", 7, "abc"}; }
 
 /// A folder with the tables that the checkpoint counts.
-struct RunFolder : sample::TemporaryFolder {
-  RunFolder() {
+struct SampleFolder : sample::TemporaryFolder {
+  SampleFolder() {
     for (const char* table : {"history.csv", "remesh.csv", "surface_pad_primary.csv"})
       atomic_write(*this / table, "head\none\ntwo\n");
   }
@@ -51,7 +51,7 @@ std::string reasons(const CheckpointSearch& search) {
 
 // A checkpoint comes back with every byte and what the folder held.
 TEST(Checkpoint, ReadsBack) {
-  RunFolder dir;
+  SampleFolder dir;
   const std::string payload("a\0b\nc", 5);
   save_checkpoint(dir.str(), checkpoint(payload));
   const auto search = load_checkpoint(dir.str(), origin());
@@ -62,7 +62,7 @@ TEST(Checkpoint, ReadsBack) {
 
 // The newest checkpoint is taken, the one before it is kept.
 TEST(Checkpoint, NewestWinsAndPreviousStays) {
-  RunFolder dir;
+  SampleFolder dir;
   for (const char* payload : {"one", "two", "three"}) save_checkpoint(dir.str(), checkpoint(payload));
   EXPECT_EQ(load_checkpoint(dir.str(), origin()).found->payload, "three");
   sample::fs::remove(dir / "checkpoint/current.bin");
@@ -73,7 +73,7 @@ TEST(Checkpoint, NewestWinsAndPreviousStays) {
 
 // Without any checkpoint the search says so.
 TEST(Checkpoint, MissingIsSaid) {
-  RunFolder dir;
+  SampleFolder dir;
   const auto search = load_checkpoint(dir.str(), origin());
   EXPECT_FALSE(search.found);
   EXPECT_EQ(search.refusals.size(), 2u);
@@ -81,7 +81,7 @@ TEST(Checkpoint, MissingIsSaid) {
 
 // Cut at any length, the file is refused as truncated and the previous one taken.
 TEST(Checkpoint, TruncatedAtAnyByteFallsBack) {
-  RunFolder dir;
+  SampleFolder dir;
   save_checkpoint(dir.str(), checkpoint("old"));
   save_checkpoint(dir.str(), checkpoint("new"));
   const std::string whole = read_text(dir / "checkpoint/current.bin");
@@ -96,7 +96,7 @@ TEST(Checkpoint, TruncatedAtAnyByteFallsBack) {
 
 // With any byte altered, the file is refused and the previous one taken.
 TEST(Checkpoint, AnyAlteredByteFallsBack) {
-  RunFolder dir;
+  SampleFolder dir;
   save_checkpoint(dir.str(), checkpoint("old"));
   save_checkpoint(dir.str(), checkpoint("new"));
   const std::string whole = read_text(dir / "checkpoint/current.bin");
@@ -115,7 +115,7 @@ TEST(Checkpoint, AnyAlteredByteFallsBack) {
 // Checkpoints of another scene or another version are refused with that reason, those of another layout with both
 // commits; another commit of the same layout is no reason.
 TEST(Checkpoint, OtherOriginsAreRefused) {
-  RunFolder dir;
+  SampleFolder dir;
   save_checkpoint(dir.str(), checkpoint("x"));
   const auto refused = [&](Origin own) {
     const auto search = load_checkpoint(dir.str(), own);
@@ -131,7 +131,7 @@ TEST(Checkpoint, OtherOriginsAreRefused) {
 
 // A checkpoint from before layouts had a name is refused as one of an older program.
 TEST(Checkpoint, OlderContainerIsRefused) {
-  RunFolder dir;
+  SampleFolder dir;
   save_checkpoint(dir.str(), checkpoint("x"));
   auto bytes = read_text(dir / "checkpoint/current.bin");
   bytes[7] = '2';
@@ -142,7 +142,7 @@ TEST(Checkpoint, OlderContainerIsRefused) {
 // Where a table holds fewer whole rows than a checkpoint says, the checkpoint before is taken, and kept by the next
 // save.
 TEST(Checkpoint, TablesTooShortFallBack) {
-  RunFolder dir;
+  SampleFolder dir;
   auto old = checkpoint("old");
   old.counters = {0, 0, {}, {}};
   save_checkpoint(dir.str(), old);
@@ -183,7 +183,7 @@ TEST(Checkpoint, AlteredUnderARightChecksum) {
     }
   }
   EXPECT_GT(refused, 5000);
-  RunFolder dir;
+  SampleFolder dir;
   auto outside = checkpoint("x");
   outside.counters.surface_rows = {{"../history.csv", 1}};
   sample::fs::create_directory(dir / "checkpoint");

@@ -46,7 +46,8 @@ TEST(BadScene, Values) {
       {"fine zones that are none",
        {{"fine_zone = { centre_mm = [0.0, 0.0], half_width_mm = 0.5, depth_mm = 0.2, size_mm = 0.010 }",
          "fine_zone = []"}},
-       "scene.toml:31: contact.pad.fine_zone = []: must be a table, or a list of such tables"},
+       "scene.toml:31: contact.pad.fine_zone = []: must be a table of centre_mm, half_width_mm, depth_mm, "
+       "size_mm, angle_deg, or a list of such tables"},
       {"remeshing",
        {{"[material.steel]",
          "[remesh]\nevery_blocks = -1\nmin_scaled_jacobian = 0.9\nmin_angle_deg = 60\nsize_ratio = 1\n"
@@ -101,7 +102,7 @@ TEST(BadScene, Values) {
         {R"(element = "quad")", R"(element = "hexa")"},
         {R"("circle")", R"("arc")"},
         {R"(side     = "secondary")", R"(side = "both")"}},
-       R"(scene.toml:2: analysis = "plane_strin": must be "plane_strain", "plane_stress" or "axisymmetric")"
+       R"(scene.toml:2: analysis = "plane_strin": must be "plane_strain", "plane_stress", "axisymmetric" or "solid")"
        "\n"
        R"(scene.toml:13: body.cylinder.mesh.element = "hexa": must be "quad" or "tri")"
        "\n"

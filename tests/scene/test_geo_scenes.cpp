@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "scene/read.hpp"
+#include "scene/solid/solid_scene.hpp"
 
 using namespace reye;
 namespace fs = std::filesystem;
@@ -15,10 +16,15 @@ TEST(GeoScenes, AllRead) {
     const auto file = entry.path() / "scene.toml";
     if (!fs::exists(file)) continue;
     ++count;
-    try {
-      const auto scene = scene::read(file.string());
+    const auto expect_sound = [&](const auto& scene) {
       EXPECT_EQ(scene.name, entry.path().filename().string());
       EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+    };
+    try {
+      if (scene::is_solid(file.string()))
+        expect_sound(scene::read_solid(file.string()));
+      else
+        expect_sound(scene::read(file.string()));
     } catch (const base::InputError& error) {
       ADD_FAILURE() << error.what();
     }

@@ -97,7 +97,7 @@ TEST(DrawnGap, IsLetInByProgress) {
   const auto& system = *kept;
   for (double progress : {0.0, 0.5, 1.0}) {
     const auto& step = problem.scene.steps[0];
-    const auto factors = sim::factors_at(problem.scene, step, progress, state.factors);
+    const auto factors = sim::factors_at(problem.scene.histories, step, progress, state.factors);
     EXPECT_NEAR(sim::controls_at(problem, system, factors, step, 0.0, progress, 1.0).contacts[0].inset,
                 0.25 * (1.0 - progress), 1e-15);
   }

@@ -77,7 +77,7 @@ TEST(Drive, FactorsHold) {
   const auto scene = with_histories();
   const scene::Step step{.name = "s", .play = {"stroke"}};
   const std::map<std::string, double> held{{"stroke", 0.7}, {"press", 0.3}, {"other", 7.0}};
-  const auto factors = sim::factors_at(scene, step, 0.25, held);
+  const auto factors = sim::factors_at(scene.histories, step, 0.25, held);
   EXPECT_EQ(factors, (std::map<std::string, double>{{"stroke", 1.0}, {"press", 0.3}, {"other", 7.0}}));
 }
 

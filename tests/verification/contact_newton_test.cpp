@@ -31,7 +31,7 @@ std::vector<Row> newton_rows(const std::string& text) {
     double from = 0.0;
     const auto held = state.factors;
     for (const double to : sim::increment_ends(problem.scene, step)) {
-      state.factors = sim::factors_at(problem.scene, step, to, held);
+      state.factors = sim::factors_at(problem.scene.histories, step, to, held);
       auto result = cache.newton.solve(system, state.solution,
                                        sim::controls_at(problem, system, state.factors, step, from, to, 1.0));
       EXPECT_TRUE(result.report.converged) << result.report.reason;

@@ -25,7 +25,7 @@ Point point(const base::Vec2& x) { return {x.x(), x.y()}; }
 /// The outline as straight pieces: its points, the pieces, and the outline nodes each lies between.
 struct Pieces {
   base::Points X;
-  std::vector<Facet> facets, between;
+  std::vector<LineFacet> facets, between;
 };
 
 /// Points on half a quadratic edge, from outline place k to the next one, both included.
@@ -61,7 +61,7 @@ bool folded(const Point& p, const Point& q, const Point& r) {
   return CGAL::orientation(p, q, r) == CGAL::COLLINEAR && CGAL::angle(p, q, r) == CGAL::ACUTE;
 }
 
-bool clash(const base::Points& X, const Facet& f, const Facet& g) {
+bool clash(const base::Points& X, const LineFacet& f, const LineFacet& g) {
   const auto at = [&](int node) { return point(X[node]); };
   if (f[1] == g[0]) return folded(at(f[0]), at(f[1]), at(g[1]));
   if (g[1] == f[0]) return folded(at(g[0]), at(g[1]), at(f[1]));

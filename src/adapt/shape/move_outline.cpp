@@ -22,7 +22,7 @@ struct Motion {
   Analysis analysis;
   const Outline& outline;
   const std::vector<WornNode>& nodes;
-  const std::vector<Facet> facets;
+  const std::vector<LineFacet> facets;
   const double volume;
 };
 

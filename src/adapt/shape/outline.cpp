@@ -47,7 +47,7 @@ Vec2 corner_step(const std::array<Vec2, 2>& n, const std::array<double, 2>& W) {
 double ratio(double volume, double length) { return volume > 0.0 ? volume / length : 0.0; }
 
 /// The share of the end `node` of a facet in its length.
-double share(Analysis analysis, const Points& P, const Facet& facet, int node) {
+double share(Analysis analysis, const Points& P, const LineFacet& facet, int node) {
   const int other = facet[0] == node ? facet[1] : facet[0];
   return mesh::nodal_shares(mesh::kind_of(facet), {P[node], P[other], P[std::max(facet[2], 0)]}, analysis)[0];
 }
@@ -86,13 +86,13 @@ std::vector<WornNode> worn_nodes(const mesh::Mesh& mesh, const std::vector<WornB
   return result;
 }
 
-std::vector<Facet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes) {
+std::vector<LineFacet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes) {
   std::set<int> starts;
   for (const auto& worn : nodes) {
     if (!outline.middle[worn.node]) starts.insert(worn.node);
     starts.insert(outline.middle[worn.node] ? outline.before[worn.node] : outline.facet_before(worn.node)[0]);
   }
-  std::vector<Facet> facets;
+  std::vector<LineFacet> facets;
   for (int a : starts) facets.push_back(outline.facet_after(a));
   return facets;
 }
@@ -118,7 +118,7 @@ Vec2 control_step(Analysis analysis, const std::array<Vec2, 3>& facet, const std
   const auto& [a, b, c] = facet;
   const Vec2 t = unit(b - a), n = base::right_of(t);
   const std::array<Vec2, 2> end_normal{base::right_of(unit(c - a)), base::right_of(unit(b - c))};
-  const double W = ratio(volume, mesh::nodal_shares(mesh::FacetKind::line3, facet, analysis)[2]);
+  const double W = ratio(volume, mesh::nodal_shares(mesh::LineKind::line3, facet, analysis)[2]);
   return (-W + 0.5 * ends[0].dot(end_normal[0] - n) + 0.5 * ends[1].dot(end_normal[1] - n)) * n +
          0.5 * t.dot(ends[0] + ends[1]) * t;
 }

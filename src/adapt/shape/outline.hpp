@@ -16,10 +16,10 @@ struct Outline {
   std::vector<char> middle;
   bool holds(int node) const { return after[node] >= 0; }
   /// The facet that starts at a vertex, and the one that ends there.
-  Facet facet_after(int a) const {
-    return middle[after[a]] ? Facet{a, after[after[a]], after[a]} : Facet{a, after[a], -1};
+  LineFacet facet_after(int a) const {
+    return middle[after[a]] ? LineFacet{a, after[after[a]], after[a]} : LineFacet{a, after[a], -1};
   }
-  Facet facet_before(int b) const { return facet_after(middle[before[b]] ? before[before[b]] : before[b]); }
+  LineFacet facet_before(int b) const { return facet_after(middle[before[b]] ? before[before[b]] : before[b]); }
 };
 
 Outline outline_of(const mesh::Mesh& mesh);
@@ -36,7 +36,7 @@ struct WornNode {
 std::vector<WornNode> worn_nodes(const mesh::Mesh& mesh, const std::vector<WornBoundary>& worn);
 
 /// Every outline facet with at least one worn node.
-std::vector<Facet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes);
+std::vector<LineFacet> touched_facets(const Outline& outline, const std::vector<WornNode>& nodes);
 
 /// Step of a worn vertex for which, to first order, its strip has the volume it lost, with W = volume / nodal
 /// length on each side.

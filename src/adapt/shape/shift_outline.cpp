@@ -20,12 +20,12 @@ namespace {
 /// Steps of nodes and control points: the given part and the free part.
 struct Steps {
   Points by, free;
-  std::vector<Facet> facets;  ///< that these move
+  std::vector<LineFacet> facets;  ///< that these move
 };
 
 /// Direction of a vertex that belongs to the boundary with the facet before it, the one after it or both.
 Vec2 outwards(const Points& P, const Outline& outline, int node, bool before, bool after) {
-  const Facet first = outline.facet_before(node), second = outline.facet_after(node);
+  const LineFacet first = outline.facet_before(node), second = outline.facet_after(node);
   const Vec2 in = (P[node] - P[first[2] >= 0 ? first[2] : first[0]]).normalized();
   const Vec2 out = (P[second[2] >= 0 ? second[2] : second[1]] - P[node]).normalized();
   if (before && after) return (base::right_of(in) + base::right_of(out)).normalized();
@@ -36,7 +36,7 @@ Vec2 outwards(const Points& P, const Outline& outline, int node, bool before, bo
 }
 
 /// The facets of the outline with one of these nodes.
-std::vector<Facet> facets_at(const Outline& outline, const std::set<int>& nodes) {
+std::vector<LineFacet> facets_at(const Outline& outline, const std::set<int>& nodes) {
   std::vector<WornNode> touched;
   for (int node : nodes) touched.push_back({node});
   return touched_facets(outline, touched);

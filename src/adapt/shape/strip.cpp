@@ -8,7 +8,7 @@ namespace reye::adapt {
 
 namespace {
 
-using mesh::FacetKind;
+using mesh::LineKind;
 
 Vec2 combined(const std::array<double, 3>& weight, const std::array<Vec2, 3>& p) {
   return weight[0] * p[0] + weight[1] * p[1] + weight[2] * p[2];
@@ -30,7 +30,7 @@ double swept_volume(Analysis analysis, const std::array<Vec2, 2>& facet, const s
 double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 3>& displacement) {
   double sum = 0.0;
   for (const auto& [xi, weight] : mesh::gauss5) {
-    const auto N = mesh::facet_functions(FacetKind::line3, xi), slope = mesh::facet_slopes(FacetKind::line3, xi);
+    const auto N = mesh::facet_functions(LineKind::line3, xi), slope = mesh::facet_slopes(LineKind::line3, xi);
     const Vec2 x = combined(N, facet), x_xi = combined(slope, facet);
     const Vec2 d = combined(N, displacement), d_xi = combined(slope, displacement);
     for (const auto& [eta, weight_s] : mesh::gauss5) {
@@ -41,7 +41,7 @@ double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const s
   return sum;
 }
 
-double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
+double strip_volume(Analysis analysis, const Points& X, const std::vector<LineFacet>& facets, const Points& step,
                     double factor) {
   double sum = 0.0;
   for (const auto& [a, b, c] : facets) {
@@ -52,14 +52,15 @@ double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>
   return sum;
 }
 
-double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets) {
+double strip_between(Analysis analysis, const Points& before, const Points& after,
+                     const std::vector<LineFacet>& facets) {
   Points moved(before.size());
   for (std::size_t j = 0; j < before.size(); ++j) moved[j] = after[j] - before[j];
   return strip_volume(analysis, mesh::control_points(facets, before), facets,
                       mesh::control_points(facets, std::move(moved)));
 }
 
-double exact_factor(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
+double exact_factor(Analysis analysis, const Points& X, const std::vector<LineFacet>& facets, const Points& step,
                     double volume) {
   const auto excess = [&](double theta) { return strip_volume(analysis, X, facets, step, theta) - volume; };
   double theta = 1.0, f = excess(theta), slope = f + volume;  // the strip is nearly proportional to theta

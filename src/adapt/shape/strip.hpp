@@ -12,7 +12,7 @@ using base::Analysis;
 using base::Points;
 using base::Vec2;
 
-using mesh::Facet;
+using mesh::LineFacet;
 
 /// Volume the body loses when the ends of a facet move by da and db: that of the signed quadrilateral
 /// (a, b, b + db, a + da), turned about the axis in axisymmetry. Exact; summed from the displacements, so that
@@ -24,15 +24,16 @@ double swept_volume(Analysis analysis, const std::array<Vec2, 2>& facet, const s
 double swept_volume(Analysis analysis, const std::array<Vec2, 3>& facet, const std::array<Vec2, 3>& displacement);
 
 /// The strip under all `facets` when every node, or control point, moves by factor * step[node].
-double strip_volume(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
+double strip_volume(Analysis analysis, const Points& X, const std::vector<LineFacet>& facets, const Points& step,
                     double factor = 1.0);
 
 /// The volume of the strip between the outlines of two meshes that differ in their coordinates alone.
-double strip_between(Analysis analysis, const Points& before, const Points& after, const std::vector<Facet>& facets);
+double strip_between(Analysis analysis, const Points& before, const Points& after,
+                     const std::vector<LineFacet>& facets);
 
 /// The factor theta near 1 for which the strip has exactly `volume` > 0, by the secant method down to
 /// round-off; NaN when there is none.
-double exact_factor(Analysis analysis, const Points& X, const std::vector<Facet>& facets, const Points& step,
+double exact_factor(Analysis analysis, const Points& X, const std::vector<LineFacet>& facets, const Points& step,
                     double volume);
 
 }  // namespace reye::adapt

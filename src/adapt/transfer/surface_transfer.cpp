@@ -33,7 +33,7 @@ bool runs_along(const Surface& s, int node, const Vec2& way) {
 
 /// Values of the nodes of a facet at t in [0, 1]: linear, or by Bernstein functions.
 template <class T>
-T at(const mortar::Facet& facet, double t, const std::vector<T>& values) {
+T at(const mortar::LineFacet& facet, double t, const std::vector<T>& values) {
   const auto [a, b, c] = facet;
   if (t == 0.0) return values[a];
   if (t == 1.0) return values[b];

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,12 +27,13 @@ constexpr int pipe_of_importer = 3;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Starts the process with its pipe as descriptor 3 and no other open file of this program.
-pid_t start(const std::string& program, const std::vector<std::string>& arguments, int pipe) {
+/// Starts the process with its requests as standard input, its pipe as descriptor 3 and no other open file of this
+/// program.
+pid_t start(const std::string& program, const std::vector<std::string>& arguments, int requests, int pipe) {
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
+  ::posix_spawn_file_actions_adddup2(&files, requests, STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&files, pipe, pipe_of_importer);
-  ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   for (int out : {STDOUT_FILENO, STDERR_FILENO})
     ::posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
   ::posix_spawn_file_actions_addclosefrom_np(&files, pipe_of_importer + 1);
@@ -45,36 +47,59 @@ pid_t start(const std::string& program, const std::vector<std::string>& argument
   return pid;
 }
 
-std::string in_words(int signal) {
+std::string in_words(int signal, const Task& task) {
   const char* const mend = "; export the file again from the program it comes from, or in another format";
   if (signal == SIGXCPU)
-    return "reading it takes more than " + std::to_string(computing_s) +
+    return task.doing + " takes more than " + std::to_string(task.computing_s) +
            " s of computing; a file that you trust may take longer with --trust-geometry";
-  return std::string("the program that reads it crashes on it (") + ::strsignal(signal) + ")" + mend;
+  return "the program that " + task.does + " it crashes on it (" + ::strsignal(signal) + ")" + mend;
+}
+
+void close_both(const int (&ends)[2]) {
+  for (int end : ends)
+    if (end >= 0) ::close(end);
 }
 
 }  // namespace
 
 ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments) {
-  int ends[2] = {-1, -1};
-  if (::pipe2(ends, O_CLOEXEC) != 0)
-    throw std::runtime_error(std::string("no pipe to the importer: ") + std::strerror(errno));
-  pipe_ = ends[0];
+  int ends[2] = {-1, -1}, asking[2] = {-1, -1};
+  if (::pipe2(ends, O_CLOEXEC) != 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, asking) != 0) {
+    const std::string why = std::strerror(errno);
+    close_both(ends);
+    throw std::runtime_error("no pipe to the importer: " + why);
+  }
   try {
-    pid_ = start(beside_program("reye-import"), arguments, ends[1]);
+    pid_ = start(beside_program("reye-import"), arguments, asking[1], ends[1]);
   } catch (...) {
-    ::close(ends[0]);
-    ::close(ends[1]);
+    close_both(ends);
+    close_both(asking);
     throw;
   }
+  pipe_ = ends[0];
+  requests_ = asking[0];
   ::close(ends[1]);
+  ::close(asking[1]);
 }
 
 ImporterProcess::~ImporterProcess() {
   ::close(pipe_);
+  ::close(requests_);
   if (pid_ == 0) return;
   ::kill(pid_, SIGKILL);
   while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+void ImporterProcess::ask(const std::string& bytes) {
+  const std::uint64_t size = bytes.size();
+  std::string all(reinterpret_cast<const char*>(&size), sizeof size);
+  all += bytes;
+  for (std::size_t at = 0; at < all.size();) {
+    const ssize_t n = ::send(requests_, all.data() + at, all.size() - at, MSG_NOSIGNAL);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return;  // it has ended, as the answer that does not come will show
+    at += static_cast<std::size_t>(n);
   }
 }
 
@@ -110,18 +135,19 @@ std::optional<std::string> ImporterProcess::message(double most_s) {
   return text;
 }
 
-std::string ImporterProcess::end_in_words() {
+std::string ImporterProcess::end_in_words(const Task& task) {
   if (too_large_) return "holds more than 1 GB of outlines or mesh";
   if (too_long_) {
-    return "reading it takes more than " + std::to_string(static_cast<int>(waiting_s)) +
+    return task.doing + " takes more than " + std::to_string(static_cast<int>(task.waiting_s)) +
            " s; a file that you trust may take longer with --trust-geometry";
   }
   int status = 0;
   while (::waitpid(pid_, &status, 0) < 0)
-    if (errno != EINTR) return "the program that reads it ended without a message";
+    if (errno != EINTR) return "the program that " + task.does + " it ended without a message";
   pid_ = 0;
-  if (WIFSIGNALED(status)) return in_words(WTERMSIG(status));
-  return "the program that reads it ended without a message (code " + std::to_string(WEXITSTATUS(status)) + ")";
+  if (WIFSIGNALED(status)) return in_words(WTERMSIG(status), task);
+  return "the program that " + task.does + " it ended without a message (code " + std::to_string(WEXITSTATUS(status)) +
+         ")";
 }
 
 }  // namespace reye::cad

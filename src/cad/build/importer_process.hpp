@@ -7,8 +7,20 @@
 
 namespace reye::cad {
 
-/// A running `reye-import`, which answers by messages through a pipe, the only thing it shares with this program; ended
-/// with the object.
+/// Seconds that the importer may compute on one file that is not trusted, and may keep this program waiting for it.
+inline constexpr int computing_s = 20;
+inline constexpr double waiting_s = 40.0;
+
+/// What the importer is at, and how long that may take.
+struct Task {
+  std::string doing = "reading it";
+  std::string does = "reads";  ///< "the program that reads it"
+  int computing_s = cad::computing_s;
+  double waiting_s = cad::waiting_s;
+};
+
+/// A running `reye-import`, which takes requests through a socket and answers by messages through a pipe, the only
+/// things it shares with this program; ended with the object.
 class ImporterProcess {
  public:
   /// Throws std::runtime_error when it cannot be started.
@@ -20,19 +32,19 @@ class ImporterProcess {
   /// Its next message; nothing when it has ended, does not answer within so many seconds, or the message is too long.
   std::optional<std::string> message(double most_s);
 
+  /// Sends it a request, which it reads from its standard input, preceded by its size. One that has ended reads none.
+  void ask(const std::string& bytes);
+
   /// Why there is no further message, as the rule of an issue.
-  std::string end_in_words();
+  std::string end_in_words(const Task& task = {});
 
  private:
   bool read_all(char* to, std::size_t bytes, double deadline);
 
   pid_t pid_ = 0;
   int pipe_ = -1;
+  int requests_ = -1;
   bool too_long_ = false, too_large_ = false;
 };
-
-/// Seconds that the importer may compute on one file that is not trusted, and may keep this program waiting for it.
-inline constexpr int computing_s = 20;
-inline constexpr double waiting_s = 40.0;
 
 }  // namespace reye::cad

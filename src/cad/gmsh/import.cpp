@@ -26,18 +26,6 @@ void import_shapes(const std::string& path) {
   gmsh::model::occ::synchronize();
 }
 
-/// Loads the file into the current model.
-void load(const std::string& path, Format format) {
-  const Silence silence;
-  gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
-  gmsh::option::setNumber("Geometry.OCCScaling", 1);
-  if (format == Format::shapes)
-    import_shapes(path);
-  else
-    gmsh::merge(path);
-  gmsh::option::setNumber("General.Terminal", 0);  // a script may have switched on messages
-}
-
 bool has_solids() {
   gmsh::vectorpair solids;
   gmsh::model::getEntities(solids, 3);
@@ -73,11 +61,22 @@ std::vector<Face> faces_of(const std::string& path, const std::optional<Section>
 
 }  // namespace
 
+void load_model(const std::string& path, Format format) {
+  const Silence silence;
+  gmsh::option::setNumber("Geometry.OCCImportLabels", 1);
+  gmsh::option::setNumber("Geometry.OCCScaling", 1);
+  if (format == Format::shapes)
+    import_shapes(path);
+  else
+    gmsh::merge(path);
+  gmsh::option::setNumber("General.Terminal", 0);  // a script may have switched on messages
+}
+
 std::vector<RawPart> read_by_gmsh(const std::string& path, Format format, const std::optional<Section>& section) {
   const Session session;
   try {
     gmsh::model::add("import");
-    load(path, format);
+    load_model(path, format);
     check_content(path, format, section.has_value());
     std::vector<RawPart> parts = format == Format::mesh ? parts_from_mesh() : parts_from_faces(faces_of(path, section));
     gmsh::model::remove();

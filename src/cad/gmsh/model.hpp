@@ -4,6 +4,9 @@
 /// Readers of gmsh's current model. gmsh's bare std::string exceptions pass through.
 namespace reye::cad {
 
+/// Loads a file into the current model.
+void load_model(const std::string& path, Format format);
+
 /// A surface of the model with its name: of its physical group (`group`), or the last component of the label that was
 /// imported with it.
 struct Face {

@@ -26,11 +26,13 @@ void limit(int resource, rlim_t most) {
 
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-void limit_memory() {
+void limit_memory(int gigabytes) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);
-#if !defined(__SANITIZE_ADDRESS__)  // that takes terabytes of addresses
-  limit(RLIMIT_AS, rlim_t{3} << 30);
+#if defined(__SANITIZE_ADDRESS__)  // that takes terabytes of addresses
+  (void)gigabytes;
+#else
+  limit(RLIMIT_AS, static_cast<rlim_t>(gigabytes) << 30);
 #endif
 }
 

@@ -8,8 +8,8 @@ namespace reye::cad {
 /// Ends this process when the one that started it ends.
 void end_with_parent();
 
-/// Limits this process to 3 GB of memory, and lets no file grow.
-void limit_memory();
+/// Limits this process to so many GB of memory, and lets no file grow.
+void limit_memory(int gigabytes = 3);
 
 /// Limits computing to so many seconds from now; then the system ends the process (SIGXCPU).
 void limit_computing(int seconds);

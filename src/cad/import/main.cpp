@@ -1,6 +1,3 @@
-#include <unistd.h>
-
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -8,29 +5,22 @@
 
 #include "cad/build/importer_process.hpp"
 #include "cad/import/guard.hpp"
+#include "cad/import/messages.hpp"
 #include "cad/import/read_file.hpp"
+#include "cad/import/solid_server.hpp"
 #include "cad/meshing/kernel.hpp"
 #include "cad/part/raw_bytes.hpp"
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
+///   reye-import guarded|trusted FOLDER solid FILE
 /// SECTION: six numbers, point and normal, or "-". Its messages go to descriptor 3, each preceded by its size: first
-/// whether the system keeps it from anything but reading, then an answer for each file.
+/// whether the system keeps it from anything but reading, then an answer for each file; of solids, an answer to each
+/// request on standard input (`solid_server`).
 namespace {
 
 using namespace reye;
-
-void say(const std::string& bytes) {
-  constexpr int pipe = 3;
-  const std::uint64_t size = bytes.size();
-  std::string all(reinterpret_cast<const char*>(&size), sizeof size);
-  all += bytes;
-  for (std::size_t at = 0; at < all.size();) {
-    const ssize_t n = ::write(pipe, all.data() + at, all.size() - at);
-    if (n <= 0) std::_Exit(1);
-    at += static_cast<std::size_t>(n);
-  }
-}
+using cad::say;
 
 std::optional<cad::Section> section_of(const char* text) {
   cad::Section section;
@@ -80,6 +70,10 @@ int main(int count, char** words) {
     if (needs_gmsh(file)) cad::kernel();  // loaded before the restriction to reading
   const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
   say(guarded ? "guarded" : "open");
+  if (std::string(words[3]) == "solid") {
+    cad::serve_solids(files[0], how);
+    std::_Exit(0);
+  }
   for (const std::string& file : files) {
     if (!how.trusted) cad::limit_computing(cad::computing_s);
     say(cad::to_bytes(answer_about(file, how)));

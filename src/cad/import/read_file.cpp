@@ -46,16 +46,21 @@ void check_last_line(const std::string& path) {
 
 }  // namespace
 
-std::vector<RawPart> read_file(const std::string& path, const Reading& how) {
+Format checked_format(const std::string& path, const Reading& how) {
   const Format format = format_of(path);
   check_readable(path);
   check_content(path, format);
-  if (format == Format::vtu) return read_vtu(path);
   if (format == Format::script) {
     check_last_line(path);
     if (!how.trusted)
       if (auto issues = unsafe_commands(path, how.folder); !issues.empty()) throw base::InputError(std::move(issues));
   }
+  return format;
+}
+
+std::vector<RawPart> read_file(const std::string& path, const Reading& how) {
+  const Format format = checked_format(path, how);
+  if (format == Format::vtu) return read_vtu(path);
   return kernel().read_file(path, format, how.section);
 }
 

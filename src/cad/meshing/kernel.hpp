@@ -15,6 +15,9 @@ struct Kernel {
 /// Loads it; throws std::runtime_error when it is not found.
 const Kernel& kernel();
 
+/// What that library exports by this name; loads it. Throws std::runtime_error when it is not found.
+const void* kernel_symbol(const char* name);
+
 std::vector<RawPart> read_by_gmsh(const std::string& path, Format format, const std::optional<Section>& section);
 void fill_by_gmsh(Region& region, const SizeField& size);
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr const char* marker = ".reye.json";
 constexpr std::array analyses{"plane_strain", "plane_stress", "axisymmetric"};
+constexpr const char* solid_analysis = "solid";
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -27,7 +28,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 /// Whether a run writes an entry of this name at the top of its folder.
 bool is_result(const std::string& name) {
   for (const char* own : {"series.pvd", "surfaces.pvd", "history.csv", "remesh.csv", "summary.json", "log.txt",
-                          "report.html", "scene.svg", "frames", "figures", "checkpoint"})
+                          "report.html", "scene.svg", "inputs.json", "frames", "figures", "checkpoint"})
     if (name == own) return true;
   return name.rfind("surface_", 0) == 0 && (ends_with(name, "_secondary.csv") || ends_with(name, "_primary.csv"));
 }
@@ -93,6 +94,7 @@ std::optional<Identity> read_identity(const std::string& dir) {
   if (!json.is_object()) return {};
   try {
     Identity identity{json.at("scene"), json.at("title"), json.at("scene_sha256"), {}, {}, {}};
+    identity.solid = json.at("analysis") == solid_analysis;
     for (std::size_t i = 0; i < analyses.size(); ++i)
       if (json.at("analysis") == analyses[i]) identity.analysis = static_cast<base::Analysis>(i);
     for (const auto& [name, mu] : json.at("friction").items())
@@ -130,7 +132,7 @@ std::string marker_of(const Identity& identity) {
   Json json{{"scene", identity.name},
             {"title", identity.title},
             {"scene_sha256", identity.sha256},
-            {"analysis", analyses[static_cast<std::size_t>(identity.analysis)]},
+            {"analysis", identity.solid ? solid_analysis : analyses[static_cast<std::size_t>(identity.analysis)]},
             {"friction", Json::object()},
             {"sides", Json::object()},
             {"fixed_sha256", identity.fixed_sha256},

@@ -17,6 +17,7 @@ struct Identity {
   std::map<std::string, std::array<std::string, 2>>
       sides{};                               ///< by contact: secondary and primary edges with their bodies
   std::string fixed_sha256{}, scene_text{};  ///< by which an extension of the run is recognised
+  bool solid = false;                        ///< a run of solids: `analysis` does not count
 };
 
 Identity identity_of(const scene::Scene& scene);

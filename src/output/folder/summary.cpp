@@ -1,43 +1,58 @@
 #include "output/folder/summary.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "output/folder/summary_parts.hpp"
 #include "output/folder/tables.hpp"
 #include "output/folder/text.hpp"
 
 namespace reye::output {
 
-using Json = nlohmann::ordered_json;
+Json value_json(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+Json value_json(const std::optional<double>& x) { return x ? value_json(*x) : Json(nullptr); }
+Json text_json(const std::string& s) { return s.empty() ? Json(nullptr) : Json(s); }
+
+Json counts_json(const sim::Counts& c) {
+  return {{"blocks", c.blocks},
+          {"increments", c.increments},
+          {"newton_iterations", c.newton_iterations},
+          {"factorisations", c.factorisations},
+          {"remeshes", c.remeshes},
+          {"cutbacks", c.cutbacks},
+          {"cycles_solved", c.cycles_solved},
+          {"refused_blocks", c.refused_blocks}};
+}
+
+Json warnings_json(const std::vector<sim::Warning>& warnings) {
+  Json all = Json::array();
+  for (const auto& w : warnings) all.push_back({{"kind", w.kind}, {"about", text_json(w.about)}, {"text", w.text}});
+  return all;
+}
 
 namespace {
 
-Json value(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-Json value(const std::optional<double>& x) { return x ? value(*x) : Json(nullptr); }
-Json text(const std::string& s) { return s.empty() ? Json(nullptr) : Json(s); }
-
 Json side(const sim::SideSummary& s, const Suffixes& unit) {
-  return {{"max_depth_mm", value(s.max_depth_mm)},
-          {unit.worn, value(s.worn_area)},
-          {"scar_width_mm", value(s.scar_width_mm)}};
+  return {{"max_depth_mm", value_json(s.max_depth_mm)},
+          {unit.worn, value_json(s.worn_area)},
+          {"scar_width_mm", value_json(s.scar_width_mm)}};
 }
 
 Json contact(const sim::ContactSummary& c, const Suffixes& unit) {
-  return {{"peak_pressure_MPa", value(c.peak_pressure_MPa)},
-          {"contact_half_width_mm", value(c.contact_half_width_mm)},
-          {"stick_half_width_mm", value(c.stick_half_width_mm)},
-          {"normal_force_" + unit.force, value(c.normal_force)},
-          {"tangential_force_" + unit.force, value(c.tangential_force)},
-          {"dissipated_energy_" + unit.energy, value(c.dissipated_energy)},
+  return {{"peak_pressure_MPa", value_json(c.peak_pressure_MPa)},
+          {"contact_half_width_mm", value_json(c.contact_half_width_mm)},
+          {"stick_half_width_mm", value_json(c.stick_half_width_mm)},
+          {"normal_force_" + unit.force, value_json(c.normal_force)},
+          {"tangential_force_" + unit.force, value_json(c.tangential_force)},
+          {"dissipated_energy_" + unit.energy, value_json(c.dissipated_energy)},
           {"secondary", side(c.secondary, unit)},
           {"primary", side(c.primary, unit)},
-          {"ledger_relative_error", value(c.ledger_relative_error)}};
+          {"ledger_relative_error", value_json(c.ledger_relative_error)}};
 }
 
 /// A place is null where there is no such traction.
 void add_peak(Json& json, const std::string& name, const sim::TractionPeak& peak) {
-  const auto place = [&](double x) { return peak.MPa > 0.0 ? value(x) : Json(nullptr); };
-  json[name + "_MPa"] = value(peak.MPa);
+  const auto place = [&](double x) { return peak.MPa > 0.0 ? value_json(x) : Json(nullptr); };
+  json[name + "_MPa"] = value_json(peak.MPa);
   json[name + "_x_mm"] = place(peak.at_mm.x());
   json[name + "_y_mm"] = place(peak.at_mm.y());
   json[name + "_cycle"] = place(peak.cycle);
@@ -48,8 +63,8 @@ Json bond(const sim::BondTraction& t) {
   Json json = Json::object();
   add_peak(json, "peak_tension", t.tension);
   add_peak(json, "peak_shear", t.shear);
-  json["mean_tension_MPa"] = value(t.mean_tension_MPa);
-  json["mean_shear_MPa"] = value(t.mean_shear_MPa);
+  json["mean_tension_MPa"] = value_json(t.mean_tension_MPa);
+  json["mean_shear_MPa"] = value_json(t.mean_shear_MPa);
   return json;
 }
 
@@ -57,17 +72,6 @@ Json bonds(const sim::Summary& summary) {
   Json all = Json::object();
   for (const auto& b : summary.bonds) all[b.name] = {{"end", bond(b.end)}, {"most", bond(b.most)}};
   return all;
-}
-
-Json counts(const sim::Counts& c) {
-  return {{"blocks", c.blocks},
-          {"increments", c.increments},
-          {"newton_iterations", c.newton_iterations},
-          {"factorisations", c.factorisations},
-          {"remeshes", c.remeshes},
-          {"cutbacks", c.cutbacks},
-          {"cycles_solved", c.cycles_solved},
-          {"refused_blocks", c.refused_blocks}};
 }
 
 Json contacts(const sim::Summary& summary) {
@@ -79,32 +83,28 @@ Json contacts(const sim::Summary& summary) {
 
 Json probes(const sim::Summary& summary) {
   Json all = Json::object();
-  for (const auto& [name, u] : summary.probes) all[name] = {{"u_x_mm", value(u.x())}, {"u_y_mm", value(u.y())}};
+  for (const auto& [name, u] : summary.probes)
+    all[name] = {{"u_x_mm", value_json(u.x())}, {"u_y_mm", value_json(u.y())}};
   return all;
 }
 
 Json lives(const sim::Summary& summary) {
   Json all;  // null where the scene sets no limit
-  for (const auto& [name, cycles] : summary.life_cycles) all[name] = value(cycles);
+  for (const auto& [name, cycles] : summary.life_cycles) all[name] = value_json(cycles);
   return all;
 }
 
 Json life_errors(const sim::Summary& summary) {
   Json all;  // null where no life has a known error
-  for (const auto& [name, cycles] : summary.life_error) all[name] = value(cycles);
+  for (const auto& [name, cycles] : summary.life_error) all[name] = value_json(cycles);
   return all;
 }
 
 Json bands(const sim::Summary& summary) {
   Json all;  // null where no limit has a scatter
   for (const auto& [name, band] : summary.life_band)
-    all[name] = {{"shortest_cycles", value(band.shortest_cycles)}, {"longest_cycles", value(band.longest_cycles)}};
-  return all;
-}
-
-Json warnings(const sim::Summary& summary) {
-  Json all = Json::array();
-  for (const auto& w : summary.warnings) all.push_back({{"kind", w.kind}, {"about", text(w.about)}, {"text", w.text}});
+    all[name] = {{"shortest_cycles", value_json(band.shortest_cycles)},
+                 {"longest_cycles", value_json(band.longest_cycles)}};
   return all;
 }
 
@@ -113,8 +113,8 @@ Json histories(const sim::Summary& s) {
   for (const auto& [name, h] : s.histories)
     all[name] = {{"points", h.points},
                  {"points_kept", h.kept},
-                 {"tolerance", value(h.tolerance)},
-                 {"way_lost", value(h.way_lost)}};
+                 {"tolerance", value_json(h.tolerance)},
+                 {"way_lost", value_json(h.way_lost)}};
   return all;
 }
 
@@ -135,22 +135,22 @@ const char* status_name(sim::RunStatus status) {
 std::string summary_json(const sim::Summary& s) {
   Json json{{"title", s.title},
             {"status", status_name(s.status)},
-            {"reason", text(s.reason)},
-            {"cycles", value(s.cycles)},
+            {"reason", text_json(s.reason)},
+            {"cycles", value_json(s.cycles)},
             {"contacts", contacts(s)},
             {"probes", probes(s)},
             {"life_cycles", lives(s)},
             {"estimated_error",
-             {{"cycle_jump", value(s.error_cycle_jump)},
-              {"discretisation", value(s.error_discretisation)},
-              {"peak_pressure", value(s.error_peak_pressure)},
-              {"kinematics", value(s.error_small_strain)},
+             {{"cycle_jump", value_json(s.error_cycle_jump)},
+              {"discretisation", value_json(s.error_discretisation)},
+              {"peak_pressure", value_json(s.error_peak_pressure)},
+              {"kinematics", value_json(s.error_small_strain)},
               {"life_cycles", life_errors(s)},
-              {"energy_norm", value(s.error_energy_norm)}}},
-            {"counts", counts(s.counts)},
-            {"wall_s", value(s.wall_s)},
-            {"cpu_s", value(s.cpu_s)},
-            {"peak_rss_MB", value(s.peak_rss_MB)},
+              {"energy_norm", value_json(s.error_energy_norm)}}},
+            {"counts", counts_json(s.counts)},
+            {"wall_s", value_json(s.wall_s)},
+            {"cpu_s", value_json(s.cpu_s)},
+            {"peak_rss_MB", value_json(s.peak_rss_MB)},
             {"version", version},
             {"scene_sha256", s.scene_sha256},
             {"life_band", bands(s)},
@@ -159,8 +159,8 @@ std::string summary_json(const sim::Summary& s) {
             {"skipped", s.skipped},
             {"histories", histories(s)},
             {"cutback_reasons", s.cutback_reasons},
-            {"warnings", warnings(s)}};
-  for (const auto& [room, seconds] : s.room_seconds) json["room_seconds"][room] = value(seconds);
+            {"warnings", warnings_json(s.warnings)}};
+  for (const auto& [room, seconds] : s.room_seconds) json["room_seconds"][room] = value_json(seconds);
   // A title that is not valid UTF-8 must not prevent the results.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -14,34 +14,15 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <utility>
+
+#include "output/folder/vtk_pieces.hpp"
 
 namespace reye::output {
 
 namespace {
-
-using Names = std::vector<const char*>;
-
-/// A point or cell array under construction.
-template <class Array>
-vtkNew<Array> make_array(const char* name, const Names& components = {}) {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components.empty() ? 1 : static_cast<int>(components.size()));
-  for (std::size_t i = 0; i < components.size(); ++i) array->SetComponentName(static_cast<vtkIdType>(i), components[i]);
-  return array;
-}
-
-vtkNew<vtkPoints> make_points() {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  return points;
-}
 
 void add_field_data(vtkDataSet* data, const sim::Frame& frame) {
   const auto time = make_array<vtkDoubleArray>("TimeValue");
@@ -54,21 +35,6 @@ void add_field_data(vtkDataSet* data, const sim::Frame& frame) {
        {static_cast<vtkAbstractArray*>(time.Get()), static_cast<vtkAbstractArray*>(names.Get()),
         static_cast<vtkAbstractArray*>(units.Get())})
     data->GetFieldData()->AddArray(array);
-}
-
-/// Inline binary, since appended data cannot be opened with some versions of the XML parser.
-template <class Writer>
-std::string written(vtkDataSet* data) {
-  vtkNew<Writer> writer;
-  vtkNew<vtkZLibDataCompressor> compressor;
-  compressor->SetCompressionLevel(1);
-  writer->SetInputData(data);
-  writer->SetDataModeToBinary();
-  writer->SetHeaderTypeToUInt64();
-  writer->SetCompressor(compressor);
-  writer->SetWriteToOutputString(true);
-  if (!writer->Write()) throw std::runtime_error("a ParaView frame could not be encoded");
-  return writer->GetOutputString();
 }
 
 VTKCellType vtk_type(mesh::CellKind kind) {

@@ -21,6 +21,8 @@ std::string parts_in_words(const base::Parts& parts, const std::string& unit) {
   return words;
 }
 
+}  // namespace
+
 std::string motion_in_words(const body::Motion& motion, const std::string& length, const std::string& force) {
   switch (motion.drive) {
     case body::Drive::free:
@@ -38,6 +40,8 @@ std::string motion_in_words(const body::Motion& motion, const std::string& lengt
         (words.empty() ? "" : " and ") + ("a spring of " + rounded(motion.stiffness)) + ' ' + force + " per " + length;
   return words.empty() ? "free" : words;
 }
+
+namespace {
 
 /// The middle of a boundary, and the normal there.
 void place_on_edge(const mesh::Mesh& mesh, Action& action) {

@@ -23,6 +23,9 @@ struct Action {
   std::vector<std::pair<Vec2, bool>> arrows;  ///< unit directions; true: to and fro
 };
 
+/// "fixed", "0.1 mm × slide", "a spring of 5 N per mm"; `length` and `force` are the units of motion and of what acts.
+std::string motion_in_words(const body::Motion& motion, const std::string& length, const std::string& force);
+
 /// Supports, then loads, with letters from A on.
 std::vector<Action> actions_of(const sim::Problem& problem);
 

@@ -10,12 +10,13 @@
 #include "output/folder/text.hpp"
 #include "output/picture/actions.hpp"
 #include "output/picture/canvas.hpp"
+#include "output/picture/key_pieces.hpp"
 
 namespace reye::output {
 
 namespace {
 
-constexpr double picture_width = 1120.0, gutter = 60.0, panel_height = 380.0, line_height = 19.0;
+constexpr double gutter = 60.0, panel_height = 380.0, line_height = 19.0;
 constexpr const char *secondary_colour = "#c8502d", *primary_colour = "#1f5fa8", *bond_colour = "#2f8f5b",
                      *zone_colour = "#6a717c";
 constexpr std::array fills{"#e8eef5", "#f5efe3", "#e6f1ea", "#f1e8f2", "#eeeeee"};
@@ -129,31 +130,6 @@ Box whole(const sim::Problem& p) {
   return box_of(x);
 }
 
-/// A history as a small curve between its least and largest factor.
-std::string small_curve(const std::string& name, const scene::History& history, const Vec2& at) {
-  constexpr double w = 190.0, h = 44.0;
-  double least = 0.0, most = 0.0;
-  for (const auto& corner : history) {
-    least = std::min(least, corner[1]);
-    most = std::max(most, corner[1]);
-  }
-  const double range = most > least ? most - least : 1.0;
-  std::string path;
-  for (const auto& corner : history)
-    path += base::formatted("%c%.1f %.1f", path.empty() ? 'M' : 'L', at.x() + w * corner[0],
-                            at.y() + h * (most - corner[1]) / range);
-  const double zero = at.y() + h * most / range;
-  return base::formatted("<path d=\"M%.1f %.1fh%g\" stroke=\"#d9dde2\"/>", at.x(), zero, w) + "<path d=\"" + path +
-         "\" fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"1.4\"/>" +
-         base::formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"12\" fill=\"#2b2f36\">", at.x(), at.y() - 6.0) +
-         escaped(name + ", from " + rounded(least) + " to " + rounded(most)) + "</text>\n";
-}
-
-std::string text_at(double x, double y, const std::string& words, const char* colour = "#2b2f36") {
-  return base::formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"13\" fill=\"%s\">", x, y, colour) + escaped(words) +
-         "</text>\n";
-}
-
 std::string material_in_words(const sim::Problem& p, int b) {
   const auto& input = p.inputs[b];
   if (p.rigid[b]) return "body " + input.name + ": rigid";
@@ -167,7 +143,7 @@ std::string material_in_words(const sim::Problem& p, int b) {
 std::string key(const sim::Problem& p, const std::vector<Action>& actions, double& y) {
   std::string svg;
   const auto row = [&](const std::string& words, const std::string& mark, double from = gutter + 34.0) {
-    svg += mark + text_at(from, y, words);
+    svg += mark + key_text(from, y, words);
     y += line_height;
   };
   const auto swatch = [&](const char* colour, double x) {
@@ -189,7 +165,7 @@ std::string key(const sim::Problem& p, const std::vector<Action>& actions, doubl
         swatch(secondary_colour, gutter) + swatch(primary_colour, gutter + 15.0), gutter + 34.0);
   }
   for (const auto& bond : p.bonds) row("bond " + bond.options.name, swatch(bond_colour, gutter));
-  for (const auto& action : actions) row(action.words, text_at(gutter + 2.0, y, action.letter, action.colour));
+  for (const auto& action : actions) row(action.words, key_text(gutter + 2.0, y, action.letter, action.colour));
   if (!p.scene.geometry.fine_zones.empty())
     row("fine zones", base::formatted("<path d=\"M%.1f %.1fh20\" stroke=\"%s\" stroke-dasharray=\"5 3\"/>", gutter,
                                       y - 5.0, zone_colour));
@@ -215,21 +191,8 @@ std::string scene_picture(const sim::Problem& p) {
   double y = 60.0 + static_cast<double>((panels + 1) / 2) * (panel_height + gutter);
   body += key(p, actions, y);
   y += line_height + 10.0;
-  std::size_t column = 0;
-  for (const auto& [name, history] : p.scene.histories) {
-    body += small_curve(name, history, {gutter + 260.0 * static_cast<double>(column), y});
-    if (++column == 4) {
-      column = 0;
-      y += 84.0;
-    }
-  }
-  if (column > 0) y += 84.0;
-  return base::formatted(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %.0f\" font-family=\"Helvetica, Arial, "
-             "DejaVu Sans, sans-serif\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-             picture_width, y) +
-         base::formatted("<text x=\"%g\" y=\"28\" font-size=\"18\" font-weight=\"bold\" fill=\"#2b2f36\">", gutter) +
-         escaped(p.scene.title) + "</text>\n" + body + "</svg>\n";
+  body += history_curves(p.scene.histories, gutter, y);
+  return whole_picture(p.scene.title, gutter, body, y);
 }
 
 }  // namespace reye::output

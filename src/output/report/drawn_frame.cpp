@@ -2,7 +2,6 @@
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -15,11 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <utility>
 
-#include "base/errors.hpp"
+#include "output/report/vtk_reading.hpp"
 
 namespace reye::output {
 
@@ -71,41 +69,6 @@ struct Elements {
   }
 };
 
-[[noreturn]] void damaged(const std::string& path) {
-  throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
-}
-
-template <class Reader>
-vtkNew<Reader> opened(const std::string& path) {
-  vtkNew<Reader> reader;
-  if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged(path);
-  vtkObject::GlobalWarningDisplayOff();  // its error is reported below
-  reader->SetFileName(path.c_str());
-  try {
-    reader->Update();
-  } catch (const std::exception&) {  // sizes that no memory holds
-    damaged(path);
-  }
-  if (reader->GetErrorCode() != 0 || reader->GetOutput() == nullptr) damaged(path);
-  return reader;
-}
-
-/// The array of so many rows, all finite.
-vtkDataArray& array_of(vtkFieldData& data, const char* name, vtkIdType rows, const std::string& path) {
-  auto* array = data.GetArray(name);
-  if (!array || array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() < 1) damaged(path);
-  for (vtkIdType i = 0; i < rows; ++i)
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-      if (!std::isfinite(array->GetComponent(i, c))) damaged(path);
-  return *array;
-}
-
-std::vector<double> values_of(vtkDataArray& array) {
-  std::vector<double> values;
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) values.push_back(array.GetComponent(i, 0));
-  return values;
-}
-
 double time_of(vtkDataSet& data, const std::string& path) {
   return array_of(*data.GetFieldData(), "TimeValue", 1, path).GetComponent(0, 0);
 }
@@ -114,7 +77,7 @@ base::Points points_of(vtkDataSet& data, const std::string& path) {
   base::Points x;
   for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
     x.emplace_back(data.GetPoint(i)[0], data.GetPoint(i)[1]);
-    if (!x.back().allFinite()) damaged(path);
+    if (!x.back().allFinite()) damaged_frame(path);
   }
   return x;
 }
@@ -137,7 +100,7 @@ DrawnFrame read_drawn(const std::string& path) {
     grid->GetCellPoints(cell, nodes);
     const auto of = static_cast<int>(body.GetComponent(cell, 0));
     for (vtkIdType k = 0; k < nodes->GetNumberOfIds(); ++k) {
-      if (nodes->GetId(k) < 0 || nodes->GetId(k) >= grid->GetNumberOfPoints()) damaged(path);
+      if (nodes->GetId(k) < 0 || nodes->GetId(k) >= grid->GetNumberOfPoints()) damaged_frame(path);
       frame.body[static_cast<std::size_t>(nodes->GetId(k))] = of;
     }
     elements.add(grid->GetCellType(cell), *nodes, of);
@@ -164,12 +127,12 @@ std::vector<DrawnLine> lines_of(vtkPolyData& grid, const std::string& path) {
     grid.GetCellPoints(k, ids);
     const auto end = begin + static_cast<std::size_t>(ids->GetNumberOfIds());
     const auto of = static_cast<vtkIdType>(surface.GetComponent(k, 0));
-    if (!names || of < 0 || of >= names->GetNumberOfValues()) damaged(path);
+    if (!names || of < 0 || of >= names->GetNumberOfValues()) damaged_frame(path);
     lines.push_back({names->GetValue(of), side.GetComponent(k, 0) == 0.0, static_cast<int>(body.GetComponent(k, 0)),
                      left.GetComponent(k, 0) != 0.0, begin, end});
     begin = end;
   }
-  if (begin != static_cast<std::size_t>(grid.GetNumberOfPoints())) damaged(path);
+  if (begin != static_cast<std::size_t>(grid.GetNumberOfPoints())) damaged_frame(path);
   return lines;
 }
 
@@ -187,7 +150,7 @@ DrawnSurfaces read_drawn_surfaces(const std::string& path) {
   auto& reference = column("reference_position");
   for (vtkIdType i = 0; i < grid.GetNumberOfPoints() && reference.GetNumberOfComponents() > 1; ++i)
     surfaces.X.emplace_back(reference.GetComponent(i, 0), reference.GetComponent(i, 1));
-  if (surfaces.X.size() != surfaces.x.size()) damaged(path);
+  if (surfaces.X.size() != surfaces.x.size()) damaged_frame(path);
   surfaces.pressure_MPa = values_of(column("pressure_MPa"));
   surfaces.wear_depth_mm = values_of(column("wear_depth_mm"));
   surfaces.lines = lines_of(grid, path);

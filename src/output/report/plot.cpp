@@ -224,9 +224,9 @@ std::string draw_scale(const ColourScale& scale, const Layout& at) {
 
 Layout lay_out(const Figure& figure, std::vector<LegendEntry>& legend) {
   Layout at;
-  if (figure.scale) at.right = width - 92.0;
+  if (figure.scale || figure.aspect) at.right = width - 92.0;
   at.top = lay_out_legend(figure, at.right, legend);
-  at.bottom = at.top + plot_height;
+  at.bottom = at.top + (figure.aspect ? (at.right - left) / *figure.aspect : plot_height);
   at.x = figure.x_range ? widened(*figure.x_range) : range_of(figure.lines, true, {});
   at.y = figure.y_range ? widened(*figure.y_range) : range_of(figure.lines, false, figure.x_range);
   if (figure.y_from_zero) at.y = widened({std::min(at.y.low, 0.0), std::max(at.y.high, 0.0)});

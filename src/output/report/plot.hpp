@@ -49,6 +49,7 @@ struct Figure {
   std::optional<Range> y_range{};
   bool y_down = false;  ///< depth grows downwards
   bool y_from_zero = false;
+  std::optional<double> aspect{};  ///< width over height of the field, which then is as wide as one with a scale
   bool exact_ranges = false;  ///< not rounded out: shapes keep their angles when the ranges are in the plot's aspect
 };
 

@@ -6,28 +6,13 @@
 
 #include "output/folder/text.hpp"
 #include "output/report/html.hpp"
-#include "output/report/plot.hpp"
+#include "output/report/json_cells.hpp"
 
 namespace reye::output {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// A value of the summary for readers; a dash where it is null or missing.
-std::string shown(const Json& object, const std::string& key, int digits = 5, double factor = 1.0) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number()) return "–";
-  return rounded(factor * object[key].get<double>(), digits);
-}
-
-const Json& part(const Json& object, const std::string& key) {
-  static const Json none;
-  return object.is_object() && object.contains(key) ? object[key] : none;
-}
-
-std::string section(const std::string& title, const std::string& body) {
-  return body.empty() ? "" : "<div><h2>" + escaped(title) + "</h2>\n" + body + "</div>\n";
-}
 
 struct Quantity {
   std::string label, key, unit;
@@ -53,14 +38,14 @@ std::vector<Quantity> side_quantities(const Suffixes& unit) {
 
 /// Whether a tangential force is nothing beside the normal one.
 bool only_round_off(const Json& contact, const Quantity& q, const Suffixes& unit) {
-  const Json &force = part(contact, q.key), &normal = part(contact, "normal_force_" + unit.force);
+  const Json &force = json_part(contact, q.key), &normal = json_part(contact, "normal_force_" + unit.force);
   return q.key.starts_with("tangential_force") && force.is_number() && normal.is_number() &&
          std::abs(force.get<double>()) < 1e-10 * std::abs(normal.get<double>());
 }
 
 std::string contact_table(const RunData& run) {
   const auto unit = suffixes(run.identity.analysis);
-  const Json& contacts = part(run.summary, "contacts");
+  const Json& contacts = json_part(run.summary, "contacts");
   Row head{"At the end of the run"};
   for (const auto& item : contacts.items()) head.push_back(item.key());
   head.push_back("unit");
@@ -70,7 +55,7 @@ std::string contact_table(const RunData& run) {
     for (const auto& contact : contacts)
       row.push_back(only_round_off(contact, q, unit)
                         ? "0"
-                        : shown(side.empty() ? contact : part(contact, side), q.key, 5, q.factor));
+                        : json_cell(side.empty() ? contact : json_part(contact, side), q.key, 5, q.factor));
     row.push_back(q.unit);
     rows.push_back(std::move(row));
   };
@@ -78,7 +63,7 @@ std::string contact_table(const RunData& run) {
   for (const auto& q : contact_quantities(unit)) add(q, "");
   for (const std::string side : {"secondary", "primary"}) {
     const bool worn = std::any_of(contacts.begin(), contacts.end(), [&](const Json& contact) {
-      const Json& depth = part(part(contact, side), "max_depth_mm");
+      const Json& depth = json_part(json_part(contact, side), "max_depth_mm");
       return !depth.is_number() || depth.get<double>() != 0.0;
     });
     if (worn)
@@ -91,9 +76,9 @@ std::string contact_table(const RunData& run) {
 
 /// ", 1000 to 4000 under the scatter of wear"; empty where the limit has none or is not reached.
 std::string band_of(const RunData& run, const std::string& limit) {
-  const Json& band = part(part(run.summary, "life_band"), limit);
-  if (!part(band, "longest_cycles").is_number()) return {};
-  return ", " + shown(band, "shortest_cycles", 6) + " to " + shown(band, "longest_cycles", 6) +
+  const Json& band = json_part(json_part(run.summary, "life_band"), limit);
+  if (!json_part(band, "longest_cycles").is_number()) return {};
+  return ", " + json_cell(band, "shortest_cycles", 6) + " to " + json_cell(band, "longest_cycles", 6) +
          " under the scatter of wear";
 }
 
@@ -103,23 +88,23 @@ constexpr const char* singular_note =
 
 /// Where the largest traction of a bond is, and when.
 std::string place_of_peak(const Json& most, const std::string& peak, bool at_end) {
-  if (!part(most, peak + "_x_mm").is_number()) return "–";
-  return "(" + shown(most, peak + "_x_mm") + ", " + shown(most, peak + "_y_mm") + "), cycle " +
-         shown(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "");
+  if (!json_part(most, peak + "_x_mm").is_number()) return "–";
+  return "(" + json_cell(most, peak + "_x_mm") + ", " + json_cell(most, peak + "_y_mm") + "), cycle " +
+         json_cell(most, peak + "_cycle", 8) + (at_end ? ", at the end of the bond" : "");
 }
 
 /// The largest tractions of the run, where and when; those at a free end of a bond depend on the mesh.
 std::string bond_table(const RunData& run) {
   std::vector<Row> rows;
   bool singular = false;
-  for (const auto& [name, bond] : part(run.summary, "bonds").items())
+  for (const auto& [name, bond] : json_part(run.summary, "bonds").items())
     for (const std::string key : {"tension", "shear"}) {
-      const Json &most = part(bond, "most"), &end = part(bond, "end");
+      const Json &most = json_part(bond, "most"), &end = json_part(bond, "end");
       const std::string peak = "peak_" + key;
-      const bool at_end = part(most, peak + "_at_end") == true;
+      const bool at_end = json_part(most, peak + "_at_end") == true;
       singular = singular || at_end;
-      rows.push_back({name + ", " + key, shown(most, peak + "_MPa", 4), shown(end, peak + "_MPa", 4),
-                      shown(end, "mean_" + key + "_MPa", 4), place_of_peak(most, peak, at_end)});
+      rows.push_back({name + ", " + key, json_cell(most, peak + "_MPa", 4), json_cell(end, peak + "_MPa", 4),
+                      json_cell(end, "mean_" + key + "_MPa", 4), place_of_peak(most, peak, at_end)});
     }
   const Row head{"Bond, MPa", "largest of the run", "largest at its end", "mean at its end",
                  "where the largest, mm, and when"};
@@ -128,7 +113,7 @@ std::string bond_table(const RunData& run) {
 
 std::string life_table(const RunData& run) {
   std::vector<Row> rows;
-  for (const auto& [name, cycles] : part(run.summary, "life_cycles").items())
+  for (const auto& [name, cycles] : json_part(run.summary, "life_cycles").items())
     rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
                               band_of(run, name)});
   return html_table({"Limit", "life"}, rows);
@@ -136,54 +121,32 @@ std::string life_table(const RunData& run) {
 
 std::string probe_table(const RunData& run) {
   std::vector<Row> rows;
-  for (const auto& [name, u] : part(run.summary, "probes").items())
-    rows.push_back({name, shown(u, "u_x_mm"), shown(u, "u_y_mm")});
+  for (const auto& [name, u] : json_part(run.summary, "probes").items())
+    rows.push_back({name, json_cell(u, "u_x_mm"), json_cell(u, "u_y_mm")});
   return html_table({"Probe", "u_x, mm", "u_y, mm"}, rows);
 }
 
 std::string error_table(const RunData& run) {
-  const Json& error = part(run.summary, "estimated_error");
+  const Json& error = json_part(run.summary, "estimated_error");
   std::vector<Row> rows;
   for (const auto& [key, label] :
        {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
         std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
         std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
-    if (part(error, key).is_number()) rows.push_back({label, shown(error, key, 2)});
+    if (json_part(error, key).is_number()) rows.push_back({label, json_cell(error, key, 2)});
   return html_table({"Estimated relative error", ""}, rows);
 }
 
-std::string list(const Json& sentences) {
-  if (!sentences.is_array() || sentences.empty()) return {};
-  std::string html = "<ul>\n";
-  for (const auto& sentence : sentences)
-    if (sentence.is_string()) html += "<li>" + escaped(sentence.get<std::string>()) + "</li>\n";
-  return html + "</ul>\n";
-}
-
-std::string time_bars(const RunData& run) {
-  const Json& rooms = part(run.summary, "room_seconds");
-  std::vector<Bar> bars;
-  double total = 0.0;
-  for (const auto& [room, seconds] : rooms.items())
-    if (seconds.is_number()) bars.push_back({room, seconds.get<double>(), ""});
-  for (const auto& bar : bars) total += bar.value;
-  if (total <= 0.0) return {};
-  std::stable_sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) { return a.value > b.value; });
-  for (auto& bar : bars)
-    bar.text = rounded(bar.value, 3) + " s (" + rounded(std::round(1000.0 * bar.value / total) / 10.0, 3) + " %)";
-  return "<figure>" + svg_bars(bars) + "</figure>\n";
-}
-
 std::string count_table(const RunData& run) {
-  std::vector<Row> rows{{"Cycles", shown(run.summary, "cycles", 8)}};
+  std::vector<Row> rows{{"Cycles", json_cell(run.summary, "cycles", 8)}};
   for (const auto& [key, label] :
        {std::pair("blocks", "Blocks of cycles"), std::pair("increments", "Increments"),
         std::pair("newton_iterations", "Newton iterations"), std::pair("factorisations", "Factorisations"),
         std::pair("remeshes", "Remeshes"), std::pair("cutbacks", "Cut-backs")})
-    rows.push_back({label, shown(part(run.summary, "counts"), key, 12)});
-  rows.push_back({"Wall time, s", shown(run.summary, "wall_s", 4)});
-  rows.push_back({"Processor time, s", shown(run.summary, "cpu_s", 4)});
-  rows.push_back({"Largest memory, MB", shown(run.summary, "peak_rss_MB", 4)});
+    rows.push_back({label, json_cell(json_part(run.summary, "counts"), key, 12)});
+  rows.push_back({"Wall time, s", json_cell(run.summary, "wall_s", 4)});
+  rows.push_back({"Processor time, s", json_cell(run.summary, "cpu_s", 4)});
+  rows.push_back({"Largest memory, MB", json_cell(run.summary, "peak_rss_MB", 4)});
   return html_table({"Counts", ""}, rows);
 }
 
@@ -213,17 +176,19 @@ std::string ledger_table(const RunData& run) {
   const bool ring = unit.force == "N";
   const std::string amount = ring ? " volume, mm³" : " area, mm²";
   std::vector<Row> rows;
-  for (const auto& [name, contact] : part(run.summary, "contacts").items())
-    rows.push_back({name, shown(contact, "dissipated_energy_" + unit.energy, 6),
-                    shown(part(contact, "secondary"), unit.worn, 6), shown(part(contact, "primary"), unit.worn, 6),
-                    shown(contact, "ledger_relative_error", 2)});
+  for (const auto& [name, contact] : json_part(run.summary, "contacts").items())
+    rows.push_back({name, json_cell(contact, "dissipated_energy_" + unit.energy, 6),
+                    json_cell(json_part(contact, "secondary"), unit.worn, 6),
+                    json_cell(json_part(contact, "primary"), unit.worn, 6),
+                    json_cell(contact, "ledger_relative_error", 2)});
   const std::string body = html_table({"Contact", ring ? "friction work, mJ" : "friction work, mJ per mm",
                                        "secondary" + amount, "primary" + amount, "relative error"},
                                       rows);
   if (body.empty()) return {};
-  return section("Ledger", body +
-                               "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
-                               "sum, over both sides; a dash where nothing wears.</p>\n");
+  return page_section("Ledger",
+                      body +
+                          "<p class=\"quiet\">Relative error: |removed − sum of coefficient × the law's work| / "
+                          "sum, over both sides; a dash where nothing wears.</p>\n");
 }
 
 std::string remesh_table(const RunData& run) {
@@ -246,10 +211,10 @@ std::string remesh_table(const RunData& run) {
 
 std::string run_tables(const RunData& run) {
   if (!run.summary.is_object()) return {};
-  return "<div class=\"columns\">\n" + section("The run", count_table(run)) +
-         section("Where the time went", time_bars(run)) +
-         section("Skipped, and why", list(part(run.summary, "skipped"))) +
-         section("Cut-backs, and why", list(part(run.summary, "cutback_reasons"))) + "</div>\n";
+  return "<div class=\"columns\">\n" + page_section("The run", count_table(run)) +
+         page_section("Where the time went", time_bars(json_part(run.summary, "room_seconds"))) +
+         page_section("Skipped, and why", sentence_list(json_part(run.summary, "skipped"))) +
+         page_section("Cut-backs, and why", sentence_list(json_part(run.summary, "cutback_reasons"))) + "</div>\n";
 }
 
 }  // namespace reye::output

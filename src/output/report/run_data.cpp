@@ -55,8 +55,8 @@ std::vector<FrameRows> frames_of(const Table& table) {
 /// Bound of the numbers of a run; larger ones would overflow in a picture and count as damage.
 constexpr double most = 1e100;
 
-/// A table whose columns begin with those of `header`. A table that ends in half a row belongs to a run that is still
-/// writing, or was killed.
+}  // namespace
+
 Table read_table(const std::string& file, const std::string& header, bool ended) {
   const std::string text = read_text(file);
   if (!text.starts_with(header.substr(0, header.size() - 1)))
@@ -74,22 +74,6 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   return table;
 }
 
-std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side,
-                                         bool done) {
-  const auto file = (fs::path(dir) / surface_file(contact, side)).string();
-  if (!fs::exists(file)) {
-    if (done) damaged(file, "it is missing, though the run is done");
-    return {};
-  }
-  SurfaceTable surface{side, read_table(file, surface_header(), done), {}};
-  surface.frames = frames_of(surface.table);
-  for (std::size_t k = 1; k < surface.frames.size(); ++k)
-    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles decrease");
-  if (surface.frames.empty() && !done) return {};
-  if (surface.frames.empty()) damaged(file, "it holds no rows, though the run is done");
-  return surface;
-}
-
 Identity identity_in(const std::string& dir) {
   if (const auto identity = read_identity(dir)) return *identity;
   const auto marker = fs::path(dir) / ".reye.json";
@@ -104,6 +88,24 @@ Json read_summary(const std::string& file) {
   if (!summary.is_object() || status == summary.end() || !status->is_string())
     damaged(file, "it does not say how the run ended");
   return summary;
+}
+
+namespace {
+
+std::optional<SurfaceTable> read_surface(const std::string& dir, const std::string& contact, sim::Side side,
+                                         bool done) {
+  const auto file = (fs::path(dir) / surface_file(contact, side)).string();
+  if (!fs::exists(file)) {
+    if (done) damaged(file, "it is missing, though the run is done");
+    return {};
+  }
+  SurfaceTable surface{side, read_table(file, surface_header(), done), {}};
+  surface.frames = frames_of(surface.table);
+  for (std::size_t k = 1; k < surface.frames.size(); ++k)
+    if (!(surface.frames[k].cycle >= surface.frames[k - 1].cycle)) damaged(file, "its cycles decrease");
+  if (surface.frames.empty() && !done) return {};
+  if (surface.frames.empty()) damaged(file, "it holds no rows, though the run is done");
+  return surface;
 }
 
 }  // namespace

@@ -55,6 +55,16 @@ struct RunData {
   std::vector<ContactData> contacts;
 };
 
+/// A table whose columns begin with those of `header`. One that ends in half a row belongs to a run that is still
+/// writing, or was killed; with `ended` it is refused. Throws base::InputError with the file.
+Table read_table(const std::string& file, const std::string& header, bool ended);
+
+/// The summary; null where there is no such file. Throws base::InputError where it does not say how the run ended.
+nlohmann::ordered_json read_summary(const std::string& file);
+
+/// Whose run a folder holds; throws base::InputError where it holds none.
+Identity identity_in(const std::string& dir);
+
 /// The files of a run as far as they exist; all of them must if it has ended. Throws base::InputError with the file
 /// that is missing, cut or altered.
 RunData read_run(const std::string& dir);

@@ -135,7 +135,7 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
   const auto& span = block.span;
   const auto kept = timed_system(problem, state, cache);
   const auto& system = *kept;
-  const auto factors = factors_at(problem.scene, *span.step, to, block.held);
+  const auto factors = factors_at(problem.scene.histories, *span.step, to, block.held);
   const auto controls = asked(problem, state, system, block, factors, from, to);
   solver::SolveResult result;
   {
@@ -224,7 +224,8 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
   begin_watch(problem, state);
   const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
   double from = 0.0;
-  if (span.cycles && state.step_cycles == 0.0 && factors_at(problem.scene, *span.step, 0.0, block.held) != block.held)
+  if (span.cycles && state.step_cycles == 0.0 &&
+      factors_at(problem.scene.histories, *span.step, 0.0, block.held) != block.held)
     if (const auto failure = play(problem, state, cache, block, 0.0, 0.0, 0); !failure.empty())
       return {std::move(state), failure, false};
   for (std::size_t i = 0; i < ends.size(); ++i) {

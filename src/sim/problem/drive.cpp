@@ -21,12 +21,12 @@ namespace {
 constexpr double most_turn = 0.3;  ///< rad in one increment: slip during a rotation is evaluated at its end
 
 /// The change of a sum of parts between two moments of a step.
-double played_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
+double played_between(const Histories& histories, const scene::Step& step, const base::Parts& parts, double from,
                       double to) {
   double sum = 0.0;
   for (const auto& [value, history] : parts) {
     if (std::find(step.play.begin(), step.play.end(), history) == step.play.end()) continue;
-    const auto& corners = scene.histories.at(history);
+    const auto& corners = histories.at(history);
     sum += value * step.level * (factor_at(corners, to) - factor_at(corners, from));
   }
   return sum;
@@ -37,22 +37,9 @@ double turned_between(const scene::Scene& scene, const scene::Step& step, double
   double most = 0.0;
   for (const auto& support : scene.supports) {
     if (support.rotation.drive == body::Drive::moved)
-      most = std::max(most, std::abs(played_between(scene, step, support.rotation.parts, from, to)));
+      most = std::max(most, std::abs(played_between(scene.histories, step, support.rotation.parts, from, to)));
   }
   return most;
-}
-
-/// Ends of the equal parts of a step, and the corners of what it plays.
-std::vector<double> corners_of(const scene::Scene& scene, const scene::Step& step) {
-  std::vector<double> corners;
-  for (int i = 1; i <= step.increments; ++i) corners.push_back(static_cast<double>(i) / step.increments);
-  for (const auto& name : step.play)
-    for (const auto& corner : scene.histories.at(name))
-      if (corner[0] > 0.0 && corner[0] < 1.0) corners.push_back(corner[0]);
-  std::sort(corners.begin(), corners.end());
-  const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9; };
-  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
-  return corners;
 }
 
 /// Increments between two corners.
@@ -62,10 +49,22 @@ double parts_between(const scene::Scene& scene, const scene::Step& step, double 
 
 }  // namespace
 
+std::vector<double> step_corners(const Histories& histories, const scene::Step& step) {
+  std::vector<double> corners;
+  for (int i = 1; i <= step.increments; ++i) corners.push_back(static_cast<double>(i) / step.increments);
+  for (const auto& name : step.play)
+    for (const auto& corner : histories.at(name))
+      if (corner[0] > 0.0 && corner[0] < 1.0) corners.push_back(corner[0]);
+  std::sort(corners.begin(), corners.end());
+  const auto same = [](double a, double b) { return std::abs(a - b) < 1e-9; };
+  corners.erase(std::unique(corners.begin(), corners.end(), same), corners.end());
+  return corners;
+}
+
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
   std::vector<double> ends;
   double from = 0.0;
-  for (const double to : corners_of(scene, step)) {
+  for (const double to : step_corners(scene.histories, step)) {
     const auto parts = static_cast<int>(parts_between(scene, step, from, to));
     for (int i = 1; i < parts; ++i) ends.push_back(from + (to - from) * i / parts);
     ends.push_back(to);
@@ -76,17 +75,17 @@ std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step&
 
 double increments_of(const scene::Scene& scene, const scene::Step& step) {
   double count = 0.0, from = 0.0;
-  for (const double to : corners_of(scene, step)) {
+  for (const double to : step_corners(scene.histories, step)) {
     count += parts_between(scene, step, from, to);
     from = to;
   }
   return count;
 }
 
-std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
+std::map<std::string, double> factors_at(const Histories& histories, const scene::Step& step, double progress,
                                          const std::map<std::string, double>& held) {
   auto factors = held;
-  for (const auto& name : step.play) factors[name] = step.level * factor_at(scene.histories.at(name), progress);
+  for (const auto& name : step.play) factors[name] = step.level * factor_at(histories.at(name), progress);
   return factors;
 }
 
@@ -96,20 +95,23 @@ double of(const std::map<std::string, double>& factors, const std::string& histo
   return history.empty() ? 1.0 : factors.at(history);
 }
 
+}  // namespace
+
 double sum_at(const base::Parts& parts, const std::map<std::string, double>& factors) {
   double sum = 0.0;
   for (const auto& part : parts) sum += part.value * of(factors, part.history);
   return sum;
 }
 
-/// The imposed slip between two moments of a step: parts without history evenly, where `evenly` says so.
-double slid_between(const scene::Scene& scene, const scene::Step& step, const base::Parts& parts, double from,
+double slid_between(const Histories& histories, const scene::Step& step, const base::Parts& parts, double from,
                     double to, bool evenly) {
-  double sum = played_between(scene, step, parts, from, to);
+  double sum = played_between(histories, step, parts, from, to);
   for (const auto& part : parts)
     if (evenly && part.history.empty()) sum += part.value * (to - from);
   return sum;
 }
+
+namespace {
 
 /// The sign of the first imposed slip: of the first part that slides.
 double first_way(const scene::Scene& scene, const base::Parts& parts) {
@@ -133,8 +135,8 @@ contact::IncrementOptions contact_options(const scene::Scene& scene, const conta
   o.wear = step.wear && options.wear.wears();
   o.duration_s = step.period_s * (to - from);
   const bool evenly = o.wear || !options.wear.wears();
-  o.imposed_slip = slid_between(scene, step, options.imposed_sliding, from, to, evenly);
-  o.imposed_turn = slid_between(scene, step, options.imposed_turn, from, to, evenly);
+  o.imposed_slip = slid_between(scene.histories, step, options.imposed_sliding, from, to, evenly);
+  o.imposed_turn = slid_between(scene.histories, step, options.imposed_turn, from, to, evenly);
   o.first_way = first_way(scene, options.imposed_sliding);
   return o;
 }

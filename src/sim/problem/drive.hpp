@@ -12,6 +12,11 @@ inline const std::string overlap_left = "drawn overlap";
 /// Factor of a history at a progress in [0, 1], linear between its corners.
 double factor_at(const scene::History& history, double progress);
 
+using Histories = std::map<std::string, scene::History>;
+
+/// Ends of the equal parts of a step, and the corners of the histories it plays.
+std::vector<double> step_corners(const Histories& histories, const scene::Step& step);
+
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step);
@@ -20,8 +25,16 @@ std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step&
 double increments_of(const scene::Scene& scene, const scene::Step& step);
 
 /// Factors of all histories while a step plays.
-std::map<std::string, double> factors_at(const scene::Scene& scene, const scene::Step& step, double progress,
+std::map<std::string, double> factors_at(const Histories& histories, const scene::Step& step, double progress,
                                          const std::map<std::string, double>& held);
+
+/// Sum of the parts at these factors.
+double sum_at(const base::Parts& parts, const std::map<std::string, double>& factors);
+
+/// The imposed slip between two moments of a step: the change of each part, those without history evenly, where
+/// `evenly` says so.
+double slid_between(const Histories& histories, const scene::Step& step, const base::Parts& parts, double from,
+                    double to, bool evenly);
 
 /// The controls at the given factors; `from`, `to`: the part of the step's play in this increment.
 solver::Controls controls_at(const Problem& problem, const solver::System& system,

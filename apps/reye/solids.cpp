@@ -1,0 +1,154 @@
+#include "solids.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/printable.hpp"
+#include "mesh/solid/solid_measure.hpp"
+#include "output/folder/files.hpp"
+#include "output/folder/folder.hpp"
+#include "output/folder/folder_lock.hpp"
+#include "output/folder/summary.hpp"
+#include "output/solid/solid_picture.hpp"
+#include "output/solid/solid_run_writer.hpp"
+#include "output/solid/solid_vtk.hpp"
+#include "progress_line.hpp"
+#include "scene/solid/solid_scene.hpp"
+#include "signals.hpp"
+#include "sim/problem/warnings.hpp"
+#include "sim/solid/solid_march.hpp"
+#include "sim/solid/solid_plan.hpp"
+
+namespace reye::apps {
+
+namespace {
+
+scene::SolidScene read_solid_scene(const Request& request) {
+  spdlog::set_pattern("%v");
+  if (request.quiet) spdlog::set_level(spdlog::level::err);
+  auto scene = scene::read_solid(request.path);
+  scene.geometry.trusted = request.trust_geometry;
+  return scene;
+}
+
+std::string solid_folder(const Request& request, const scene::SolidScene& scene) {
+  return request.out.empty() ? "./" + scene.name + ".out" : request.out;
+}
+
+void tell_warnings(const std::vector<sim::Warning>& warnings) {
+  for (const auto& warning : warnings)
+    std::fprintf(stderr, "warning: %s\n", base::printable(sim::in_words(warning)).c_str());
+}
+
+void tell_lines(const sim::SolidPlan& plan) {
+  for (const auto& text : plan.lines) std::printf("%s\n", base::printable(text).c_str());
+}
+
+sim::SolidObserver solid_observer(output::SolidRunWriter& writer, ProgressLine& line) {
+  sim::SolidObserver o;
+  o.progress = [&line](const sim::Progress& p) { line.show(p); };
+  o.increment = [&](const sim::SolidIncrement& row) { writer.increment(row); };
+  o.frame = [&](const sim::SolidFrame& frame) { writer.frame(frame); };
+  o.log = [&](const std::string& text) { writer.log(text); };
+  o.interrupted = [] { return StopSignals::count() > 0; };
+  return o;
+}
+
+void tell_solid_contact(const sim::SkinContactSummary& c) {
+  spdlog::info("contact {}: peak pressure {:.4g} MPa, area {:.4g} mm^2, half widths {:.4g} and {:.4g} mm", c.name,
+               c.peak_pressure_MPa.value_or(0.0), c.area_mm2.value_or(0.0), c.half_widths_mm[0], c.half_widths_mm[1]);
+  spdlog::info("  normal force {:.4g} N, tangential {:.4g} N, dissipated {:.4g} mJ", c.normal_force_N,
+               c.tangential_force_N, c.dissipated_energy_mJ);
+}
+
+void tell_solid_result(const sim::SolidSummary& s, const std::string& dir) {
+  spdlog::info("{}: {:g} cycles, {} increments, {} Newton iterations, {:.1f} s", output::status_name(s.status),
+               s.cycles, s.counts.increments, s.counts.newton_iterations, s.wall_s);
+  for (const auto& c : s.contacts) tell_solid_contact(c);
+  spdlog::info("page {0}/report.html, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
+  tell_warnings(s.warnings);
+  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
+}
+
+/// What cannot run here is refused before anything is written.
+void refuse_what_does_not_fit(const sim::SolidPlan& plan) {
+  if (!plan.refusal.empty()) throw base::InputError({{"geometry", "", plan.refusal}});
+}
+
+}  // namespace
+
+int run_solid(const Request& request) {
+  ignore_lost_output();
+  if (request.restart)
+    throw base::InputError(
+        {{"--restart", "", "a run of solids cannot resume in this version: begin again with --force"}});
+  const auto scene = read_solid_scene(request);
+  const std::string dir = solid_folder(request, scene);
+  if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
+    throw base::InputError({{"--out", dir, *refusal}});
+  const sim::SolidProblem problem = sim::prepare_solid(scene);
+  const sim::SolidPlan plan = sim::solid_plan(problem);
+  refuse_what_does_not_fit(plan);
+  for (const auto& text : plan.lines) spdlog::info("{}", base::printable(text));
+  if (!request.quiet) tell_warnings(problem.warnings);
+  const StopSignals stop(true);
+  const output::FolderLock lock(dir);
+  output::SolidRunWriter writer(dir, problem.scene);
+  writer.begin();
+  output::atomic_write(dir + "/scene.svg", output::solid_picture(problem.scene, problem.inputs));
+  ProgressLine line(!request.quiet);
+  const sim::SolidSummary summary = sim::run_solid(problem, solid_observer(writer, line));
+  line.end();
+  writer.finish(summary);
+  tell_solid_result(summary, dir);
+  return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
+}
+
+int plan_solid(const Request& request) {
+  const sim::SolidProblem problem = sim::prepare_solid(read_solid_scene(request));
+  const sim::SolidPlan plan = sim::solid_plan(problem);
+  tell_lines(plan);
+  tell_warnings(problem.warnings);
+  refuse_what_does_not_fit(plan);
+  return 0;
+}
+
+int check_solid(const Request& request) {
+  const sim::SolidProblem problem = sim::prepare_solid(read_solid_scene(request));
+  for (const auto& input : problem.inputs) {
+    const auto& mesh = *input.mesh;
+    const auto box = mesh::bounding_box(mesh.X);
+    std::printf("body %s: volume %.6g mm^3, box [%.6g, %.6g] x [%.6g, %.6g] x [%.6g, %.6g] mm, %d nodes, %d cells\n",
+                base::printable(input.name).c_str(), mesh::volume(mesh), box[0], box[3], box[1], box[4], box[2], box[5],
+                mesh.node_count(), mesh.cell_count());
+    for (const auto& [name, facets] : mesh.faces)
+      std::printf("  face %s: %.6g mm^2, %zu facets\n", base::printable(name).c_str(),
+                  mesh::area(mesh.X, mesh::facets_of(mesh, name)), facets.size());
+  }
+  const sim::SolidPlan plan = sim::solid_plan(problem);
+  tell_lines(plan);
+  tell_warnings(problem.warnings);
+  if (!request.picture.empty())
+    output::atomic_write(request.picture, output::solid_picture(problem.scene, problem.inputs));
+  refuse_what_does_not_fit(plan);
+  std::printf("ok\n");
+  return 0;
+}
+
+int mesh_solid(const Request& request) {
+  const auto scene = read_solid_scene(request);
+  const std::string dir = solid_folder(request, scene);
+  const sim::SolidProblem problem = sim::prepare_solid(scene);
+  sim::SolidFrame frame;
+  for (const auto& input : problem.inputs)
+    frame.bodies.push_back({input.name, input.mesh, base::Points3(input.mesh->X.size(), base::Vec3::Zero()), {}});
+  std::filesystem::create_directories(dir);
+  output::atomic_write(dir + "/mesh.vtu", output::solid_bodies_vtu(frame));
+  std::printf("%s/mesh.vtu\n", base::printable(dir).c_str());
+  return 0;
+}
+
+}  // namespace reye::apps

@@ -1,0 +1,50 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/linalg.hpp"
+#include "base/space.hpp"
+#include "body/solid/solid_input.hpp"
+
+namespace reye::body {
+
+/// A linear body at small strain condensed to the nodes that contact may touch. With forces f on the retained nodes (3
+/// each), the driven values s and the motions a that nothing holds (at most six):
+///   u = C f + U s + A a,      A^T f + B s = 0  (one equation per free motion)
+/// Displacements of retained nodes are those of control points where a tri6 facet is named in `contact_faces`.
+/// Support motions that are fixed are driven by zero and not listed; a rigid body has C = 0.
+/// The resultants of all supports on the body follow by reciprocity without another solve,
+///   r = F f + G s            (six each: force, then moment about the support's centre, in x, y, z)
+/// where what a loaded motion applies is included.
+class SolidBody {
+ public:
+  /// Factorises. `retained`: nodes of the mesh, distinct. Throws base::SolveError where the stiffness is not definite.
+  SolidBody(SolidInput input, std::vector<int> retained);
+  ~SolidBody();
+  SolidBody(SolidBody&&) noexcept;
+  SolidBody& operator=(SolidBody&&) noexcept;
+
+  const SolidInput& input() const;
+  const std::vector<int>& retained() const;
+  const std::vector<Driven>& driven() const;
+
+  const Matrix& C() const;     ///< 3n x 3n, symmetric, positive semi-definite [mm/N]
+  const Matrix& U() const;     ///< 3n x driven
+  const Matrix& A() const;     ///< 3n x free motions: unit translations and rotations about the centre of the box
+  const Matrix& B() const;     ///< free motions x driven: resultants of loads in the free motions [N; N mm]
+  const Matrix& F() const;     ///< 6 supports x 3n
+  const Matrix& G() const;     ///< 6 supports x driven
+  const Vec3& centre() const;  ///< about which the free rotations turn
+  std::vector<std::string> free_motions()
+      const;  ///< "x", "rotation about z" ... or a direction in numbers, for messages
+
+  /// Displacements of all nodes of the mesh (nodes themselves, not control points): one back-substitution.
+  Points3 displacements(const Vector& f, const Vector& s, const Vector& a) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace reye::body

@@ -1,0 +1,35 @@
+#pragma once
+#include "cad/build/importer_process.hpp"
+#include "cad/solid/raw_solid.hpp"
+#include "cad/solid/solid_options.hpp"
+
+namespace reye::cad {
+
+/// Seconds that the importer may compute on the mesh of one body of a file that is not trusted, and may keep this
+/// program waiting for it; memory for that. A million nodes take about a minute and 2 GB.
+inline constexpr int meshing_s = 600;
+inline constexpr double waiting_for_mesh_s = 1200.0;
+inline constexpr int meshing_GB = 16;
+
+/// A file of solids with the importer that has it open, in a process of its own.
+class SolidFile {
+ public:
+  /// Starts the importer. Throws std::runtime_error where there is none.
+  SolidFile(std::string path, const SolidGeometryOptions& options);
+
+  /// The solids of the file; none, and issues, where it cannot be used. Asked once.
+  std::vector<RawSolid> solids(const Points3& probes, std::vector<base::Issue>& issues);
+
+  /// The mesh of one of them, whose skin has so many faces. Throws base::MeshError with the reason why there is none.
+  RawSolidMesh mesh(const SolidOrder& order, std::size_t faces);
+
+  const std::string& path() const { return path_; }
+  bool guarded() const { return guarded_; }
+
+ private:
+  std::string path_;
+  bool trusted_ = false, guarded_ = true;
+  ImporterProcess importer_;
+};
+
+}  // namespace reye::cad

@@ -1,0 +1,51 @@
+#pragma once
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/errors.hpp"
+
+/// Pieces of reading ParaView files back, for the two sources that do; all throw base::InputError with the path.
+namespace reye::output {
+
+[[noreturn]] inline void damaged_frame(const std::string& path) {
+  throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
+}
+
+template <class Reader>
+vtkNew<Reader> opened(const std::string& path) {
+  vtkNew<Reader> reader;
+  if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged_frame(path);
+  vtkObject::GlobalWarningDisplayOff();  // its error is reported below
+  reader->SetFileName(path.c_str());
+  try {
+    reader->Update();
+  } catch (const std::exception&) {  // sizes that no memory holds
+    damaged_frame(path);
+  }
+  if (reader->GetErrorCode() != 0 || reader->GetOutput() == nullptr) damaged_frame(path);
+  return reader;
+}
+
+/// The array of so many rows, all finite.
+inline vtkDataArray& array_of(vtkFieldData& data, const char* name, vtkIdType rows, const std::string& path) {
+  auto* array = data.GetArray(name);
+  if (!array || array->GetNumberOfTuples() < rows || array->GetNumberOfComponents() < 1) damaged_frame(path);
+  for (vtkIdType i = 0; i < rows; ++i)
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      if (!std::isfinite(array->GetComponent(i, c))) damaged_frame(path);
+  return *array;
+}
+
+inline std::vector<double> values_of(vtkDataArray& array) {
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) values.push_back(array.GetComponent(i, 0));
+  return values;
+}
+
+}  // namespace reye::output

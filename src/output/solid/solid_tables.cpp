@@ -1,0 +1,74 @@
+#include "output/solid/solid_tables.hpp"
+
+#include <stdexcept>
+
+#include "output/folder/csv.hpp"
+#include "output/folder/text.hpp"
+
+namespace reye::output {
+
+namespace {
+
+constexpr const char* axes_of_space = "xyz";
+
+void add_cells(std::string& line, const base::Vec3& v) {
+  for (int i = 0; i < 3; ++i) line += ',' + number(v[i]);
+}
+
+}  // namespace
+
+std::string solid_history_header(const SolidColumns& columns) {
+  std::string line = "step,cycle,progress,newton";
+  for (const auto& contact : columns.contacts)
+    for (const char* column : {"_pressure_max_MPa", "_area_mm2", "_stick_area_mm2", "_force_x_N", "_force_y_N",
+                               "_force_z_N", "_normal_force_N", "_tangential_force_N", "_energy_mJ"})
+      line += ',' + csv_field(contact + column);
+  for (const auto& support : columns.supports)
+    for (const auto& [quantity, unit] : {std::pair("_force_", "_N"), std::pair("_moment_", "_N_mm")})
+      for (const char* axis = axes_of_space; *axis; ++axis) line += ',' + csv_field(support + quantity + *axis + unit);
+  return line + '\n';
+}
+
+std::string solid_history_row(const sim::SolidIncrement& record, const SolidColumns& columns) {
+  if (record.contacts.size() != columns.contacts.size() || record.supports.size() != columns.supports.size())
+    throw std::logic_error("an increment has other contacts or supports than its scene");
+  std::string line = csv_field(record.step) + ',' + number(record.cycle) + ',' + number(record.progress) + ',' +
+                     std::to_string(record.newton);
+  for (const auto& contact : record.contacts) {
+    for (const double value : {contact.pressure_max_MPa, contact.area_mm2, contact.stick_area_mm2})
+      line += ',' + number(value);
+    add_cells(line, contact.force_N);
+    for (const double value : {contact.normal_force_N, contact.tangential_force_N, contact.energy_mJ})
+      line += ',' + number(value);
+  }
+  for (const auto& support : record.supports) {
+    add_cells(line, support.force_N);
+    add_cells(line, support.moment_N_mm);
+  }
+  return line + '\n';
+}
+
+std::string skin_header() {
+  return "frame,cycle,body,node,x_mm,y_mm,z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,shear_z_MPa,slip_x_mm,slip_y_mm,"
+         "slip_z_mm,area_mm2,status\n";
+}
+
+std::string skin_rows(std::size_t index, double cycle, const std::vector<std::string>& bodies,
+                      const sim::SkinRecord& skin) {
+  static constexpr const char* words[] = {"inactive", "stick", "slip"};
+  const std::string start = std::to_string(index) + ',' + number(cycle) + ',';
+  std::string text;
+  for (std::size_t i = 0; i < skin.x_mm.size(); ++i) {
+    text += start + csv_field(bodies.at(skin.body.at(i))) + ',' + std::to_string(skin.node.at(i));
+    add_cells(text, skin.x_mm[i]);
+    text += ',' + number(skin.pressure_MPa.at(i));
+    add_cells(text, skin.shear_MPa.at(i));
+    add_cells(text, skin.slip_mm.at(i));
+    const int status = skin.status.at(i);
+    if (status < 0 || status > 2) throw std::logic_error("a node of a contact has an unknown status");
+    text += ',' + number(skin.area_mm2.at(i)) + ',' + words[status] + '\n';
+  }
+  return text;
+}
+
+}  // namespace reye::output

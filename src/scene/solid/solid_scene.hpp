@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "body/solid/solid_supports.hpp"
+#include "cad/solid/solid_options.hpp"
+#include "contact/solid/skin_options.hpp"
+#include "material/material.hpp"
+#include "scene/scene.hpp"
+
+namespace reye::scene {
+
+struct SolidProbe {
+  std::string name;
+  std::string body;
+  base::Vec3 at_mm = base::Vec3::Zero();
+};
+
+/// The input of a scene with analysis = "solid".
+struct SolidScene {
+  std::string title;
+  cad::SolidGeometryOptions geometry;
+  std::map<std::string, material::Material> materials;
+  std::map<std::string, std::string> body_material;  ///< by body name; none for a rigid body
+  std::vector<contact::SkinContactOptions> contacts;
+  std::vector<std::string> symmetry;  ///< faces without motion along their normal, as supports: they stand in both
+  std::vector<body::SolidSupport> supports;
+  std::vector<body::SolidLoad> loads;
+  std::map<std::string, History> histories;
+  std::map<std::string, Measured> measured;  ///< those of them that come from files
+  std::vector<Step> steps;
+  FrameRules frames;
+  double checkpoint_s = 1.0;
+  std::vector<SolidProbe> probes;
+  int max_newton = 30;
+  int max_cutbacks = 8;
+
+  // Where the scene came from, as in Scene.
+  std::string name, path, text, sha256, fixed_sha256;
+  std::map<std::string, int> lines;
+  std::vector<std::string> warnings;
+};
+
+/// Whether the scene at this path says analysis = "solid". A file that cannot be read says no: reading it gives the
+/// reason.
+bool is_solid(const std::string& path);
+
+/// Reads and checks; throws base::InputError with every issue, as `read` does for scenes of the plane.
+SolidScene read_solid(const std::string& path);
+
+}  // namespace reye::scene

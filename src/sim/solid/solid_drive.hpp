@@ -1,0 +1,14 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "sim/solid/solid_assembly.hpp"
+
+namespace reye::sim {
+
+/// What an increment asks for at the given factors; `from`, `to`: its part of the step's play.
+solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
+                              const solver::SolidState& state, const std::map<std::string, double>& factors,
+                              const scene::Step& step, double from, double to);
+
+}  // namespace reye::sim

@@ -1,0 +1,110 @@
+#include "sim/solid/solid_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace reye::sim {
+
+namespace {
+
+using contact::SkinStatus;
+
+bool closed(const solver::SolidSolution& solution, std::size_t c, int j) {
+  return solution.state.status[c][j] != SkinStatus::open;
+}
+
+/// Points without friction slide freely.
+int status_number(SkinStatus status, double friction) {
+  if (status == SkinStatus::open) return 0;
+  return status == SkinStatus::stick && friction > 0.0 ? 1 : 2;
+}
+
+Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& state, std::size_t b) {
+  return state.s.segment(system.first_driven[b], system.first_driven[b + 1] - system.first_driven[b]);
+}
+
+}  // namespace
+
+std::vector<double> dissipated(const solver::SolidSolution& solution) {
+  std::vector<double> energy;
+  for (std::size_t c = 0; c < solution.place.size(); ++c) {
+    const auto& place = solution.place[c];
+    double sum = 0.0;
+    for (int j = 0; j < place.count(); ++j)
+      if (solution.state.status[c][j] == SkinStatus::slip)
+        sum += place.covered[j] * place.frame[j].across(solution.nodes[c][j].traction).dot(solution.nodes[c][j].slip);
+    energy.push_back(sum);
+  }
+  return energy;
+}
+
+SkinContactRow contact_row(const solver::SolidSolution& solution, std::size_t c, double friction, double energy_mJ) {
+  SkinContactRow row;
+  const auto& place = solution.place[c];
+  Vec3 shear = Vec3::Zero();
+  for (int j = 0; j < place.count(); ++j) {
+    if (!closed(solution, c, j)) continue;
+    const auto& frame = place.frame[j];
+    const Vec3& z = solution.nodes[c][j].traction;
+    const double p = z.dot(frame.normal), area = place.covered[j];
+    row.pressure_max_MPa = std::max(row.pressure_max_MPa, p);
+    row.area_mm2 += area;
+    if (status_number(solution.state.status[c][j], friction) == 1) row.stick_area_mm2 += area;
+    row.force_N -= area * z;
+    row.normal_force_N += area * p;
+    shear += area * frame.across(z);
+  }
+  row.tangential_force_N = shear.norm();
+  row.energy_mJ = energy_mJ;
+  return row;
+}
+
+base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t body) {
+  base::Vector force = base::Vector::Zero(3 * system.points());
+  for (std::size_t c = 0; c < solution.place.size(); ++c)
+    solver::add_contact_forces(solution.place[c], solution.state.traction[c], force);
+  const int begin = system.first_point[body], end = system.first_point[body + 1];
+  return force.segment(3 * begin, 3 * (end - begin));
+}
+
+std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::SolidSystem& system,
+                                     const solver::SolidSolution& solution) {
+  std::vector<base::Vector> resultants;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto& body = system.bodies[b];
+    resultants.push_back(body.F() * forces_on(system, solution, b) + body.G() * driven_of(system, solution.state, b));
+  }
+  std::vector<SupportRow> rows;
+  for (const auto& [body, place] : problem.support_of)
+    rows.push_back({resultants[body].segment<3>(6 * place), resultants[body].segment<3>(6 * place + 3)});
+  return rows;
+}
+
+double imbalance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
+                           const solver::SolidSolution& solution) {
+  double worst = 0.0;
+  const auto supports = support_rows(problem, system, solution);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto forces = forces_on(system, solution, b);
+    Vec3 sum = Vec3::Zero();
+    double largest = 0.0;
+    const auto add = [&](const Vec3& force) {
+      sum += force;
+      largest = std::max(largest, force.norm());
+    };
+    Vec3 contact = Vec3::Zero();
+    for (Eigen::Index i = 0; i < forces.size(); i += 3) contact += forces.segment<3>(i);
+    add(contact);
+    for (std::size_t k = 0; k < supports.size(); ++k)
+      if (problem.support_of[k][0] == static_cast<int>(b)) add(supports[k].force_N);
+    const auto& driven = system.bodies[b].driven();
+    const auto s = driven_of(system, solution.state, b);
+    for (std::size_t k = 0; k < driven.size(); ++k)
+      if (driven[k].load >= 0) add(s[static_cast<int>(k)] * problem.load_force[b][driven[k].load]);
+    if (largest > 0.0) worst = std::max(worst, sum.norm() / largest);
+  }
+  return worst;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,91 @@
+#include "sim/solid/solid_plan.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/formatted.hpp"
+#include "body/solid/solid_cost.hpp"
+#include "sim/problem/drive.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+double memory_of_machine_MB() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e6;
+}
+
+std::string kind_of(const mesh::SolidMesh& mesh) {
+  return mesh.kind == mesh::SolidKind::tet4 ? "tet4" : mesh.kind == mesh::SolidKind::tet10 ? "tet10" : "hex8";
+}
+
+}  // namespace
+
+double solid_increments(const SolidProblem& problem) {
+  double count = 0.0;
+  for (const auto& step : problem.scene.steps)
+    count += static_cast<double>(step_corners(problem.scene.histories, step).size()) *
+             std::max(1.0, std::round(step.cycles));
+  return count;
+}
+
+SolidSize size_of(const SolidProblem& problem, int retained) {
+  SolidSize size;
+  size.retained = retained;
+  for (const auto& input : problem.inputs) {
+    size.nodes += input.mesh->node_count();
+    size.cells += input.mesh->cell_count();
+    if (!input.rigid) size.dofs += 3 * input.mesh->node_count();
+  }
+  return size;
+}
+
+SolidPlan solid_plan(const SolidProblem& problem) {
+  SolidPlan plan;
+  const Touchable touchable = touchable_nodes(problem);
+  double active = 0.0, factors_s = 0.0;
+  for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
+    const auto& input = problem.inputs[b];
+    std::vector<int> nodes;
+    for (std::size_t n = 0; n < touchable[b].size(); ++n)
+      if (touchable[b][n]) nodes.push_back(static_cast<int>(n));
+    const int kept = static_cast<int>(nodes.size());
+    plan.size.retained += kept;
+    if (input.rigid) {
+      plan.lines.push_back("body " + input.name + ": rigid, no elements");
+      continue;
+    }
+    const auto cost = body::solid_cost(*input.mesh, nodes);
+    plan.size.memory_MB += cost.memory_MB;
+    factors_s += cost.seconds;
+    plan.lines.push_back(base::formatted("body %s: %d %s, %d dofs, %d nodes kept for contact; factors %.2g s, %.0f MB",
+                                         input.name.c_str(), input.mesh->cell_count(), kind_of(*input.mesh).c_str(),
+                                         3 * input.mesh->node_count(), kept, cost.seconds, cost.memory_MB));
+  }
+  for (const auto& contact : problem.contacts) {
+    const auto& nodes = touchable[contact.secondary.body];
+    active = std::max(active, 0.5 * static_cast<double>(std::count(nodes.begin(), nodes.end(), 1)));
+  }
+  const double memory = plan.size.memory_MB;
+  const int retained = plan.size.retained;
+  plan.size = size_of(problem, retained);
+  const double unknowns = 2.2 * active;  // of half the secondary nodes, slipping or sticking
+  const double step_s = std::pow(unknowns, 3.0) * 2.5e-11 + 1e-7 * unknowns * unknowns + 1e-5 * retained;
+  plan.increments = solid_increments(problem);
+  plan.size.memory_MB = memory + 8e-6 * unknowns * unknowns;
+  plan.size.seconds = factors_s + 5.0 * plan.increments * step_s;
+  plan.lines.push_back(
+      base::formatted("contact: about %.0f unknowns, %.2g s an iteration; %.0f increments, %.2g s in all, "
+                      "%.0f MB",
+                      unknowns, step_s, plan.increments, plan.size.seconds, plan.size.memory_MB));
+  if (plan.size.memory_MB > memory_of_machine_MB())
+    plan.refusal = base::formatted(
+        "the run needs about %.0f MB of memory, this machine has %.0f MB: make the mesh coarser "
+        "away from contacts (far_size_mm, growth) or fine zones smaller",
+        plan.size.memory_MB, memory_of_machine_MB());
+  return plan;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "body/solid/solid_body.hpp"
+#include "cad/solid/solid_geometry.hpp"
+#include "contact/solid/skin_setup.hpp"
+#include "scene/solid/solid_scene.hpp"
+#include "sim/solid/solid_records.hpp"
+
+namespace reye::sim {
+
+/// A contact of the scene with its faces found.
+struct PlacedSkins {
+  contact::SkinContactOptions options;
+  contact::FaceRef secondary;
+  std::vector<contact::FaceRef> primary;
+  double modulus_MPa = 0.0;  ///< of the softer body that deforms
+  double search_mm = 0.0;
+  double drawn_mm = 0.0;  ///< shortest way between nodes of the two sides, as drawn
+};
+
+/// Everything that does not change in a run of solids.
+struct SolidProblem {
+  scene::SolidScene scene;
+  std::vector<body::SolidInput> inputs;        ///< per body
+  std::vector<std::array<int, 2>> support_of;  ///< per support of the scene: its body, and its place there
+  std::vector<PlacedSkins> contacts;
+  std::vector<Warning> warnings;              ///< known before the run
+  std::vector<std::vector<Vec3>> load_force;  ///< per body and load: its resultant at factor 1 [N]
+  double mesh_seconds = 0.0;
+
+  int body_count() const { return static_cast<int>(inputs.size()); }
+};
+
+/// Resultants of all loads, as `load_force` holds them.
+std::vector<std::vector<Vec3>> load_resultants(const std::vector<body::SolidInput>& inputs);
+
+/// Imports and meshes the geometry, finds the faces by their names and puts supports, loads and contacts onto the
+/// bodies. Throws base::InputError with all issues and their lines.
+SolidProblem prepare_solid(scene::SolidScene scene);
+
+}  // namespace reye::sim

@@ -1,0 +1,49 @@
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "base/formatted.hpp"
+#include "mesh/solid/solid_place.hpp"
+#include "sim/solid/solid_measure.hpp"
+#include "sim/solid/whole_patch.hpp"
+
+namespace reye::sim {
+
+SkinContactSummary contact_summary(const SolidProblem& problem, const solver::SolidSystem& system,
+                                   const solver::SolidSolution& solution, std::size_t c, const SolidRunState& state) {
+  const auto& options = problem.contacts[c].options;
+  const auto row = contact_row(solution, c, options.friction, state.energy_mJ[c]);
+  SkinContactSummary summary;
+  summary.name = options.name;
+  summary.normal_force_N = row.normal_force_N;
+  summary.tangential_force_N = row.tangential_force_N;
+  summary.dissipated_energy_mJ = row.energy_mJ;
+  if (state.cycle >= 1.0) summary.energy_last_cycle_mJ = state.energy_last_cycle_mJ[c];
+  summary.peak_pressure_MPa = row.pressure_max_MPa;
+  const WholePatch patch = whole_patch(problem, system, solution, c);
+  summary.area_mm2 = row.area_mm2;
+  summary.stick_area_mm2 = row.stick_area_mm2;
+  summary.equivalent_radius_mm = std::sqrt(patch.area() / std::numbers::pi);
+  summary.half_widths_mm = patch.half_widths();
+  return summary;
+}
+
+std::map<std::string, Vec3> probe_values(const SolidProblem& problem, const SolidAssembly& assembly,
+                                         const solver::SolidSolution& solution) {
+  std::map<std::string, Vec3> values;
+  if (problem.scene.probes.empty()) return values;
+  SolidRunState none;
+  const SolidFrame frame = solid_frame(problem, assembly, solution, none, "", 0.0, true);
+  std::vector<base::Issue> issues;
+  for (const auto& probe : problem.scene.probes)
+    for (const auto& body : frame.bodies)
+      if (body.name == probe.body) {
+        const auto place = mesh::place_in(*body.mesh, probe.at_mm);
+        Vec3 u = Vec3::Zero();
+        for (const auto& [node, share] : place) u += share * body.u[node];
+        values[probe.name] = u;
+      }
+  return values;
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,51 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "contact/solid/cone.hpp"
+#include "solver/solid/solid_system.hpp"
+
+namespace reye::solver {
+
+/// What is carried from increment to increment: per contact the tractions of its secondary points as vectors, so that
+/// no frame enters, and whether each is open, sticks or slips.
+struct SolidState {
+  std::vector<Points3> traction;
+  std::vector<std::vector<contact::SkinStatus>> status;
+  Vector a;  ///< free motions
+  Vector s;  ///< driven values
+  Vector u;  ///< displacements of the points
+};
+
+/// Before anything has happened.
+SolidState initial_state(const SolidSystem& system);
+
+/// Displacements of all points that belong to a state's tractions, drives and free motions, integrated without
+/// displacements: to begin from after the points were chosen again.
+Vector displacements_of(const SolidSystem& system, const SolidState& state);
+
+/// What one increment asks for.
+struct SolidTarget {
+  Vector s;                      ///< driven values at its end
+  std::vector<Points3> slip;     ///< per contact and secondary point: slip that is imposed, besides that of the motion
+  std::vector<double> friction;  ///< per contact
+};
+
+/// How an attempt begins. natural: points are classified by their old tractions and the new motion; settled: shear is
+/// kept until normal contact has settled; sticking: every closed point sticks at first.
+enum class SolidStart { natural, settled, sticking };
+
+/// An increment that was solved, or why it was not.
+struct SolidSolution {
+  bool converged = false;
+  std::string reason;  ///< of a failure
+  bool loose = false;  ///< it failed since a body is free to move and nothing that touches it holds it
+  int iterations = 0;
+  std::vector<double> errors;  ///< largest violation over largest traction, per iteration
+  SolidState state;
+  std::vector<contact::SkinPlace> place;
+  std::vector<std::vector<contact::SkinNode>> nodes;  ///< tractions, gaps, slips
+  double mortar_s = 0.0, interface_s = 0.0;           ///< CPU seconds
+};
+
+}  // namespace reye::solver

@@ -1,0 +1,100 @@
+#include "solver/solid/reduced_system.hpp"
+
+#include "algebra/factor.hpp"
+#include "base/errors.hpp"
+
+namespace reye::solver {
+
+namespace {
+
+using base::SparseMatrix;
+using base::Triplet;
+
+/// Columns over the components of all points: forces per unknown, Q^T along, or rows of motion, Q^T row / covered.
+struct Columns {
+  SparseMatrix force, motion;
+};
+
+Columns columns_of(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+                   const std::vector<ReducedRow>& rows) {
+  std::vector<Triplet> force, motion;
+  for (int k = 0; k < static_cast<int>(rows.size()); ++k) {
+    const auto& row = rows[k];
+    const auto& place = places[row.contact];
+    const double share = 1.0 / place.covered[row.point];
+    for (contact::SkinRows::InnerIterator it(place.Q, row.point); it; ++it)
+      for (int d = 0; d < 3; ++d) {
+        const int at = 3 * static_cast<int>(it.col()) + d;
+        if (row.along[d] != 0.0) force.emplace_back(at, k, it.value() * row.along[d]);
+        if (row.row[d] != 0.0) motion.emplace_back(at, k, it.value() * row.row[d] * share);
+      }
+  }
+  const int size = 3 * system.points(), count = static_cast<int>(rows.size());
+  Columns columns{SparseMatrix(size, count), SparseMatrix(size, count)};
+  columns.force.setFromTriplets(force.begin(), force.end());
+  columns.motion.setFromTriplets(motion.begin(), motion.end());
+  return columns;
+}
+
+/// J -= motion^T C force of one body.
+void subtract_compliance(const Matrix& C, const Columns& columns, int begin, Matrix& J) {
+  const int end = begin + static_cast<int>(C.rows());
+  const int count = static_cast<int>(columns.force.cols());
+  Vector moved(C.rows());
+  for (int k = 0; k < count; ++k) {
+    moved.setZero();
+    bool any = false;
+    for (SparseMatrix::InnerIterator it(columns.force, k); it; ++it)
+      if (it.row() >= begin && it.row() < end) {
+        moved.noalias() += it.value() * C.col(it.row() - begin);
+        any = true;
+      }
+    if (!any) continue;
+    for (int i = 0; i < count; ++i) {
+      double sum = 0.0;
+      for (SparseMatrix::InnerIterator it(columns.motion, i); it; ++it)
+        if (it.row() >= begin && it.row() < end) sum += it.value() * moved[it.row() - begin];
+      J(i, k) -= sum;
+    }
+  }
+}
+
+void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix& J) {
+  const int count = static_cast<int>(columns.force.cols());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const Matrix& A = system.bodies[b].A();
+    if (A.cols() == 0) continue;
+    const int begin = 3 * system.first_point[b], column = count + system.first_free[b];
+    const SparseMatrix motion = columns.motion.middleRows(begin, A.rows());
+    const SparseMatrix force = columns.force.middleRows(begin, A.rows());
+    const Matrix resultants = A.transpose() * force;
+    if (system.yields[b]) J.topLeftCorner(count, count).noalias() += motion.transpose() * system.relief[b] * resultants;
+    J.block(0, column, count, A.cols()).noalias() += motion.transpose() * A;
+    J.block(column, 0, A.cols(), count) -= resultants;
+  }
+}
+
+}  // namespace
+
+ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+                          const std::vector<ReducedRow>& rows, const Vector& imbalance) {
+  const int count = static_cast<int>(rows.size()), size = count + system.free();
+  if (size == 0) return {Vector(), Vector()};
+  const Columns columns = columns_of(system, places, rows);
+  Matrix J = Matrix::Zero(size, size);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (system.yields[b]) subtract_compliance(system.bodies[b].C(), columns, 3 * system.first_point[b], J);
+  add_free_motions(system, columns, J);
+  Vector right(size);
+  for (int k = 0; k < count; ++k) {
+    J(k, k) += rows[k].diagonal;
+    right[k] = -rows[k].residual;
+  }
+  right.tail(system.free()) = -imbalance;
+  algebra::DenseFactor factor;
+  factor.factor(J);
+  const Vector x = factor.solve(right);
+  return {x.head(count), x.tail(system.free())};
+}
+
+}  // namespace reye::solver

@@ -1,0 +1,32 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/solid/cone.hpp"
+#include "solver/solid/solid_system.hpp"
+
+namespace reye::solver {
+
+/// One unknown of the reduced system, the traction of a point along a direction, with its equation
+///   diagonal x (change of the unknown) + weight x row . (change of w) = -residual        [MPa]
+struct ReducedRow {
+  int contact = 0, point = 0;
+  Vec3 along = Vec3::Zero();  ///< change of the traction per unit of the unknown
+  Vec3 row = Vec3::Zero();    ///< direction in which the relative motion counts, c included [MPa/mm]
+  double diagonal = 0.0;
+  double residual = 0.0;
+};
+
+/// The change of all unknowns in one Newton step.
+struct ReducedStep {
+  Vector z;  ///< per row
+  Vector a;  ///< free motions
+};
+
+/// Solves the rows together with the balance of free motions, by dense LU. Only points in contact are unknown, and in
+/// slip the shear along the slip is eliminated. Throws base::SolveError where the matrix is singular: then nothing
+/// holds a body.
+ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+                          const std::vector<ReducedRow>& rows, const Vector& imbalance);
+
+}  // namespace reye::solver

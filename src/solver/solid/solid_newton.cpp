@@ -1,0 +1,103 @@
+#include "solver/solid/solid_newton.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "base/formatted.hpp"
+#include "solver/solid/solid_iterate.hpp"
+
+namespace reye::solver {
+
+namespace {
+
+/// Below this traction nothing is counted, as a share of the modulus: bodies at rest without load.
+constexpr double faint = 1e-14;
+
+double faint_traction(const SolidSystem& system) {
+  double largest = 0.0;
+  for (const auto& contact : system.contacts)
+    for (std::size_t j = 0; j < contact.stiffness.size(); ++j) largest = std::max(largest, contact.stiffness[j]);
+  return faint * largest;
+}
+
+bool touched(const SolidState& state) {
+  return std::any_of(state.status.begin(), state.status.end(), [](const auto& contact) {
+    return std::any_of(contact.begin(), contact.end(), [](auto s) { return s != contact::SkinStatus::open; });
+  });
+}
+
+SolidSolution failed(std::string reason, int iterations, std::vector<double> errors) {
+  SolidSolution solution;
+  solution.reason = std::move(reason);
+  solution.iterations = iterations;
+  solution.errors = std::move(errors);
+  return solution;
+}
+
+SolidSolution loose(std::string reason, int iterations, std::vector<double> errors) {
+  SolidSolution solution = failed(std::move(reason), iterations, std::move(errors));
+  solution.loose = true;
+  return solution;
+}
+
+/// Newton's iteration from one start. The integrals follow the bodies in every iteration; at the end they belong to the
+/// positions that were found, to the tolerance.
+SolidSolution attempt(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
+                      const SolidOptions& options, SolidStart start) {
+  SolidIterate iterate(system, old, target, start);
+  const double least = faint_traction(system);
+  std::vector<double> errors;
+  for (int i = 0;; ++i) {
+    bool changed = iterate.classify();
+    const auto error = iterate.error();
+    const double relative = error.traction_MPa / std::max(error.largest_MPa, least);
+    if (!std::isfinite(relative)) return failed("Newton's iteration left the numbers", i, errors);
+    errors.push_back(relative);
+    const bool small = relative <= options.tolerance && error.balance <= options.balance_tolerance;
+    if (small && !changed && !iterate.shear_is_kept()) {
+      SolidSolution solution = iterate.take();
+      solution.iterations = i;
+      solution.errors = std::move(errors);
+      solution.mortar_s = iterate.mortar_s;
+      solution.interface_s = iterate.interface_s;
+      return solution;
+    }
+    if (iterate.shear_is_kept() && !changed && relative < 1e-3) {
+      iterate.let_shear_go();
+      iterate.classify();
+    }
+    if (i >= options.max_newton)
+      return failed("Newton's iteration did not converge in " + std::to_string(i) + " iterations: a violation of " +
+                        base::formatted("%.1e", relative) + " of the largest traction is left",
+                    i, errors);
+    if (iterate.came_apart() > 3) return loose("the bodies come apart", i, errors);
+    try {
+      iterate.step();
+    } catch (const base::SolveError& singular) {
+      return system.free() > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
+    }
+    iterate.integrate();
+  }
+}
+
+}  // namespace
+
+SolidSolution solve_increment(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
+                              const SolidOptions& options) {
+  const bool first = !touched(old);
+  const auto starts = first ? std::array{SolidStart::settled, SolidStart::natural, SolidStart::sticking}
+                            : std::array{SolidStart::natural, SolidStart::settled, SolidStart::sticking};
+  SolidSolution solution;
+  int spent = 0;
+  for (const SolidStart start : starts) {
+    solution = attempt(system, old, target, options, start);
+    spent += solution.iterations;
+    if (solution.converged) break;
+  }
+  solution.iterations = spent;
+  return solution;
+}
+
+}  // namespace reye::solver

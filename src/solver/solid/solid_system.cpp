@@ -1,0 +1,93 @@
+#include "solver/solid/solid_system.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace reye::solver {
+
+namespace {
+
+/// The directions in which no force, drive or free motion moves a point.
+contact::HeldDirections held_directions(const body::SolidBody& body, int point, double compliance) {
+  const int row = 3 * point;
+  base::Mat3 moves = base::Mat3::Zero();
+  if (compliance > 0.0) moves += body.C().block<3, 3>(row, row) / compliance;
+  for (const Matrix* part : {&body.U(), &body.A()})
+    if (part->cols() > 0) moves += part->middleRows<3>(row) * part->middleRows<3>(row).transpose();
+  const Eigen::SelfAdjointEigenSolver<base::Mat3> solver(moves);
+  contact::HeldDirections held;
+  constexpr double none = 1e-10;
+  for (int k = 0; k < 3; ++k)
+    if (solver.eigenvalues()[k] < none) held.d[held.count++] = solver.eigenvectors().col(k);
+  return held;
+}
+
+Matrix relief_of(const body::SolidBody& body) {
+  const Matrix& A = body.A();
+  if (A.cols() == 0) return {};
+  const Matrix gram = A.transpose() * A;
+  return body.C() * (A * gram.completeOrthogonalDecomposition().pseudoInverse());
+}
+
+std::vector<int> starts(const std::vector<body::SolidBody>& bodies, const auto& count) {
+  std::vector<int> first{0};
+  for (const auto& body : bodies) first.push_back(first.back() + static_cast<int>(count(body)));
+  return first;
+}
+
+}  // namespace
+
+SolidSystem make_system(std::vector<body::SolidBody> bodies) {
+  SolidSystem system;
+  system.bodies = std::move(bodies);
+  system.first_point = starts(system.bodies, [](const auto& body) { return body.retained().size(); });
+  system.first_driven = starts(system.bodies, [](const auto& body) { return body.driven().size(); });
+  system.first_free = starts(system.bodies, [](const auto& body) { return body.A().cols(); });
+  for (const auto& body : system.bodies) {
+    const double compliance = body.retained().empty() ? 0.0 : body.C().diagonal().maxCoeff();
+    system.yields.push_back(compliance > 0.0);
+    system.relief.push_back(relief_of(body));
+    for (int i = 0; i < static_cast<int>(body.retained().size()); ++i)
+      system.held.push_back(held_directions(body, i, compliance));
+  }
+  return system;
+}
+
+Vector displacement(const SolidSystem& system, const Vector& force, const Vector& s, const Vector& a) {
+  Vector u = Vector::Zero(3 * system.points());
+  const Vector left = imbalance(system, force, s);
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto& body = system.bodies[b];
+    const int rows = 3 * static_cast<int>(body.retained().size());
+    auto own = u.segment(3 * system.first_point[b], rows);
+    if (system.yields[b]) own.noalias() += body.C() * force.segment(3 * system.first_point[b], rows);
+    own.noalias() += body.U() * s.segment(system.first_driven[b], body.U().cols());
+    own.noalias() += body.A() * a.segment(system.first_free[b], body.A().cols());
+    if (system.yields[b] && body.A().cols() > 0)
+      own.noalias() -= system.relief[b] * left.segment(system.first_free[b], body.A().cols());
+  }
+  return u;
+}
+
+void add_contact_forces(const contact::SkinPlace& place, const Points3& traction, Vector& force) {
+  for (int j = 0; j < place.count(); ++j) {
+    if (traction[j].isZero(0.0)) continue;
+    for (contact::SkinRows::InnerIterator it(place.Q, j); it; ++it)
+      force.segment<3>(3 * it.col()) -= it.value() * traction[j];
+  }
+}
+
+Vector imbalance(const SolidSystem& system, const Vector& force, const Vector& s) {
+  Vector left = Vector::Zero(system.free());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto& body = system.bodies[b];
+    const int rows = 3 * static_cast<int>(body.retained().size());
+    auto own = left.segment(system.first_free[b], body.A().cols());
+    own.noalias() += body.A().transpose() * force.segment(3 * system.first_point[b], rows);
+    own.noalias() += body.B() * s.segment(system.first_driven[b], body.B().cols());
+  }
+  return left;
+}
+
+}  // namespace reye::solver
