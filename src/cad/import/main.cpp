@@ -7,6 +7,7 @@
 #include "cad/import/guard.hpp"
 #include "cad/import/messages.hpp"
 #include "cad/import/read_file.hpp"
+#include "cad/import/same_addresses.hpp"
 #include "cad/import/solid_server.hpp"
 #include "cad/meshing/kernel.hpp"
 #include "cad/part/raw_bytes.hpp"
@@ -60,6 +61,7 @@ int main(int count, char** words) {
     std::fputs("reye-import is started by reye\n", stderr);
     return 2;
   }
+  if (std::string(words[3]) == "solid") cad::start_with_same_addresses(words);
   const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
   const std::vector<std::string> files(words + 4, words + count);
   std::vector<std::string> folders{how.folder};
