@@ -10,7 +10,7 @@ namespace {
 constexpr double layer = 0.4;  // mm
 
 /// Two blocks pressed and pushed: the upper one's top is moved by node, the lower one's bottom is fixed.
-std::string pushed_blocks(const std::string& friction, double scale) {
+std::string pushed_blocks(const std::string& friction) {
   return "title = \"blocks\"\nanalysis = \"plane_strain\"\ngeometry = [\"blocks.geo\"]\n"
          "material.steel = { E_MPa = 2.0e5, nu = 0.3 }\n"
          "body.slider = { material = \"steel\", mesh = { element = \"quad\", far_size_mm = 0.5 } }\n"
@@ -18,27 +18,22 @@ std::string pushed_blocks(const std::string& friction, double scale) {
          "contact.pad = { secondary = \"slider_bottom\", primary = [\"base_top\"], friction = " +
          friction +
          " }\n"
-         "support.holder = { edge = \"slider_top\", x = { motion_mm = " +
-         std::to_string(0.004 * scale) +
-         ", history = \"push\" }, "
-         "y = { motion_mm = " +
-         std::to_string(-0.01 * scale) +
-         ", history = \"press\" } }\n"
+         "support.holder = { edge = \"slider_top\", x = { motion_mm = 0.004, history = \"push\" }, "
+         "y = { motion_mm = -0.01, history = \"press\" } }\n"
          "support.base = { edge = \"base_bottom\", x = \"fixed\", y = \"fixed\" }\n"
          "history = { press = [[0, 0], [1, 1]], push = [[0, 0], [1, 1]] }\n"
          "[[step]]\nname = \"press\"\nplay = [\"press\"]\nincrements = 2\nwear = false\n"
          "[[step]]\nname = \"push\"\nplay = [\"push\"]\nincrements = 4\nwear = false\n";
 }
 
-sim::SolidProblem extruded_blocks(const sim::Problem& plane, double friction, double scale) {
+sim::SolidProblem extruded_blocks(const sim::Problem& plane, double friction) {
   std::vector<body::SolidInput> inputs;
   for (int b = 0; b < 2; ++b) {
     inputs.push_back(support::solid(plane.inputs[b].name, support::extruded(plane.shapes[b]->mesh, layer), 2.0e5, 0.3));
     inputs.back().supports = {support::symmetry("front", "z0"), support::symmetry("back", "z1")};
   }
   inputs[0].supports.push_back(support::by_node(
-      "holder", "slider_top",
-      {support::moved(0.004 * scale, "push"), support::moved(-0.01 * scale, "press"), body::Motion{}}));
+      "holder", "slider_top", {support::moved(0.004, "push"), support::moved(-0.01, "press"), body::Motion{}}));
   inputs[1].supports.push_back(
       support::by_node("base", "base_bottom", {support::fixed_motion(), support::fixed_motion(), body::Motion{}}));
   auto problem = support::problem_of(std::move(inputs), {0, "slider_bottom"}, {1, "base_top"}, friction, 0.2);
@@ -64,11 +59,11 @@ double largest_difference(const sim::SurfaceRecord& plane, const sim::SkinRecord
 }
 
 /// The difference for two pressed and pushed blocks.
-double difference_of_blocks(const std::string& friction, double scale) {
+double difference_of_blocks(const std::string& friction) {
   const std::string geometry = std::string(REYE_SOURCE_DIR) + "/geo/sliding_block/blocks.geo";
   const auto plane = verification::played(
-      verification::replaced(pushed_blocks(friction, scale), {{"\"blocks.geo\"", "\"" + geometry + "\""}}));
-  const auto solid = support::play(extruded_blocks(plane.problem, std::stod(friction), scale));
+      verification::replaced(pushed_blocks(friction), {{"\"blocks.geo\"", "\"" + geometry + "\""}}));
+  const auto solid = support::play(extruded_blocks(plane.problem, std::stod(friction)));
   EXPECT_EQ(solid.summary.status, sim::RunStatus::done) << solid.summary.reason;
   if (solid.frames.empty()) return 1.0;
   EXPECT_LE(solid.summary.balance, 1e-11);
@@ -127,13 +122,11 @@ TEST(SolidExtruded, ABlockOnAPlaneInterfaceIsThePlanesOwn) {
             1e-10);
 }
 
-TEST(SolidExtruded, BlocksWhoseInterfaceBendsDifferByItsBend) {
-  // Where the interface bends under load the plane projects along the interpolated normal and facets along one each:
-  // pressures and shears of drawn-out blocks, pressed and pushed without friction, in partial slip and in stick, differ
-  // by less than 1e-4 of the pressure, and in proportion to the load.
-  for (const char* friction : {"0.0", "0.3", "0.8"}) {
-    const double whole = difference_of_blocks(friction, 1.0), part = difference_of_blocks(friction, 0.1);
-    EXPECT_LE(whole, 1e-4) << "friction " << friction;
-    EXPECT_LE(part, 0.2 * whole + 1e-10) << "friction " << friction;
-  }
+TEST(SolidExtruded, PressedAndPushedBlocksAreThePlanesOwn) {
+  // Two blocks, pressed and pushed, and drawn out into one layer of solids without motion across it, have the plane's
+  // pressures at each node; with friction, in partial slip and in stick, pressures and shears differ by 1e-7, since the
+  // normals of the interface, which bends a little, are not the same.
+  EXPECT_LE(difference_of_blocks("0.0"), 1e-10);
+  for (const char* friction : {"0.3", "0.8"})
+    EXPECT_LE(difference_of_blocks(friction), 2e-7) << "friction " << friction;
 }

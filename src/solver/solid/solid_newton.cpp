@@ -42,6 +42,11 @@ SolidSolution loose(std::string reason, int iterations, std::vector<double> erro
   return solution;
 }
 
+double balance_tolerance(const SolidTarget& target, const SolidOptions& options) {
+  const bool friction = std::any_of(target.friction.begin(), target.friction.end(), [](double mu) { return mu > 0.0; });
+  return (friction ? 10.0 : 1.0) * options.balance_tolerance;
+}
+
 /// Newton's iteration from one start. The integrals follow the bodies in every iteration; at the end they belong to the
 /// positions that were found, to the tolerance.
 SolidSolution attempt(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
@@ -55,7 +60,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
     const double relative = error.traction_MPa / std::max(error.largest_MPa, least);
     if (!std::isfinite(relative)) return failed("Newton's iteration left the numbers", i, errors);
     errors.push_back(relative);
-    const bool small = relative <= options.tolerance && error.balance <= options.balance_tolerance;
+    const bool small = relative <= options.tolerance && error.balance <= balance_tolerance(target, options);
     if (small && !changed && !iterate.shear_is_kept()) {
       SolidSolution solution = iterate.take();
       solution.iterations = i;
