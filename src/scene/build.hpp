@@ -15,6 +15,11 @@ std::vector<cad::BodyOptions> bodies_of(const Entry& root, Issues& issues);
 std::vector<cad::BoundaryOptions> boundaries_of(const Entry& root, const std::string& path, Issues& issues);
 std::optional<cad::Section> section_of(const Entry& root, Issues& issues);
 std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issues);
+/// The wear law of a contact: the coefficients of the named law; those of the other laws are refused.
+wear::Law wear_of(const Entry& wear, Issues& issues);
+/// A wear law must have what it needs: friction, or sliding that is imposed. `frictionless`: no friction is given, or
+/// none above zero.
+void check_friction(const Entry& contact, const wear::Law& law, bool frictionless, bool imposed, Issues& issues);
 std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues);
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues);

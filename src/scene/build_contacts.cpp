@@ -41,32 +41,6 @@ void add_coefficient(const Entry& wear, const std::string& key, double unit, dou
   coefficient = formula ? unit : unit * wear.number(key);
 }
 
-/// The coefficients of the named law; those of the other laws, which would be ignored, are refused.
-wear::Law wear_of(const Entry& wear, Issues& issues) {
-  wear::Law law;
-  if (!wear.is_table()) return law;
-  const auto named = std::find_if(std::begin(laws), std::end(laws),
-                                  [name = wear.text("law")](const auto& one) { return name == one.name; });
-  if (named == std::end(laws)) return law;
-  law.kind = named->kind;
-  const auto secondary = named->key("secondary"), primary = named->key("primary");
-  add_coefficient(wear, secondary, named->factor, law.secondary, law.secondary_formula);
-  add_coefficient(wear, primary, named->factor, law.primary, law.primary_formula);
-  for (const auto& other : laws)
-    if (other.kind != named->kind)
-      refuse(wear, {other.key("secondary"), other.key("primary")},
-             base::formatted("belongs to law = \"%s\"; \"%s\" takes %s", other.name, named->name, named->unit), issues);
-  if (!wear.given(secondary) && !wear.given(primary))
-    issues.push_back({wear.key(), "", "needs " + secondary + ", " + primary + " or both"});
-  if (law.kind == wear::LawKind::energy)
-    law.threshold = wear.number("threshold_mJ_per_mm2");
-  else
-    refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
-  add_factor(wear, "pressure_exponent", "pressure_ref_MPa", law.pressure_exponent, law.pressure_ref, issues);
-  add_factor(wear, "speed_exponent", "speed_ref_mm_per_s", law.speed_exponent, law.speed_ref, issues);
-  return law;
-}
-
 /// Friction as a number, as a formula, or as a table over the cycles.
 void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& issues) {
   const auto table = entry.at("friction");
@@ -92,18 +66,11 @@ void add_friction(const Entry& entry, contact::ContactOptions& contact, Issues& 
   }
 }
 
-void check_friction(const Entry& entry, const contact::ContactOptions& contact, Issues& issues) {
-  // a friction that is not a number, or below zero, has its own issue
+/// Whether a contact has no friction at all. A friction that is not a number, or below zero, has its own issue.
+bool is_frictionless(const Entry& entry, const contact::ContactOptions& contact) {
   const auto& table = contact.friction_over_cycles;
   const bool zeros = !table.empty() && std::all_of(table.begin(), table.end(), [](auto& row) { return row[1] == 0.0; });
-  const bool none = !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
-  if (!contact.wear.wears() || !none) return;
-  const auto wear = entry.at("wear");
-  if (contact.wear.kind == wear::LawKind::energy)
-    issues.push_back({wear.key("law"), wear.written("law"),
-                      "without friction no energy is dissipated; use friction > 0 or archard"});
-  else if (!contact.imposed)
-    issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
+  return !entry.given("friction") || entry.maybe_number("friction") == 0.0 || zeros;
 }
 
 /// Imposed sliding: a number that each play of a step shares evenly, or parts that may follow histories.
@@ -177,6 +144,41 @@ cad::FineZone zone_of(const Entry& place, const std::string& joint, const std::v
 
 }  // namespace
 
+wear::Law wear_of(const Entry& wear, Issues& issues) {
+  wear::Law law;
+  if (!wear.is_table()) return law;
+  const auto named = std::find_if(std::begin(laws), std::end(laws),
+                                  [name = wear.text("law")](const auto& one) { return name == one.name; });
+  if (named == std::end(laws)) return law;
+  law.kind = named->kind;
+  const auto secondary = named->key("secondary"), primary = named->key("primary");
+  add_coefficient(wear, secondary, named->factor, law.secondary, law.secondary_formula);
+  add_coefficient(wear, primary, named->factor, law.primary, law.primary_formula);
+  for (const auto& other : laws)
+    if (other.kind != named->kind)
+      refuse(wear, {other.key("secondary"), other.key("primary")},
+             base::formatted("belongs to law = \"%s\"; \"%s\" takes %s", other.name, named->name, named->unit), issues);
+  if (!wear.given(secondary) && !wear.given(primary))
+    issues.push_back({wear.key(), "", "needs " + secondary + ", " + primary + " or both"});
+  if (law.kind == wear::LawKind::energy)
+    law.threshold = wear.number("threshold_mJ_per_mm2");
+  else
+    refuse(wear, {"threshold_mJ_per_mm2"}, "belongs to the energy law", issues);
+  add_factor(wear, "pressure_exponent", "pressure_ref_MPa", law.pressure_exponent, law.pressure_ref, issues);
+  add_factor(wear, "speed_exponent", "speed_ref_mm_per_s", law.speed_exponent, law.speed_ref, issues);
+  return law;
+}
+
+void check_friction(const Entry& contact, const wear::Law& law, bool frictionless, bool imposed, Issues& issues) {
+  if (!law.wears() || !frictionless) return;
+  const auto wear = contact.at("wear");
+  if (law.kind == wear::LawKind::energy)
+    issues.push_back({wear.key("law"), wear.written("law"),
+                      "without friction no energy is dissipated; use friction > 0 or archard"});
+  else if (!imposed)
+    issues.push_back({wear.key("law"), wear.written("law"), "without friction needs imposed_sliding_mm"});
+}
+
 void check_sides(const Entry& entry, const std::string& place, Issues& issues) {
   const auto flag = [&](const std::string& rule) {
     issues.push_back({entry.key("primary"), entry.written("primary"), rule});
@@ -195,7 +197,8 @@ std::vector<contact::ContactOptions> contacts_of(const Entry& root, Issues& issu
   for (const auto& entry : root.all("contact")) {
     contacts.push_back(contact_of(entry, axisymmetric, issues));
     check_sides(entry, "boundary", issues);
-    check_friction(entry, contacts.back(), issues);
+    const auto& contact = contacts.back();
+    check_friction(entry, contact.wear, is_frictionless(entry, contact), contact.imposed, issues);
   }
   return contacts;
 }

@@ -94,11 +94,12 @@ std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Iss
 
 std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
   std::vector<Limit> limits;
-  const bool axisymmetric = analysis_of(root) == base::Analysis::axisymmetric;
-  const auto* amount = axisymmetric ? "volume_mm3" : "area_mm2";
-  const auto* other = axisymmetric ? "area_mm2" : "volume_mm3";
+  const bool solid = root.text("analysis") == "solid";
+  const bool volume = solid || analysis_of(root) == base::Analysis::axisymmetric;
+  const auto* amount = volume ? "volume_mm3" : "area_mm2";
+  const auto* other = volume ? "area_mm2" : "volume_mm3";
   for (const auto& entry : root.all("limit")) {
-    if (entry.given(other))
+    if (entry.given(other) && !solid)
       refuse(entry, {other}, takes_instead(analysis_of(root), amount), issues);
     else
       exactly_one(entry, {"depth_mm", amount}, issues);

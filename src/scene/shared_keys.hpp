@@ -86,6 +86,83 @@ inline constexpr Key max_newton{
     "solver.max_newton", Type::whole, "", "30", at_least(1.0), "Newton iterations before an increment is cut"};
 inline constexpr Key max_cutbacks{
     "solver.max_cutbacks", Type::whole, "", "8", at_least(0.0), "halvings of an increment before the run fails"};
+inline constexpr Key shape{
+    "shape", Type::text, "", "on", one_of("on|off"), "off: wear only opens the gap, the surfaces are not moved"};
+inline constexpr Key implicit{
+    "contact.*.implicit", Type::flag, "", "true", any,
+     "wear is implicit: it enters the contact equations of its own increment"};
+inline constexpr Key wear_law{
+    "contact.*.wear.law", Type::text, "", "required", one_of("energy|archard|rate"),
+     "removed volume = coefficient x frictional work, or x pressure x slip, or x slip; each coefficient may be a "
+     "formula of pressure_MPa, speed_mm_per_s (wearing steps then need period_s), path_mm (of slip, at the secondary "
+     "side's node), depth_mm (worn off its own side) and cycle, such as \"depth_mm < 0.002 ? 1e-6 : 3e-5\""};
+inline constexpr Key wear_energy{
+    "contact.*.wear.{secondary,primary}_mm3_per_J", Type::formula, "mm^3/J", "0.0", at_least(0.0),
+     "coefficient of each side, energy law"};
+inline constexpr Key wear_archard{
+    "contact.*.wear.{secondary,primary}_per_MPa", Type::formula, "1/MPa", "0.0", at_least(0.0),
+     "coefficient of each side, Archard's law"};
+inline constexpr Key wear_rate{
+    "contact.*.wear.{secondary,primary}_mm_per_mm", Type::formula, "mm/mm", "0.0", at_least(0.0),
+     "depth per sliding distance of each side, law = \"rate\": the whole rate is the formula's"};
+inline constexpr Key wear_pressure_exponent{
+    "contact.*.wear.pressure_exponent", Type::number, "", "0.0", {.low = -1.0, .low_open = true},
+     "m: the removed volume times (pressure / pressure_ref_MPa)^m"};
+inline constexpr Key wear_pressure_ref{
+    "contact.*.wear.pressure_ref_MPa", Type::number, "MPa", "", positive, "pressure for which the coefficients hold"};
+inline constexpr Key wear_speed_exponent{
+    "contact.*.wear.speed_exponent", Type::number, "", "0.0", {.low = -1.0, .low_open = true},
+     "n: the removed volume times (sliding speed / speed_ref_mm_per_s)^n; wearing steps need period_s"};
+inline constexpr Key wear_speed_ref{
+    "contact.*.wear.speed_ref_mm_per_s", Type::number, "mm/s", "", positive,
+     "sliding speed for which the coefficients hold"};
+inline constexpr Key wear_threshold{
+    "contact.*.wear.threshold_mJ_per_mm2", Type::number, "mJ/mm^2", "0.0", at_least(0.0),
+     "energy law: frictional work per area that must be dissipated at a place before it wears"};
+inline constexpr Key step_wear{
+    "step[].wear", Type::flag, "", "true", any, "false: nothing wears in this step"};
+inline constexpr Key step_cycles{
+    "step[].cycles", Type::number, "", "0", at_least(0.0),
+     "number of repetitions; 0: a load step, which does not count as a cycle"};
+inline constexpr Key step_jump{
+    "step[].jump", Type::number, "", "1", at_least(1.0),
+     "cycles per block, equal for all blocks; by default 1, or with `accuracy` a tolerance; or a table:"};
+inline constexpr Key step_jump_tolerance{
+    "step[].jump.tolerance", Type::number, "", "required", {.low = 1e-5, .high = 0.2},
+     "error of depth profile and worn volume by which the run chooses its blocks"};
+inline constexpr Key step_jump_first{
+    "step[].jump.first", Type::number, "", "", at_least(1.0),
+     "cycles of the first block; by default a thousandth of the step"};
+inline constexpr Key step_jump_most{
+    "step[].jump.most", Type::number, "", "", at_least(1.0), "largest number of cycles of a block"};
+inline constexpr Key step_period{
+    "step[].period_s", Type::number, "s", "", positive,
+     "duration of one play of the step; needed only with a speed exponent"};
+inline constexpr Key spectrum_steps{
+    "spectrum.steps", Type::texts, "", "required", any, "consecutive steps that are repeated in this order"};
+inline constexpr Key spectrum_levels{
+    "spectrum.levels", Type::text, "", "", any,
+     "CSV file headed `level,cycles`: the steps are played at each level in turn, all factors they play multiplied by "
+     "it, with its number of cycles in place of their own"};
+inline constexpr Key spectrum_times{
+    "spectrum.times", Type::whole, "", "required", from_to(1.0, 1e5), "number of repetitions"};
+inline constexpr Key limit_contact{
+    "limit.*.contact", Type::text, "", "required", any, "contact to watch"};
+inline constexpr Key limit_side{
+    "limit.*.side", Type::text, "", "secondary", one_of("secondary|primary|sum"), "side to watch, or their sum"};
+inline constexpr Key limit_depth{
+    "limit.*.depth_mm", Type::number, "mm", "", positive, "largest wear depth; or"};
+inline constexpr Key limit_stop{
+    "limit.*.stop", Type::flag, "", "false", any, "true: the run ends at the limit"};
+inline constexpr Key limit_wear_factor{
+    "limit.*.wear_factor", Type::pair, "", "", positive,
+     "[lowest, highest] factor on all wear coefficients, their scatter: the limit's life is reported as a band, life / "
+     "factor"};
+inline constexpr Key frames_every_blocks{
+    "output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "blocks of a step between frames"};
+inline constexpr Key history_every_blocks{
+    "output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
+     "blocks of a step between rows of history.csv; the first and last block always have rows"};
 // clang-format on
 
 }  // namespace reye::scene::rows

@@ -8,6 +8,7 @@
 #include "base/formatted.hpp"
 #include "scene/histories.hpp"
 #include "scene/names.hpp"
+#include "scene/wear_rules.hpp"
 
 namespace reye::scene {
 
@@ -29,21 +30,16 @@ void check_histories(const Entry& root, const NameList& histories, Issues& issue
 }
 
 /// What a contact needs the speed of slip for in a step that wears, or does not; empty: it does not need it.
-std::string needs_speed(const contact::ContactOptions& contact, bool wears) {
-  const auto reads = [](const wear::Formula& formula) { return formula.uses(wear::Variable::speed); };
-  if (reads(contact.friction_formula)) return "rubs by a formula of speed_mm_per_s";
-  if (!wears || !contact.wear.wears()) return {};
-  if (contact.wear.speed_exponent != 0.0) return "wears with a speed_exponent";
-  return reads(contact.wear.secondary_formula) || reads(contact.wear.primary_formula)
-             ? "wears by a formula of speed_mm_per_s"
-             : "";
+std::string why_speed(const contact::ContactOptions& contact, bool wears) {
+  if (contact.friction_formula.uses(wear::Variable::speed)) return "rubs by a formula of speed_mm_per_s";
+  return wears ? needs_speed(contact.wear) : "";
 }
 
 /// A law that depends on speed asks each step in which it acts for its duration.
 void check_period(const Entry& step, const Scene& scene, Issues& issues) {
   if (step.given("period_s")) return;
   for (const auto& contact : scene.contacts)
-    if (const auto why = needs_speed(contact, step.flag("wear")); !why.empty()) {
+    if (const auto why = why_speed(contact, step.flag("wear")); !why.empty()) {
       issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" " + why});
       return;
     }
@@ -125,38 +121,17 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& probe : root.at("output").all("probes")) refer(probe, "body", "body", bodies, issues);
 }
 
-/// Why lives do not scale as 1 / (wear coefficient); empty when they do. With a fixed jump of N cycles a run depends on
-/// coefficient x N alone: coefficients times c and jumps over c give the same states, each at 1 / c of the cycles.
+/// Why lives do not scale as 1 / (wear coefficient); empty when they do.
 std::string no_band_rule(const Scene& scene) {
   for (const auto& contact : scene.contacts) {
-    if (contact.friction_formula || contact.wear.secondary_formula || contact.wear.primary_formula)
-      return "contact \"" + contact.name + "\" has a formula";
-    if (contact.wear.threshold > 0.0) return "contact \"" + contact.name + "\" has a threshold of wear";
+    if (contact.friction_formula) return "contact \"" + contact.name + "\" has a formula";
+    if (auto why = no_band_by_law(contact.name, contact.wear); !why.empty()) return why;
     if (!contact.friction_over_cycles.empty())
       return "the friction of contact \"" + contact.name + "\" changes over the cycles";
   }
   for (const auto& [name, material] : scene.materials)
     if (std::holds_alternative<material::HenckyJ2>(material)) return "material \"" + name + "\" flows, cycle by cycle";
-  const auto wears = [](const Step& step) { return step.wear; };
-  const auto count = std::count_if(scene.steps.begin(), scene.steps.end(), wears);
-  if (count != 1) return count == 0 ? "no step wears" : "more than one step wears";
-  const auto* one = &*std::find_if(scene.steps.begin(), scene.steps.end(), wears);
-  for (const auto* step = scene.steps.data(); step != one; ++step)
-    if (step->cycles > 0.0) return "cycles are counted before the step that wears";
-  return one->cycles > 0.0 ? "" : "the step that wears has no cycles";
-}
-
-void check_bands(const Entry& root, const Scene& scene, Issues& issues) {
-  const auto why = no_band_rule(scene);
-  for (const auto& limit : root.all("limit")) {
-    const auto factor = limit.pair("wear_factor");
-    if (!factor) continue;
-    if (factor->x() > factor->y())
-      issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"), "must be [lowest, highest]"});
-    if (!why.empty())
-      issues.push_back({limit.key("wear_factor"), limit.written("wear_factor"),
-                        why + ", so that lives do not scale as 1 / factor; vary the coefficients in a sweep instead"});
-  }
+  return no_band_by_steps(scene.steps);
 }
 
 }  // namespace
@@ -168,7 +143,7 @@ void validate(const Entry& root, const Scene& scene, Issues& issues) {
   check_steps(root, scene, issues);
   validate_contacts(root, scene, issues);
   for (const auto& limit : root.all("limit")) refer(limit, "contact", "contact", names_of(scene.contacts), issues);
-  check_bands(root, scene, issues);
+  check_bands(root, no_band_rule(scene), issues);
 }
 
 namespace {

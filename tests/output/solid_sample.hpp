@@ -102,6 +102,7 @@ inline sim::SkinRecord side(sim::Side which, const mesh::SolidMesh& mesh, int bo
     skin.slip_mm.push_back(x.x() > 1.5 ? Vec3(1e-3, 0.0, 0.0) : Vec3(Vec3::Zero()));
     skin.normal.push_back(which == sim::Side::secondary ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ()));
     skin.area_mm2.push_back(0.25);
+    skin.wear_depth_mm.push_back(0.002);
     skin.status.push_back(x.x() == 0.0 ? 0 : x.x() > 1.5 ? 2 : 1);
   }
   return skin;

@@ -13,8 +13,9 @@ using namespace reye::output;
 TEST(SolidTables, HeaderNamesEveryColumn) {
   EXPECT_EQ(solid_history_header({{"pad"}, {"ground"}}),
             "step,cycle,progress,newton,pad_pressure_max_MPa,pad_area_mm2,pad_stick_area_mm2,pad_force_x_N,"
-            "pad_force_y_N,pad_force_z_N,pad_normal_force_N,pad_tangential_force_N,pad_energy_mJ,ground_force_x_N,"
-            "ground_force_y_N,ground_force_z_N,ground_moment_x_N_mm,ground_moment_y_N_mm,ground_moment_z_N_mm\n");
+            "pad_force_y_N,pad_force_z_N,pad_normal_force_N,pad_tangential_force_N,pad_energy_mJ,"
+            "pad_depth_max_secondary_mm,pad_depth_max_primary_mm,ground_force_x_N,ground_force_y_N,ground_force_z_N,"
+            "ground_moment_x_N_mm,ground_moment_y_N_mm,ground_moment_z_N_mm\n");
 }
 
 // A row reads back to the same numbers under the names of its columns.
@@ -44,7 +45,7 @@ TEST(SolidTables, OtherContactsAreRefused) {
 TEST(SolidTables, SurfaceRowsReadBack) {
   const auto skin = solid_sample::frame(1.5).surfaces[0];
   const Table table = parse_csv(skin_header() + skin_rows(7, 1.5, {"flat", "pin"}, skin));
-  ASSERT_EQ(table.columns.size(), 16u);
+  ASSERT_EQ(table.columns.size(), 17u);
   ASSERT_EQ(table.rows(), skin.x_mm.size());
   for (std::size_t i = 0; i < skin.x_mm.size(); ++i) {
     EXPECT_EQ(table.column("frame")[i], 7.0);
@@ -56,6 +57,7 @@ TEST(SolidTables, SurfaceRowsReadBack) {
     EXPECT_EQ(table.column("shear_x_MPa")[i], -2.0 * skin.x_mm[i].x());
     EXPECT_EQ(table.column("shear_y_MPa")[i], 0.5);
     EXPECT_EQ(table.column("area_mm2")[i], 0.25);
+    EXPECT_EQ(table.column("wear_depth_mm")[i], 0.002);
     const char* words[] = {"inactive", "stick", "slip"};
     EXPECT_EQ(table.word(table.column("status")[i]), words[skin.status[i]]);
   }

@@ -103,6 +103,7 @@ TEST(SolidVtk, SurfacesReadBack) {
     EXPECT_EQ(read.normal, wrote.normal);
     EXPECT_EQ(read.pressure_MPa, wrote.pressure_MPa);
     EXPECT_EQ(read.area_mm2, wrote.area_mm2);
+    EXPECT_EQ(read.wear_depth_mm, wrote.wear_depth_mm);
     EXPECT_EQ(read.status, wrote.status);
     EXPECT_EQ(read.facets.size(), s == 0 ? 2u : 8u);
     double area = 0.0;  // of the polygons, as fans

@@ -38,9 +38,7 @@ TEST(BadSolid, Values) {
       {"friction as formula",
        {{"= 0.3\nfine", "= \"0.1 + path_mm\"\nfine"}},
        "scene.toml:34: contact.pad.friction = \"0.1 + path_mm\": must be a number"},
-      {"a share of a cycle",
-       {{"cycles = 3", "cycles = 2.5"}},
-       "scene.toml:86: step[1].cycles = 2.5: must be a whole number"},
+      {"cycles below zero", {{"cycles = 3", "cycles = -2"}}, "scene.toml:86: step[1].cycles = -2: must be >= 0"},
       {"sliding as a number",
        {{"{ direction = [0.0, 3.0, 0.0], value = 0.4, history = \"rub\" }", "0.4"}},
        "scene.toml:37: contact.pad.imposed_sliding_mm = 0.4: must be a table of direction, value, history, or a list "
@@ -88,17 +86,21 @@ TEST(BadSolid, KeysOfThePlane) {
       {"wear",
        {{"friction  = 0.3", "friction = 0.3\nwear = { law = \"archard\" }\nimplicit = true"},
         {"cycles = 3", "cycles = 3\njump = 10\nwear = true"}},
-       "scene.toml:35: contact.pad.wear: wear of solids is not built yet: contacts rub and dissipate, and nothing "
-       "wears\n"
-       "scene.toml:36: contact.pad.implicit = true: wear of solids is not built yet: contacts rub and dissipate, and "
-       "nothing wears\n"
-       "scene.toml:89: step[1].jump = 10: without wear each cycle is played: cycles alone says how many\n"
-       "scene.toml:90: step[1].wear = true: wear of solids is not built yet: contacts rub and dissipate, and nothing "
-       "wears"},
+       "scene.toml:35: contact.pad.wear: needs secondary_per_MPa, primary_per_MPa or both"},
+      {"wear by speed",
+       {{"friction  = 0.3",
+         "friction = 0.3\nwear = { law = \"archard\", secondary_per_MPa = 1e-8, speed_exponent = 0.5, "
+         "speed_ref_mm_per_s = 10 }"}},
+       "scene.toml:78: step[0].period_s: missing; contact \"pad\" wears with a speed_exponent\n"
+       "scene.toml:83: step[1].period_s: missing; contact \"pad\" wears with a speed_exponent"},
       {"limit and remesh",
        {{"[output]", "[limit.life]\ncontact = \"pad\"\n[remesh]\nautomatic = true\n[output]"}},
-       "scene.toml:88: limit: wear of solids is not built yet: contacts rub and dissipate, and nothing wears\n"
-       "scene.toml:90: remesh: wear of solids is not built yet: contacts rub and dissipate, and nothing wears"},
+       "scene.toml:88: limit.life: needs one of depth_mm, volume_mm3\n"
+       "scene.toml:90: remesh: remeshes of solids are not built yet: a body whose elements get poor ends the run"},
+      {"limit of the plane",
+       {{"[output]", "[limit.life]\ncontact = \"pat\"\narea_mm2 = 1\ndepth_mm = 1\n[output]"}},
+       "scene.toml:89: limit.life.contact = \"pat\": there is no contact \"pat\"; did you mean \"pad\"?\n"
+       "scene.toml:90: limit.life.area_mm2 = 1: is of plane scenes; solids take volume_mm3"},
       {"accuracy, section, bond",
        {{"symmetry", "accuracy = 0.01\nsection = { normal = [0, 0, 1] }\nbond = {}\nsymmetry"}},
        "scene.toml:4: accuracy = 0.01: control of the error of solids is not built yet: a fine zone gives its size_mm\n"
@@ -115,11 +117,8 @@ TEST(BadSolid, KeysOfThePlane) {
        "scene.toml:15: body.ball.mesh.element = \"quad\": is of plane scenes; solids are meshed by tetrahedra, and "
        "mesh files bring their elements"},
       {"output of blocks",
-       {{"every_increment = true", "every_blocks = 2, at_remeshes = true"},
-        {"probes =", "history = { every_blocks = 2 }\nprobes ="}},
-       "scene.toml:89: output.frames.every_blocks = 2: each cycle of solids is played by itself: there are no blocks\n"
-       "scene.toml:89: output.frames.at_remeshes = true: wear of solids is not built yet: contacts rub and dissipate, "
-       "and nothing wears\n"
-       "scene.toml:90: output.history: each cycle of solids is played by itself: there are no blocks"},
+       {{"every_increment = true", "every_blocks = 2, at_remeshes = true"}},
+       "scene.toml:89: output.frames.at_remeshes = true: remeshes of solids are not built yet: a body whose elements "
+       "get poor ends the run"},
   });
 }

@@ -142,13 +142,14 @@ TEST(SolidScene, Loads) {
   EXPECT_EQ(scene.loads[3].force_N_per_mm3, Vec3(0.0, 0.0, -7.7e-5));
 }
 
-/// Steps count their cycles and do not wear; what is written is output.
+/// Steps count their cycles and may wear; what is written is output.
 TEST(SolidScene, StepsAndOutput) {
   const auto scene = test::solid_scene(test::solid_example);
   ASSERT_EQ(scene.steps.size(), 2U);
   EXPECT_EQ(scene.steps[0].cycles, 0.0);
   EXPECT_EQ(scene.steps[1].cycles, 3.0);
-  EXPECT_FALSE(scene.steps[1].wear);
+  EXPECT_TRUE(scene.steps[1].wear);
+  EXPECT_EQ(scene.steps[1].jump, 1.0);
   EXPECT_EQ(scene.steps[1].increments, 20);
   EXPECT_TRUE(scene.frames.every_increment);
   EXPECT_EQ(scene.frames.per_step, 0);

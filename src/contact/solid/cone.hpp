@@ -14,16 +14,18 @@ enum class SkinStatus : char { open, stick, slip };
 /// The traction z of a secondary point (z.n = pressure; its shear points along the slip it resists) and its motion.
 struct SkinNode {
   base::Vec3 traction = base::Vec3::Zero();  ///< [MPa]
-  double gap = 0.0;                          ///< -n.w [mm]
+  double gap = 0.0;                          ///< -n.w, opened by wear [mm]
   base::Vec3 slip = base::Vec3::Zero();      ///< of this increment, across the normal [mm]
+  double worn = 0.0;                         ///< the part of the gap that this increment has worn [mm]
 };
 
 inline double pressure(const SkinNode& node, const SkinFrame& frame) { return node.traction.dot(frame.normal); }
 inline base::Vec3 shear(const SkinNode& node, const SkinFrame& frame) { return frame.across(node.traction); }
 
-/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where p - c g > 0.
+/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where p - c g > 0. Wear of the increment itself
+/// stays out of the decision: it acts where there is pressure, and would open what it has just closed.
 inline bool closed(const SkinNode& node, const SkinFrame& frame, double c) {
-  return pressure(node, frame) - c * node.gap > 0.0;
+  return pressure(node, frame) - c * (node.gap - node.worn) > 0.0;
 }
 
 /// y = z_t + c u_t: what the shear would be without slip.
@@ -36,6 +38,11 @@ inline SkinStatus tangential_status(const SkinNode& node, const SkinFrame& frame
   if (frame.free == 0) return SkinStatus::stick;
   return trial(node, frame, c).norm() <= mu * std::max(0.0, pressure(node, frame)) ? SkinStatus::stick
                                                                                    : SkinStatus::slip;
+}
+
+/// Whether a point with this status slides: without friction every closed one may.
+inline bool slides(SkinStatus status, double mu) {
+  return status == SkinStatus::slip || (status == SkinStatus::stick && mu == 0.0);
 }
 
 /// A slipping point in the frame of its trial traction: d along it, e across it. Newton's step of

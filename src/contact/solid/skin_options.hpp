@@ -5,6 +5,7 @@
 #include "base/part.hpp"
 #include "base/space.hpp"
 #include "mortar/solid/skin.hpp"
+#include "wear/law.hpp"
 
 namespace reye::contact {
 
@@ -23,6 +24,8 @@ struct SkinContactOptions {
   std::vector<std::string> primary;
   double friction = 0.0;  ///< Coulomb's coefficient mu >= 0
   std::vector<ImposedSliding> sliding{};
+  wear::Law wear{};
+  bool implicit_wear = true;  ///< wear enters the conditions of its own increment
   mortar::SkinDual dual = mortar::SkinDual::quadratic;
   double search_mm = 0.0;  ///< facets farther apart than this are not paired; 0: chosen from the bodies
 };

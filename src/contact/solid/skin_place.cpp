@@ -99,6 +99,11 @@ SkinPlace place_skins(const SkinSetup& setup, const Vector& displacement, const 
                                            {setup.search, setup.options.dual}, pairs);
   SkinPlace place;
   place.Q = rows_over_points(setup, integrals, points);
+  if (setup.options.wear.wears()) {
+    place.D = integrals.D;
+    place.M = integrals.M;
+    place.T = integrals.T;
+  }
   place.covered = integrals.covered;
   place.area = integrals.area;
   place.carries = integrals.carries;

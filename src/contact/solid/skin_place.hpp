@@ -26,6 +26,8 @@ struct SkinFrame {
   int free = 2;
 
   base::Vec3 across(const base::Vec3& v) const;  ///< the part of v along the free tangents
+  /// The part of v across the normal, along held tangents, too.
+  base::Vec3 tangential(const base::Vec3& v) const { return v - normal.dot(v) * normal; }
 };
 
 /// A contact where its sides are at present: integrals and frames, held while a system of equations is solved.
@@ -33,6 +35,7 @@ struct SkinFrame {
 /// With tractions z on the points (z.n the pressure, along the slip where friction acts) the forces are f = -Q^T z.
 struct SkinPlace {
   SkinRows Q;
+  SkinRows D, M, T;      ///< of `mortar::SkinIntegrals`, where the contact wears
   base::Vector covered;  ///< [mm^2]
   base::Vector area;     ///< with the uncovered part
   std::vector<SkinFrame> frame;

@@ -7,6 +7,7 @@
 
 #include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
+#include "mortar/solid/facet_geometry.hpp"
 
 namespace reye::contact {
 
@@ -84,7 +85,8 @@ SkinSide make_side(const std::vector<FaceRef>& faces, const std::vector<const me
 
 SkinSetup make_skin_setup(const SkinContactOptions& options, SkinSide secondary, SkinSide primary, double modulus_MPa,
                           double search) {
-  SkinSetup setup{options, std::move(secondary), std::move(primary), {}, search};
+  SkinSetup setup{options, std::move(secondary), std::move(primary), {}, {}, search};
+  setup.primary_area = mortar::nodal_areas(setup.primary.skin);
   const auto& skin = setup.secondary.skin;
   std::vector<double> longest(skin.x.size(), 0.0);
   for (const auto& facet : skin.facets) {

@@ -32,6 +32,7 @@ struct SkinSetup {
   SkinContactOptions options;
   SkinSide secondary, primary;
   std::vector<double> stiffness;  ///< c_n = c_t per secondary point: E / h [MPa/mm]
+  base::Vector primary_area;      ///< of the primary points, on X [mm^2]
   double search = 0.0;
 
   int count() const { return static_cast<int>(secondary.points.size()); }

@@ -29,6 +29,26 @@ Json warnings_json(const std::vector<sim::Warning>& warnings) {
   return all;
 }
 
+Json lives_json(const std::map<std::string, std::optional<double>>& lives) {
+  Json all;
+  for (const auto& [name, cycles] : lives) all[name] = value_json(cycles);
+  return all;
+}
+
+Json life_errors_json(const std::map<std::string, double>& errors) {
+  Json all;
+  for (const auto& [name, cycles] : errors) all[name] = value_json(cycles);
+  return all;
+}
+
+Json bands_json(const std::map<std::string, sim::LifeBand>& bands) {
+  Json all;
+  for (const auto& [name, band] : bands)
+    all[name] = {{"shortest_cycles", value_json(band.shortest_cycles)},
+                 {"longest_cycles", value_json(band.longest_cycles)}};
+  return all;
+}
+
 namespace {
 
 Json side(const sim::SideSummary& s, const Suffixes& unit) {
@@ -88,26 +108,6 @@ Json probes(const sim::Summary& summary) {
   return all;
 }
 
-Json lives(const sim::Summary& summary) {
-  Json all;  // null where the scene sets no limit
-  for (const auto& [name, cycles] : summary.life_cycles) all[name] = value_json(cycles);
-  return all;
-}
-
-Json life_errors(const sim::Summary& summary) {
-  Json all;  // null where no life has a known error
-  for (const auto& [name, cycles] : summary.life_error) all[name] = value_json(cycles);
-  return all;
-}
-
-Json bands(const sim::Summary& summary) {
-  Json all;  // null where no limit has a scatter
-  for (const auto& [name, band] : summary.life_band)
-    all[name] = {{"shortest_cycles", value_json(band.shortest_cycles)},
-                 {"longest_cycles", value_json(band.longest_cycles)}};
-  return all;
-}
-
 Json histories(const sim::Summary& s) {
   Json all = Json::object();
   for (const auto& [name, h] : s.histories)
@@ -139,13 +139,13 @@ std::string summary_json(const sim::Summary& s) {
             {"cycles", value_json(s.cycles)},
             {"contacts", contacts(s)},
             {"probes", probes(s)},
-            {"life_cycles", lives(s)},
+            {"life_cycles", lives_json(s.life_cycles)},
             {"estimated_error",
              {{"cycle_jump", value_json(s.error_cycle_jump)},
               {"discretisation", value_json(s.error_discretisation)},
               {"peak_pressure", value_json(s.error_peak_pressure)},
               {"kinematics", value_json(s.error_small_strain)},
-              {"life_cycles", life_errors(s)},
+              {"life_cycles", life_errors_json(s.life_error)},
               {"energy_norm", value_json(s.error_energy_norm)}}},
             {"counts", counts_json(s.counts)},
             {"wall_s", value_json(s.wall_s)},
@@ -153,7 +153,7 @@ std::string summary_json(const sim::Summary& s) {
             {"peak_rss_MB", value_json(s.peak_rss_MB)},
             {"version", version},
             {"scene_sha256", s.scene_sha256},
-            {"life_band", bands(s)},
+            {"life_band", bands_json(s.life_band)},
             {"bonds", bonds(s)},
             {"room_seconds", Json::object()},
             {"skipped", s.skipped},

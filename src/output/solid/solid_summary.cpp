@@ -8,6 +8,10 @@ namespace reye::output {
 
 namespace {
 
+Json skin_side_json(const sim::SkinSideSummary& side) {
+  return {{"max_depth_mm", value_json(side.max_depth_mm)}, {"worn_volume_mm3", value_json(side.worn_volume_mm3)}};
+}
+
 Json skin_contact_json(const sim::SkinContactSummary& c) {
   Json widths = Json::array();
   for (const double w : c.half_widths_mm) widths.push_back(w > 0.0 ? value_json(w) : Json(nullptr));
@@ -19,7 +23,10 @@ Json skin_contact_json(const sim::SkinContactSummary& c) {
           {"normal_force_N", value_json(c.normal_force_N)},
           {"tangential_force_N", value_json(c.tangential_force_N)},
           {"dissipated_energy_mJ", value_json(c.dissipated_energy_mJ)},
-          {"energy_last_cycle_mJ", value_json(c.energy_last_cycle_mJ)}};
+          {"energy_last_cycle_mJ", value_json(c.energy_last_cycle_mJ)},
+          {"secondary", skin_side_json(c.secondary)},
+          {"primary", skin_side_json(c.primary)},
+          {"ledger_relative_error", value_json(c.ledger_relative_error)}};
 }
 
 Json solid_contacts_json(const sim::SolidSummary& s) {
@@ -53,6 +60,10 @@ std::string solid_summary_json(const sim::SolidSummary& s) {
             {"cycles", value_json(s.cycles)},
             {"contacts", solid_contacts_json(s)},
             {"probes", solid_probes_json(s)},
+            {"life_cycles", lives_json(s.life_cycles)},
+            {"life_band", bands_json(s.life_band)},
+            {"estimated_error",
+             {{"cycle_jump", value_json(s.error_cycle_jump)}, {"life_cycles", life_errors_json(s.life_error)}}},
             {"balance", value_json(s.balance)},
             {"counts", counts_json(s.counts)},
             {"size", solid_size_json(s.size)},

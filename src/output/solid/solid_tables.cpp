@@ -20,8 +20,9 @@ void add_cells(std::string& line, const base::Vec3& v) {
 std::string solid_history_header(const SolidColumns& columns) {
   std::string line = "step,cycle,progress,newton";
   for (const auto& contact : columns.contacts)
-    for (const char* column : {"_pressure_max_MPa", "_area_mm2", "_stick_area_mm2", "_force_x_N", "_force_y_N",
-                               "_force_z_N", "_normal_force_N", "_tangential_force_N", "_energy_mJ"})
+    for (const char* column :
+         {"_pressure_max_MPa", "_area_mm2", "_stick_area_mm2", "_force_x_N", "_force_y_N", "_force_z_N",
+          "_normal_force_N", "_tangential_force_N", "_energy_mJ", "_depth_max_secondary_mm", "_depth_max_primary_mm"})
       line += ',' + csv_field(contact + column);
   for (const auto& support : columns.supports)
     for (const auto& [quantity, unit] : {std::pair("_force_", "_N"), std::pair("_moment_", "_N_mm")})
@@ -38,7 +39,8 @@ std::string solid_history_row(const sim::SolidIncrement& record, const SolidColu
     for (const double value : {contact.pressure_max_MPa, contact.area_mm2, contact.stick_area_mm2})
       line += ',' + number(value);
     add_cells(line, contact.force_N);
-    for (const double value : {contact.normal_force_N, contact.tangential_force_N, contact.energy_mJ})
+    for (const double value : {contact.normal_force_N, contact.tangential_force_N, contact.energy_mJ,
+                               contact.depth_secondary_mm, contact.depth_primary_mm})
       line += ',' + number(value);
   }
   for (const auto& support : record.supports) {
@@ -50,7 +52,7 @@ std::string solid_history_row(const sim::SolidIncrement& record, const SolidColu
 
 std::string skin_header() {
   return "frame,cycle,body,node,x_mm,y_mm,z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,shear_z_MPa,slip_x_mm,slip_y_mm,"
-         "slip_z_mm,area_mm2,status\n";
+         "slip_z_mm,area_mm2,wear_depth_mm,status\n";
 }
 
 std::string skin_rows(std::size_t index, double cycle, const std::vector<std::string>& bodies,
@@ -66,7 +68,7 @@ std::string skin_rows(std::size_t index, double cycle, const std::vector<std::st
     add_cells(text, skin.slip_mm.at(i));
     const int status = skin.status.at(i);
     if (status < 0 || status > 2) throw std::logic_error("a node of a contact has an unknown status");
-    text += ',' + number(skin.area_mm2.at(i)) + ',' + words[status] + '\n';
+    text += ',' + number(skin.area_mm2.at(i)) + ',' + number(skin.wear_depth_mm.at(i)) + ',' + words[status] + '\n';
   }
   return text;
 }

@@ -126,6 +126,7 @@ struct SkinPolygons {
   vtkNew<vtkDoubleArray> slip = make_array<vtkDoubleArray>("slip_mm", xyz_names);
   vtkNew<vtkDoubleArray> normal = make_array<vtkDoubleArray>("normal", xyz_names);
   vtkNew<vtkDoubleArray> area = make_array<vtkDoubleArray>("area_mm2");
+  vtkNew<vtkDoubleArray> depth = make_array<vtkDoubleArray>("wear_depth_mm");
   vtkNew<vtkIntArray> status = make_array<vtkIntArray>("status"), surface = make_array<vtkIntArray>("surface"),
                       side = make_array<vtkIntArray>("side"), body = make_array<vtkIntArray>("body");
   vtkNew<vtkStringArray> names = make_array<vtkStringArray>("contact_names");
@@ -142,6 +143,7 @@ struct SkinPolygons {
       insert(*slip, skin.slip_mm.at(i));
       insert(*normal, skin.normal.at(i));
       area->InsertNextValue(skin.area_mm2.at(i));
+      depth->InsertNextValue(skin.wear_depth_mm.at(i));
       status->InsertNextValue(skin.status.at(i));
     }
     for (const auto& facet : skin.facets)
@@ -185,8 +187,8 @@ std::string skins_vtp(const sim::SolidFrame& frame) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) all.add(frame.surfaces[i], frame.bodies, static_cast<int>(i));
   all.data->SetPoints(all.points);
   all.data->SetPolys(all.cells);
-  for (vtkDoubleArray* array :
-       {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(), all.normal.Get(), all.area.Get()})
+  for (vtkDoubleArray* array : {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(),
+                                all.normal.Get(), all.area.Get(), all.depth.Get()})
     all.data->GetPointData()->AddArray(array);
   all.data->GetPointData()->AddArray(all.status);
   for (vtkIntArray* array : {all.surface.Get(), all.side.Get(), all.body.Get()})
@@ -201,7 +203,7 @@ namespace {
 
 /// The arrays of a file of surfaces, each whole.
 struct SkinArrays {
-  vtkDataArray &X, &pressure, &shear, &slip, &normal, &area, &status;
+  vtkDataArray &X, &pressure, &shear, &slip, &normal, &area, &depth, &status;
 
   SkinArrays(vtkPolyData& data, const std::string& path)
       : X(three(data, "reference_position", path)),
@@ -210,6 +212,7 @@ struct SkinArrays {
         slip(three(data, "slip_mm", path)),
         normal(three(data, "normal", path)),
         area(whole(data, "area_mm2", path)),
+        depth(whole(data, "wear_depth_mm", path)),
         status(whole(data, "status", path)) {}
 
   static vtkDataArray& whole(vtkPolyData& data, const char* name, const std::string& path) {
@@ -234,6 +237,7 @@ void read_rows(SkinArrays& arrays, vtkIdType first, vtkIdType count, DrawnSkin& 
     skin.normal.push_back(row_of(arrays.normal, i));
     skin.pressure_MPa.push_back(arrays.pressure.GetComponent(i, 0));
     skin.area_mm2.push_back(arrays.area.GetComponent(i, 0));
+    skin.wear_depth_mm.push_back(arrays.depth.GetComponent(i, 0));
     skin.status.push_back(static_cast<int>(arrays.status.GetComponent(i, 0)));
   }
 }
@@ -277,7 +281,7 @@ DrawnSkins read_drawn_skins(const std::string& path) {
   for (vtkIdType s = 0; s < names->GetNumberOfValues(); ++s) {
     const auto count = static_cast<vtkIdType>(counts.GetComponent(s, 0));
     if (count < 0 || first.back() + count > data.GetNumberOfPoints()) damaged_frame(path);
-    skins.all.push_back({names->GetValue(s), sides.GetComponent(s, 0) == 0.0, {}, {}, {}, {}, {}, {}, {}, {}});
+    skins.all.push_back({names->GetValue(s), sides.GetComponent(s, 0) == 0.0, {}, {}, {}, {}, {}, {}, {}, {}, {}});
     read_rows(arrays, first.back(), count, skins.all.back());
     first.push_back(first.back() + count);
   }

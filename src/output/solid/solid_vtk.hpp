@@ -25,7 +25,7 @@ struct DrawnSkin {
   std::string contact;
   bool secondary = true;
   base::Points3 X, shear_MPa, slip_mm, normal;
-  std::vector<double> pressure_MPa, area_mm2;
+  std::vector<double> pressure_MPa, area_mm2, wear_depth_mm;
   std::vector<int> status;
   std::vector<std::vector<int>> facets;  ///< corners over the rows, three or four, counter-clockwise from outside
 };

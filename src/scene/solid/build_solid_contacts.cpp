@@ -27,6 +27,9 @@ contact::SkinContactOptions skin_contact_of(const Entry& entry, Issues& issues) 
   contact.dual = entry.text("dual") == "linear" ? mortar::SkinDual::linear : mortar::SkinDual::quadratic;
   contact.search_mm = entry.number("search_mm");
   add_imposed(entry, contact, issues);
+  contact.wear = wear_of(entry.at("wear"), issues);
+  contact.implicit_wear = entry.flag("implicit");
+  check_friction(entry, contact.wear, contact.friction == 0.0, !contact.sliding.empty(), issues);
   return contact;
 }
 

@@ -10,8 +10,8 @@ namespace solid_rows {
 
 using namespace rows;
 
-constexpr std::string_view no_wear = "wear of solids is not built yet: contacts rub and dissipate, and nothing wears";
-constexpr std::string_view no_blocks = "each cycle of solids is played by itself: there are no blocks";
+constexpr std::string_view no_remesh =
+    "remeshes of solids are not built yet: a body whose elements get poor ends the run";
 constexpr std::string_view takes_face = "is of plane scenes; solids take face";
 constexpr std::string_view takes_force = "is of plane scenes; solids take force_N";
 constexpr std::string_view takes_spring = "is of plane scenes; solids take spring_N_per_mm";
@@ -33,7 +33,7 @@ constexpr Key table[] = {
      "part"},
     refused("accuracy", "control of the error of solids is not built yet: a fine zone gives its size_mm"),
     refused("section", "cuts solids into faces of a plane scene; a scene of solids takes them whole"),
-    refused("shape", no_wear),
+    shape,
 
     {"material.*.law", Type::text, "", "linear_elastic", linear_only,
      "stress law; solids are linear so far, at small strain"},
@@ -99,7 +99,16 @@ constexpr Key table[] = {
     refused("contact.*.fine_zone[?].depth_mm", takes_zone),
     refused("contact.*.fine_zone[?].angle_deg", takes_zone),
     refused("contact.*.imposed_out_of_plane_mm", "is of plane scenes; solids slide in space: imposed_sliding_mm"),
-    refused("contact.*.{implicit,wear}", no_wear),
+    implicit,
+    wear_law,
+    wear_energy,
+    wear_archard,
+    wear_rate,
+    wear_pressure_exponent,
+    wear_pressure_ref,
+    wear_speed_exponent,
+    wear_speed_ref,
+    wear_threshold,
     refused("contact.*.{c_normal,c_tangential}",
             "solids choose the factors of their complementarity functions themselves"),
     refused("bond", "bonds of solids are not built yet"),
@@ -177,14 +186,26 @@ constexpr Key table[] = {
     step_name,
     step_play,
     step_increments,
-    {"step[].cycles", Type::whole, "", "0", from_to(0.0, 1e6),
-     "number of repetitions, each of which is played; 0: a load step, which does not count as a cycle"},
-    refused("step[].wear", no_wear),
-    refused("step[].jump", "without wear each cycle is played: cycles alone says how many"),
-    refused("step[].period_s", "nothing in solids depends on the time so far"),
-    refused("spectrum", "spectra of solids are not built yet"),
-    refused("limit", no_wear),
-    refused("remesh", no_wear),
+    step_wear,
+    step_cycles,
+    step_jump,
+    step_jump_tolerance,
+    step_jump_first,
+    step_jump_most,
+    step_period,
+
+    spectrum_steps,
+    spectrum_levels,
+    spectrum_times,
+
+    limit_contact,
+    limit_side,
+    limit_depth,
+    {"limit.*.volume_mm3", Type::number, "mm^3", "", positive, "worn volume"},
+    refused("limit.*.area_mm2", "is of plane scenes; solids take volume_mm3"),
+    limit_stop,
+    limit_wear_factor,
+    refused("remesh", no_remesh),
 
     frames_per_step,
     frames_every_cycles,
@@ -192,9 +213,9 @@ constexpr Key table[] = {
     frames_every_increment,
     frames_last_block,
     frames_paraview,
-    refused("output.frames.every_blocks", no_blocks),
-    refused("output.frames.at_remeshes", no_wear),
-    refused("output.history", no_blocks),
+    frames_every_blocks,
+    refused("output.frames.at_remeshes", no_remesh),
+    history_every_blocks,
     checkpoint,
     refused("output.estimate_error", "control of the error of solids is not built yet"),
     probe_body,

@@ -28,17 +28,13 @@ void add_solid_steps(const Entry& root, SolidScene& scene, Issues& issues) {
   auto histories = histories_of(root, scene.path, issues);
   scene.histories = std::move(histories.corners);
   scene.measured = std::move(histories.measured);
-  for (const auto& entry : root.all("step")) {
-    auto step = step_of(entry, scene.steps.size());
-    step.cycles = entry.whole("cycles");
-    step.wear = false;
-    scene.steps.push_back(std::move(step));
-  }
+  scene.steps = steps_of(root, scene.path, issues);
 }
 
 void add_solid_output(const Entry& root, SolidScene& scene) {
   const auto output = root.at("output");
   scene.frames = frames_of(output.at("frames"));
+  scene.history_every_blocks = output.at("history").whole("every_blocks");
   scene.checkpoint_s = output.number("checkpoint_s");
   for (const auto& probe : output.all("probes"))
     scene.probes.push_back({.name = probe.name(),
@@ -57,6 +53,8 @@ void build_solid(const Entry& root, SolidScene& scene, Issues& issues) {
   scene.supports = solid_supports_of(root, scene.geometry, issues);
   scene.loads = solid_loads_of(root, issues);
   add_solid_steps(root, scene, issues);
+  scene.limits = limits_of(root, issues);
+  scene.shape = root.text("shape") != "off";
   add_solid_output(root, scene);
   scene.max_newton = root.at("solver").whole("max_newton");
   scene.max_cutbacks = root.at("solver").whole("max_cutbacks");

@@ -30,7 +30,10 @@ struct SolidScene {
   std::map<std::string, History> histories;
   std::map<std::string, Measured> measured;  ///< those of them that come from files
   std::vector<Step> steps;
+  std::vector<Limit> limits;
+  bool shape = true;  ///< false (shape = "off"): wear stays in the gap
   FrameRules frames;
+  int history_every_blocks = 1;
   double checkpoint_s = 1.0;
   std::vector<SolidProbe> probes;
   int max_newton = 30;

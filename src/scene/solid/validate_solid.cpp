@@ -8,6 +8,7 @@
 #include "scene/names.hpp"
 #include "scene/solid/build_solid.hpp"
 #include "scene/validate.hpp"
+#include "scene/wear_rules.hpp"
 
 namespace reye::scene {
 
@@ -112,7 +113,7 @@ std::set<std::string> moving_histories(const SolidScene& scene) {
 void check_solid_cycles(const Entry& root, const SolidScene& scene, Issues& issues) {
   const auto moving = moving_histories(scene);
   for (const auto& step : root.all("step")) {
-    if (step.whole("cycles") <= 1) continue;
+    if (step.number("cycles") <= 1.0) continue;
     for (const auto& name : step.texts("play")) {
       const auto found = scene.histories.find(name);
       if (found == scene.histories.end() || found->second.empty() || !moving.contains(name)) continue;
@@ -120,6 +121,20 @@ void check_solid_cycles(const Entry& root, const SolidScene& scene, Issues& issu
       if (!rule.empty()) issues.push_back({step.key("play"), step.written("play"), rule});
     }
   }
+}
+
+/// Wear that depends on speed needs the duration of steps; limits watch contacts.
+void check_solid_wear(const Entry& root, const SolidScene& scene, Issues& issues) {
+  std::string why = no_band_by_steps(scene.steps);
+  for (const auto& contact : scene.contacts) {
+    if (const auto by_law = no_band_by_law(contact.name, contact.wear); !by_law.empty()) why = by_law;
+    const auto speed = needs_speed(contact.wear);
+    for (const auto& step : root.all("step"))
+      if (!speed.empty() && step.flag("wear") && !step.given("period_s"))
+        issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" " + speed});
+  }
+  for (const auto& limit : root.all("limit")) refer(limit, "contact", "contact", names_of(scene.contacts), issues);
+  check_bands(root, why, issues);
 }
 
 }  // namespace
@@ -132,6 +147,7 @@ void validate_solid(const Entry& root, const SolidScene& scene, Issues& issues) 
   check_solid_histories(root, keys_of(scene.histories), issues);
   check_plays(root, keys_of(scene.histories), issues);
   check_solid_cycles(root, scene, issues);
+  check_solid_wear(root, scene, issues);
   check_rotations(root, scene, issues);
   validate_skin_contacts(root, scene, issues);
 }

@@ -219,7 +219,8 @@ void begin_state(const Problem& problem, State& state, Cache& cache) {
 Outcome play_increments(const Problem& problem, State state, Cache& cache, const BlockSpan& span,
                         const Observer& observer) {
   const auto& output = problem.scene.output;
-  Playing block{span, observer, state.factors, history_due(output, state.step_blocks + 1, span.last)};
+  Playing block{span, observer, state.factors,
+                history_due(output.history_every_blocks, state.step_blocks + 1, span.last)};
   cache.newton.reset();
   begin_watch(problem, state);
   const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;

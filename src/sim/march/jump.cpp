@@ -20,14 +20,11 @@ namespace reye::sim {
 
 namespace {
 
-constexpr double unjumped = 1.0;    ///< cycles of a block without a jump: it is played once and has no error
 constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
 constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
-constexpr double most_growth = 4.0, most_cut = 0.3;  ///< of the cycles from one block to the next
+constexpr double most_cut = 0.3;    ///< of the cycles from one block to the next
 constexpr double most_steeper =
     1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
-constexpr double levelling =
-    0.2;  ///< share of a block's cycles that level it: more than its extrapolation leaves uneven
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -100,17 +97,9 @@ void correct(IncrementRecord& row, double share, const IncrementRecord& before, 
   for (std::size_t c = 0; c < row.contacts.size(); ++c) add(row.contacts[c], before.contacts[c], after.contacts[c]);
 }
 
-/// The error that a block from `start` to `end` of its step may have: errors fade as more is worn, until the end of the
-/// step or the next limit, where the tolerance holds.
-double allowed(const Problem& problem, const scene::Step& step, const State& start, double end) {
-  double growth = step.cycles / end;
-  for (const auto& limit : problem.scene.limits) {
-    const auto measure = start.limit_measure.find(limit.name);
-    if (measure == start.limit_measure.end() || measure->second <= 0.0 || start.life_cycles.contains(limit.name))
-      continue;
-    growth = std::min(growth, bound_of(limit) / measure->second * start.step_cycles / end);
-  }
-  return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+/// The error that a block from `start` to `end` of its step may have.
+double error_allowed(const Problem& problem, const scene::Step& step, const State& start, double end) {
+  return allowed(problem.scene.limits, start.limit_measure, start.life_cycles, step, start.step_cycles, end);
 }
 
 /// One try of a block.
@@ -172,7 +161,7 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   // Nothing here holds the system: `shaped` makes the next one, when the factors of the old shapes are released.
   const auto system = [&] { return system_of(problem, attempt.halves, cache); };
   trial.error = wear_difference(*system(), {start, attempt.once, attempt.half_way}, attempt.halves);
-  trial.too_long = trial.error > allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  trial.too_long = trial.error > error_allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
   extrapolate_trial(problem, *system(), start, span.level, attempt, trial);
   trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
@@ -189,7 +178,7 @@ void accept_trial(const Problem& problem, const State& state, const BlockSpan& s
     correct(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
   });
   trial.later.play_back(observer);
-  const double next = allowed(problem, *span.step, state, state.step_cycles + span.jump + span.jump);
+  const double next = error_allowed(problem, *span.step, state, state.step_cycles + span.jump + span.jump);
   end.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
   end.jump_rate = share > 0.0 ? trial.error / share : 0.0;
   const double kept = (1.0 - share) * (trial.slips_throughout ? 1.0 - share : 1.0);
@@ -201,9 +190,8 @@ void accept_trial(const Problem& problem, const State& state, const BlockSpan& s
 void refuse_trial(const Problem& problem, const Trial& trial, const Observer& observer, State& start, BlockSpan& span) {
   tell(observer, span, start.cycle, "refused: " + (trial.too_long ? estimated(trial.error) : trial.outcome.failure));
   ++start.counts.refused_blocks;
-  const double wanted = aim * allowed(problem, *span.step, start, start.step_cycles + span.jump);
-  const double factor = trial.too_long ? std::clamp(wanted / trial.error, most_cut, 0.7) : most_cut;
-  span.jump = std::max(unjumped, factor * span.jump);
+  const double permitted = error_allowed(problem, *span.step, start, start.step_cycles + span.jump);
+  span.jump = std::max(unjumped, shortened(trial.too_long, permitted, trial.error) * span.jump);
   span.last = span.level = false;
 }
 
@@ -224,6 +212,21 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
 }
 
 }  // namespace
+
+double allowed(const std::vector<scene::Limit>& limits, const std::map<std::string, double>& measure,
+               const std::map<std::string, double>& reached, const scene::Step& step, double step_cycles, double end) {
+  double growth = step.cycles / end;
+  for (const auto& limit : limits) {
+    const auto now = measure.find(limit.name);
+    if (now == measure.end() || now->second <= 0.0 || reached.contains(limit.name)) continue;
+    growth = std::min(growth, bound_of(limit) / now->second * step_cycles / end);
+  }
+  return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+}
+
+double shortened(bool too_long, double allowed, double error) {
+  return too_long ? std::clamp(aim * allowed / error, most_cut, 0.7) : most_cut;
+}
 
 double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
   const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;

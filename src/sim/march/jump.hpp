@@ -8,6 +8,20 @@
 /// Blocks whose number of cycles is chosen by the error they make.
 namespace reye::sim {
 
+inline constexpr double unjumped = 1.0;     ///< cycles of a block without a jump: it is played once and has no error
+inline constexpr double most_growth = 4.0;  ///< of the cycles from one block to the next
+/// Share of a block's cycles that level it: more than its extrapolation leaves uneven.
+inline constexpr double levelling = 0.2;
+
+/// The error that a block may have which ends after `end` cycles of its step: errors fade as more is worn, until the
+/// end of the step or the next limit, where the tolerance holds. `measure`, `reached`: of the limits, when
+/// `step_cycles` of the step were done.
+double allowed(const std::vector<scene::Limit>& limits, const std::map<std::string, double>& measure,
+               const std::map<std::string, double>& reached, const scene::Step& step, double step_cycles, double end);
+
+/// The factor by which the cycles of a block are cut that has failed, or had an error beyond the one that is allowed.
+double shortened(bool too_long, double allowed, double error);
+
 /// Cycles for the next block. Errors count relative to all that is worn: they scale with the block's share of it,
 /// between the first power (edges of the scar) and the second (the rest), and where error per share grew from one block
 /// to the next (`rate_before`: that of the block before; 0: not known) it is assumed to grow again. `share`, `error`:

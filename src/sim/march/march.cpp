@@ -29,15 +29,6 @@ namespace reye::sim {
 
 namespace {
 
-/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share the rest
-/// of a step when one is not enough.
-double fitted(const scene::FrameRules& frames, double cycle, double jump, double left) {
-  if (jump >= left) return left;
-  if (left < 2.0 * jump) jump = 0.5 * left;
-  const auto at = last_frame_cycle(frames, cycle, cycle + 1.1 * jump);
-  return at && *at - cycle > 0.75 * jump ? *at - cycle : jump;
-}
-
 /// The span with which the next block is tried.
 BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const State& state) {
   BlockSpan span;

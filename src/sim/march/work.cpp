@@ -15,8 +15,8 @@ namespace {
 
 constexpr double plays_of_block = 3.0;  ///< once as a whole, once in two halves
 constexpr double plays_of_levelling = 4.0;
-constexpr double growth = 4.0;  ///< of a block over the one before it, at most
-constexpr long settled = 3;     ///< blocks after which the length of the next one says something
+constexpr double growth = 4.0;      ///< of a block over the one before it, at most
+constexpr long telling_blocks = 3;  ///< blocks after which the length of the next one says something
 
 /// Where a run stands in its cycles.
 struct Place {
@@ -79,7 +79,7 @@ Work& Work::operator+=(const Work& more) {
 Work work_left(const Problem& problem, const State& state) {
   const scene::Scene& scene = problem.scene;
   Place at{state.cycle, state.step_cycles, state.jump};
-  if (state.counts.blocks > settled && state.cycle > 0.0 && state.jump > 0.0)
+  if (state.counts.blocks > telling_blocks && state.cycle > 0.0 && state.jump > 0.0)
     at.share = std::clamp(state.jump / state.cycle, 0.02, 1.0);
   at.end = end_by_limits(scene, state);
   Work work;

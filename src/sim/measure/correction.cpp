@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <numeric>
 
 #include "contact/fields.hpp"
 #include "sim/measure/nodal_depth.hpp"
@@ -14,10 +13,6 @@ namespace {
 
 using contact::ContactState;
 using contact::ContactStatus;
-
-constexpr int correction_reach = 3;  ///< elements between an edge that moved and the place where the correction is full
-
-double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
 
 /// Secondary nodes that slipped in the cycle played last; where none is known, those that touch.
 std::vector<char> slipped(const State& state, std::size_t contact) {
@@ -33,27 +28,6 @@ std::vector<char> slipped(const State& state, std::size_t contact) {
     for (std::size_t j = 0; j < flags.size(); ++j) flags[j] = now[j] != ContactStatus::inactive;
   return flags;
 }
-
-/// One side's removed volumes: before the block, after it as a whole, after its first half, after both.
-struct SidePlays {
-  const std::vector<double>&before, &once, &middle, &halves;
-
-  /// Whether a node wore in one play and not in another.
-  std::vector<char> passed() const {
-    std::vector<char> flags(halves.size(), 0);
-    for (std::size_t j = 0; j < flags.size(); ++j) {
-      const bool first = middle[j] > before[j], second = halves[j] > middle[j], whole = once[j] > before[j];
-      flags[j] = first != second || first != whole;
-    }
-    return flags;
-  }
-
-  std::vector<double> worn() const {
-    std::vector<double> w(halves.size());
-    for (std::size_t j = 0; j < w.size(); ++j) w[j] = halves[j] - before[j];
-    return w;
-  }
-};
 
 SidePlays secondary_plays(const Twice& t, const State& halves, std::size_t c) {
   return {t.start.solution.contacts[c].removed_secondary, t.once.solution.contacts[c].removed_secondary,
@@ -78,32 +52,6 @@ std::array<std::vector<char>, 2> passed_nodes(const Twice& t, const State& end, 
     for (const auto& [l, M] : halves.reference[j].M) passed[1][l] = 1;
   }
   return passed;
-}
-
-/// The correction to the halves' values of one side; empty where none is possible.
-std::vector<double> correction(const std::vector<double>& trusted, const std::vector<double>& once,
-                               const std::vector<double>& halves, const std::vector<double>& worn,
-                               const std::vector<double>& available) {
-  std::vector<double> d(halves.size());
-  double share = 0.0, left = 0.0;
-  for (std::size_t j = 0; j < d.size(); ++j) {
-    d[j] = trusted[j] * (halves[j] - once[j]);
-    left += halves[j] - once[j] - d[j];
-    share += (1.0 - trusted[j]) * worn[j];
-  }
-  if (left != 0.0 && share <= 0.0) return {};
-  double cut = 0.0, gained = 0.0;
-  for (std::size_t j = 0; j < d.size(); ++j) {
-    const double wanted = d[j] + (share > 0.0 ? left * (1.0 - trusted[j]) * worn[j] / share : 0.0);
-    d[j] = std::max(wanted, -available[j]);
-    cut += d[j] - wanted;
-    gained += std::max(d[j], 0.0);
-  }
-  if (cut > gained) return {};
-  if (cut > 0.0)
-    for (double& v : d)
-      if (v > 0.0) v *= 1.0 - cut / gained;
-  return d;
 }
 
 void add(std::vector<double>& to, const std::vector<double>& d) {
@@ -138,45 +86,28 @@ std::optional<Corrections> corrections(const solver::System& system, const Twice
   const auto here = trust(setup.secondary, passed[0]), there = trust(setup.primary, passed[1]);
   std::vector<double> spent(b.energy_secondary);
   for (std::size_t j = 0; j < spent.size(); ++j) spent[j] -= t.start.solution.contacts[c].energy_secondary[j];
-  Corrections result{correction(here, secondary.once, secondary.halves, secondary.worn(), b.pending_secondary),
-                     correction(there, primary.once, primary.halves, primary.worn(), b.pending_primary),
-                     correction(here, a.energy_secondary, b.energy_secondary, spent, spent)};
+  Corrections result{side_correction(here, secondary.once, secondary.halves, secondary.worn(), b.pending_secondary),
+                     side_correction(there, primary.once, primary.halves, primary.worn(), b.pending_primary),
+                     side_correction(here, a.energy_secondary, b.energy_secondary, spent, spent)};
   const bool possible = result.secondary.size() == b.removed_secondary.size() &&
                         result.primary.size() == b.removed_primary.size() && result.energy.size() == spent.size();
   return possible ? std::optional(std::move(result)) : std::nullopt;
 }
 
-double side_difference(const mortar::Surface& surface, const std::vector<double>& trusted,
-                       const std::vector<double>& once, const std::vector<double>& halves) {
-  const double volume = sum(halves), depth = deepest(surface, halves);
-  if (volume <= 0.0) return 0.0;
-  double apart = 0.0;
-  std::size_t lowest = 0;
-  for (std::size_t j = 0; j < halves.size(); ++j) {
-    apart += (1.0 - settled * trusted[j]) * std::abs(halves[j] - once[j]);
-    if (halves[j] * surface.area[lowest] > halves[lowest] * surface.area[j]) lowest = j;
-  }
-  const double deeper = std::abs(depth - deepest(surface, once)) / depth;
-  return std::max(apart / volume, (1.0 - settled * trusted[lowest]) * deeper);
+double difference_of(const mortar::Surface& surface, const std::vector<double>& trusted,
+                     const std::vector<double>& once, const std::vector<double>& halves) {
+  return side_difference(surface.area, trusted, once, halves, deepest(surface, once), deepest(surface, halves));
 }
 
 }  // namespace
 
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed) {
-  std::vector<int> distance(passed.size(), correction_reach);
-  for (std::size_t j = 0; j < passed.size(); ++j)
-    if (passed[j]) distance[j] = 0;
-  for (int turn = 1; turn < correction_reach; ++turn)
-    for (const auto& [a, b, mid] : surface.facets) {
-      int nearest = std::min(distance[a], distance[b]);
-      if (mid >= 0) nearest = std::min(nearest, distance[mid]);
-      if (nearest != turn - 1) continue;
-      for (int node : {a, b, mid})
-        if (node >= 0) distance[node] = std::min(distance[node], turn);
-    }
-  std::vector<double> share;
-  for (int d : distance) share.push_back(static_cast<double>(d) / correction_reach);
-  return share;
+  std::vector<std::vector<int>> facets;
+  for (const auto& [a, b, mid] : surface.facets) {
+    facets.push_back({a, b});
+    if (mid >= 0) facets.back().push_back(mid);
+  }
+  return trust_by_distance(facets, passed);
 }
 
 double wear_difference(const solver::System& system, const Twice& twice, const State& halves) {
@@ -191,9 +122,8 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
     };
     difference = std::max(
         {difference,
-         side_difference(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary,
-                         b.removed_secondary),
-         side_difference(setup.primary, trusted(setup.primary, passed[1]), a.removed_primary, b.removed_primary)});
+         difference_of(setup.secondary, trusted(setup.secondary, passed[0]), a.removed_secondary, b.removed_secondary),
+         difference_of(setup.primary, trusted(setup.primary, passed[1]), a.removed_primary, b.removed_primary)});
   }
   return difference;
 }

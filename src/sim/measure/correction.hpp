@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/measure/side_correction.hpp"
 #include "sim/problem/state.hpp"
 
 /// The correction of a block's wear, from playing it once as a whole and once in two halves.
@@ -14,10 +15,6 @@ struct Twice {
 /// Per node of a side, from 0 to 1, how far the error of its wear is linear in the cycles of the block: 0 where an edge
 /// of contact or of slip passed in the block or lies elsewhere in the two plays, then rising over three elements.
 std::vector<double> trust(const mortar::Surface& surface, const std::vector<char>& passed);
-
-/// Share of an error within the correction that is not counted, since the second-order rest is smaller than the
-/// correction.
-inline constexpr double settled = 0.5;
 
 /// Error of the end of a block that was played twice: per contact and side that wears, sum_j |V_j - V'_j| over sum_j
 /// V_j, V the volumes removed since the start, and the difference of the largest depths over the largest depth; the

@@ -41,37 +41,49 @@ bool any_stop_ahead(const Problem& problem, const State& state) {
                      [&](const auto& limit) { return limit.stop && !state.life_cycles.contains(limit.name); });
 }
 
-std::optional<double> share_to_stop(const Problem& problem, const State& before, const State& after,
-                                    const solver::System& system, const std::map<std::string, double>& middle) {
+std::optional<double> share_to_limit(const std::vector<scene::Limit>& limits,
+                                     const std::map<std::string, double>& measures,
+                                     const std::map<std::string, double>& middle, const Lives& lives) {
   std::optional<double> share;
-  const auto measures = limit_measures(problem, system, after);
-  for (const auto& limit : problem.scene.limits) {
+  for (const auto& limit : limits) {
     const double now = measures.at(limit.name), bound = bound_of(limit);
-    if (!limit.stop || before.life_cycles.contains(limit.name) || now <= (1.0 + at_limit) * bound) continue;
-    const auto then = before.limit_measure.find(limit.name);
-    const double at =
-        crossing(bound, then == before.limit_measure.end() ? 0.0 : then->second, found(middle, limit.name), now);
+    if (!limit.stop || lives.cycles.contains(limit.name) || now <= (1.0 + at_limit) * bound) continue;
+    const auto then = lives.measure.find(limit.name);
+    const double at = crossing(bound, then == lives.measure.end() ? 0.0 : then->second, found(middle, limit.name), now);
     share = std::min(share.value_or(1.0), at);
   }
   return share;
 }
 
-bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before,
-                  const std::map<std::string, double>& middle) {
+std::optional<double> share_to_stop(const Problem& problem, const State& before, const State& after,
+                                    const solver::System& system, const std::map<std::string, double>& middle) {
+  auto cycles = before.life_cycles;
+  auto error = before.life_error;
+  auto measure = before.limit_measure;
+  return share_to_limit(problem.scene.limits, limit_measures(problem, system, after), middle, {cycles, error, measure});
+}
+
+bool note_limits(const std::vector<scene::Limit>& limits, const std::map<std::string, double>& measures,
+                 const LimitSpan& span, const std::map<std::string, double>& middle, Lives lives) {
   bool stop = false;
-  const auto measures = limit_measures(problem, system, state);
-  for (const auto& limit : problem.scene.limits) {
-    const double now = measures.at(limit.name), before = state.limit_measure[limit.name];
+  for (const auto& limit : limits) {
+    const double now = measures.at(limit.name), before = lives.measure[limit.name];
     const double bound = bound_of(limit);
-    state.limit_measure[limit.name] = now;
-    if (!is_reached(limit, now) || state.life_cycles.contains(limit.name)) continue;
-    const double cycles = state.cycle - cycle_before, at = crossing(bound, before, found(middle, limit.name), now);
-    state.life_cycles[limit.name] = cycle_before + cycles * at;
-    if (state.jump_error)
-      state.life_error[limit.name] = *state.jump_error / (1.0 - settled) * bound * cycles / (now - before);
+    lives.measure[limit.name] = now;
+    if (!is_reached(limit, now) || lives.cycles.contains(limit.name)) continue;
+    const double cycles = span.after - span.before, at = crossing(bound, before, found(middle, limit.name), now);
+    lives.cycles[limit.name] = span.before + cycles * at;
+    if (span.jump_error) lives.error[limit.name] = *span.jump_error / (1.0 - settled) * bound * cycles / (now - before);
     stop = stop || limit.stop;
   }
   return stop;
+}
+
+bool watch_limits(const Problem& problem, State& state, const solver::System& system, double cycle_before,
+                  const std::map<std::string, double>& middle) {
+  return note_limits(problem.scene.limits, limit_measures(problem, system, state),
+                     {cycle_before, state.cycle, state.jump_error}, middle,
+                     {state.life_cycles, state.life_error, state.limit_measure});
 }
 
 }  // namespace reye::sim

@@ -30,10 +30,15 @@ std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double fr
   return last > from * (1.0 + 1e-9) ? std::optional(last) : std::nullopt;
 }
 
+double fitted(const scene::FrameRules& frames, double cycle, double jump, double left) {
+  if (jump >= left) return left;
+  if (left < 2.0 * jump) jump = 0.5 * left;
+  const auto at = last_frame_cycle(frames, cycle, cycle + 1.1 * jump);
+  return at && *at - cycle > 0.75 * jump ? *at - cycle : jump;
+}
+
 bool under_tolerance(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
-bool history_due(const scene::Output& output, long number, bool last) {
-  return number == 1 || last || number % output.history_every_blocks == 0;
-}
+bool history_due(int every_blocks, long number, bool last) { return number == 1 || last || number % every_blocks == 0; }
 
 }  // namespace reye::sim

@@ -22,10 +22,14 @@ bool frame_due(const scene::FrameRules& rules, const PlayedBlock& block);
 /// The last cycle in (from, to] at which `every_cycles` or `per_decade` ask for a frame.
 std::optional<double> last_frame_cycle(const scene::FrameRules& rules, double from, double to);
 
+/// Cycles of a block under a tolerance: so that it ends at a frame's cycle where one is near; two blocks share the
+/// `left` rest of a step when one is not enough.
+double fitted(const scene::FrameRules& frames, double cycle, double jump, double left);
+
 /// Whether the blocks of a step are chosen by the error they make.
 bool under_tolerance(const scene::Step& step);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.
-bool history_due(const scene::Output& output, long number, bool last);
+bool history_due(int every_blocks, long number, bool last);
 
 }  // namespace reye::sim

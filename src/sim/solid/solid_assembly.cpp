@@ -1,5 +1,9 @@
 #include "sim/solid/solid_assembly.hpp"
 
+#include <map>
+#include <type_traits>
+#include <utility>
+
 #include "sim/problem/timer.hpp"
 
 namespace reye::sim {
@@ -20,45 +24,94 @@ bool faces_rim(const contact::SkinPlace& place, int point, const std::vector<cha
   return false;
 }
 
+/// A body of the old equations that serves the new ones, too; its nodes must be the same.
+std::optional<body::SolidBody> kept(std::optional<SolidAssembly>& old, std::size_t b, const mesh::SolidMesh* mesh,
+                                    const std::vector<int>& nodes) {
+  if (!old) return {};
+  auto& body = old->system.bodies[b];
+  if (body.input().mesh.get() != mesh || body.retained() != nodes) return {};
+  return std::move(body);
+}
+
+using Places = std::map<std::array<int, 2>, std::size_t>;
+
+Places places_of(const std::vector<std::array<int, 2>>& points) {
+  Places places;
+  for (std::size_t j = 0; j < points.size(); ++j) places[points[j]] = j;
+  return places;
+}
+
+/// Values of the points that were there before.
+template <class T>
+void carry_values(const Places& old, const std::vector<std::array<int, 2>>& points, const std::vector<T>& from,
+                  std::vector<T>& to) {
+  for (std::size_t j = 0; j < points.size(); ++j)
+    if (const auto found = old.find(points[j]); found != old.end()) to[j] = from[found->second];
+}
+
 }  // namespace
 
-SolidAssembly assemble(const SolidProblem& problem, const Touchable& touchable) {
+std::vector<SkinPoints> points_of(const solver::SolidSystem& system) {
+  std::vector<SkinPoints> all;
+  const auto names = [](const contact::SkinSide& side) {
+    std::vector<std::array<int, 2>> list;
+    for (const auto& point : side.points) list.push_back({point.body, point.node});
+    return list;
+  };
+  for (const auto& setup : system.contacts) all.push_back({names(setup.secondary), names(setup.primary)});
+  return all;
+}
+
+SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
+                       std::optional<SolidAssembly> old) {
   const double start = cpu_seconds();
   SolidAssembly assembly;
   std::vector<body::SolidBody> bodies;
   int next = 0;
   for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
-    bodies.emplace_back(problem.inputs[b], chosen(touchable[b]));
+    const auto nodes = chosen(touchable[b]);
+    if (auto body = kept(old, b, meshes[b].get(), nodes)) {
+      bodies.push_back(std::move(*body));
+    } else {
+      auto input = problem.inputs[b];
+      input.mesh = meshes[b];
+      bodies.emplace_back(std::move(input), nodes);
+      ++assembly.factorised;
+    }
     auto& columns = assembly.columns.emplace_back(touchable[b].size(), -1);
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
   assembly.system = solver::make_system(std::move(bodies));
-  std::vector<const mesh::SolidMesh*> meshes;
-  for (const auto& input : problem.inputs) meshes.push_back(input.mesh.get());
+  std::vector<const mesh::SolidMesh*> shapes;
+  for (const auto& mesh : meshes) shapes.push_back(mesh.get());
   for (const auto& contact : problem.contacts)
     assembly.system.contacts.push_back(contact::make_skin_setup(
-        contact.options, contact::make_side({contact.secondary}, meshes, assembly.columns),
-        contact::make_side(contact.primary, meshes, assembly.columns), contact.modulus_MPa, contact.search_mm));
+        contact.options, contact::make_side({contact.secondary}, shapes, assembly.columns),
+        contact::make_side(contact.primary, shapes, assembly.columns), contact.modulus_MPa, contact.search_mm));
   assembly.seconds = cpu_seconds() - start;
   return assembly;
 }
 
-solver::SolidState carried(const SolidAssembly& from, const SolidAssembly& to, const solver::SolidState& state) {
-  solver::SolidState fresh = solver::initial_state(to.system);
+solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
+                           const solver::SolidState& state) {
+  solver::SolidState fresh = solver::initial_state(to);
   fresh.a = state.a;
   fresh.s = state.s;
-  for (std::size_t c = 0; c < from.system.contacts.size(); ++c) {
-    std::map<std::array<int, 2>, std::size_t> places;
-    const auto& old_points = from.system.contacts[c].secondary.points;
-    for (std::size_t j = 0; j < old_points.size(); ++j) places[{old_points[j].body, old_points[j].node}] = j;
-    const auto& points = to.system.contacts[c].secondary.points;
-    for (std::size_t j = 0; j < points.size(); ++j)
-      if (const auto found = places.find({points[j].body, points[j].node}); found != places.end()) {
-        fresh.traction[c][j] = state.traction[c][found->second];
-        fresh.status[c][j] = state.status[c][found->second];
-      }
+  const auto points = points_of(to);
+  for (std::size_t c = 0; c < points.size(); ++c) {
+    const auto secondary = places_of(from[c].secondary), primary = places_of(from[c].primary);
+    carry_values(secondary, points[c].secondary, state.traction[c], fresh.traction[c]);
+    carry_values(secondary, points[c].secondary, state.status[c], fresh.status[c]);
+    contact::for_each_field(state.wear[c], fresh.wear[c], [&](const contact::Field& field, const auto& old, auto& now) {
+      if constexpr (std::is_arithmetic_v<std::remove_reference_t<decltype(now)>>)
+        now = old;
+      else if (field.site == contact::Site::secondary)
+        carry_values(secondary, points[c].secondary, old, now);
+      else
+        carry_values(primary, points[c].primary, old, now);
+    });
   }
-  fresh.u = solver::displacements_of(to.system, fresh);
+  fresh.u = solver::displacements_of(to, fresh);
   return fresh;
 }
 

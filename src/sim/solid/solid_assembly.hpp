@@ -1,4 +1,8 @@
 #pragma once
+#include <array>
+#include <memory>
+#include <optional>
+
 #include "sim/solid/touchable.hpp"
 
 namespace reye::sim {
@@ -8,13 +12,26 @@ struct SolidAssembly {
   solver::SolidSystem system;
   contact::Columns columns;  ///< per body and node
   double seconds = 0.0;      ///< of CPU, for stiffness and factors
+  int factorised = 0;        ///< bodies that were condensed for it
 };
 
-/// Condenses every body onto its touchable nodes. Throws base::SolveError.
-SolidAssembly assemble(const SolidProblem& problem, const Touchable& touchable);
+/// Body and node of the points of a contact, whose values a state holds.
+struct SkinPoints {
+  std::vector<std::array<int, 2>> secondary, primary;
+  bool operator==(const SkinPoints&) const = default;
+};
+std::vector<SkinPoints> points_of(const solver::SolidSystem& system);
 
-/// The state carried onto equations with more points: tractions stay with their nodes.
-solver::SolidState carried(const SolidAssembly& from, const SolidAssembly& to, const solver::SolidState& state);
+using SolidMeshes = std::vector<std::shared_ptr<const mesh::SolidMesh>>;
+
+/// Condenses every body of these shapes onto its touchable nodes; bodies of `old` that are the same are taken from it.
+/// Throws base::SolveError.
+SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
+                       std::optional<SolidAssembly> old = {});
+
+/// The state carried onto equations with other points: values stay with their nodes.
+solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
+                           const solver::SolidState& state);
 
 /// Whether a point presses whose facets were left out on one side: the contact has outrun its touchable nodes.
 bool outrun(const solver::SolidSystem& system, const solver::SolidSolution& solution);

@@ -33,7 +33,7 @@ Points3 imposed(const SolidProblem& problem, const contact::SkinSetup& setup, co
 
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
                               const solver::SolidState& state, const std::map<std::string, double>& factors,
-                              const scene::Step& step, double from, double to) {
+                              const scene::Step& step, const SolidCycles& cycles, double from, double to) {
   solver::SolidTarget target;
   target.s = base::Vector::Zero(system.driven());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -44,6 +44,10 @@ solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSy
   for (const auto& setup : system.contacts) {
     target.friction.push_back(setup.options.friction);
     target.slip.push_back(imposed(problem, setup, state, step, from, to));
+    target.wear.push_back({.on = step.wear && setup.options.wear.wears(),
+                           .jump = cycles.jump,
+                           .duration_s = (to - from) * step.period_s,
+                           .cycle = cycles.cycle});
   }
   return target;
 }

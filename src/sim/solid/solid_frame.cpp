@@ -1,6 +1,7 @@
 #include <map>
 
 #include "fem/solid/solid_stress.hpp"
+#include "sim/solid/skin_depth.hpp"
 #include "sim/solid/solid_measure.hpp"
 
 namespace reye::sim {
@@ -24,7 +25,7 @@ SolidFrameBody frame_body(const SolidAssembly& assembly, const solver::SolidSolu
   return body;
 }
 
-SkinRecord empty_record(const contact::SkinSetup& setup, Side side) {
+SkinRecord empty_record(const contact::SkinSetup& setup, const contact::SkinWear& wear, Side side) {
   const auto& own = side == Side::secondary ? setup.secondary : setup.primary;
   SkinRecord record;
   record.contact = setup.options.name;
@@ -42,12 +43,14 @@ SkinRecord empty_record(const contact::SkinSetup& setup, Side side) {
   record.pressure_MPa.assign(count, 0.0);
   record.area_mm2.assign(count, 0.0);
   record.status.assign(count, 0);
+  record.wear_depth_mm = skin_depths(own, side == Side::secondary ? wear.removed_secondary : wear.removed_primary);
   return record;
 }
 
-SkinRecord secondary_record(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t c) {
+SkinRecord secondary_record(const solver::SolidSystem& system, const solver::SolidSolution& solution,
+                            const contact::SkinWear& wear, std::size_t c) {
   const auto& setup = system.contacts[c];
-  SkinRecord record = empty_record(setup, Side::secondary);
+  SkinRecord record = empty_record(setup, wear, Side::secondary);
   for (int j = 0; j < setup.count(); ++j) {
     const auto& node = solution.nodes[c][j];
     const auto& frame = solution.place[c].frame[j];
@@ -65,9 +68,9 @@ SkinRecord secondary_record(const solver::SolidSystem& system, const solver::Sol
 
 /// The primary side repeats what the secondary points exert on it, averaged with the integrals M as weights.
 SkinRecord primary_record(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t c,
-                          const SkinRecord& secondary) {
+                          const contact::SkinWear& wear, const SkinRecord& secondary) {
   const auto& setup = system.contacts[c];
-  SkinRecord record = empty_record(setup, Side::primary);
+  SkinRecord record = empty_record(setup, wear, Side::primary);
   std::map<int, int> place_of_column;
   for (std::size_t l = 0; l < setup.primary.points.size(); ++l)
     place_of_column[setup.primary.points[l].column] = static_cast<int>(l);
@@ -102,14 +105,15 @@ SkinRecord primary_record(const solver::SolidSystem& system, const solver::Solid
 
 SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly,
                        const solver::SolidSolution& solution, const SolidRunState& state, const std::string& step,
-                       double progress, bool bodies) {
-  SolidFrame frame{state.cycle, progress, step, {}, {}};
-  if (bodies)
+                       const FrameMoment& moment) {
+  SolidFrame frame{moment.cycle, moment.progress, step, {}, {}};
+  if (moment.bodies)
     for (int b = 0; b < problem.body_count(); ++b)
       frame.bodies.push_back(frame_body(assembly, solution, static_cast<std::size_t>(b)));
   for (std::size_t c = 0; c < assembly.system.contacts.size(); ++c) {
-    frame.surfaces.push_back(secondary_record(assembly.system, solution, c));
-    frame.surfaces.push_back(primary_record(assembly.system, solution, c, frame.surfaces.back()));
+    const auto& wear = state.solution.wear[c];
+    frame.surfaces.push_back(secondary_record(assembly.system, solution, wear, c));
+    frame.surfaces.push_back(primary_record(assembly.system, solution, c, wear, frame.surfaces.back()));
   }
   return frame;
 }

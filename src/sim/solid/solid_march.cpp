@@ -1,211 +1,184 @@
 #include "sim/solid/solid_march.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "base/formatted.hpp"
-#include "sim/problem/drive.hpp"
+#include "sim/measure/limits.hpp"
+#include "sim/problem/rules.hpp"
 #include "sim/problem/timer.hpp"
-#include "sim/solid/free_bodies.hpp"
-#include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_correction.hpp"
+#include "sim/solid/solid_jump.hpp"
+#include "sim/solid/solid_limits.hpp"
 #include "sim/solid/solid_plan.hpp"
-#include "sim/solid/warn_solid.hpp"
+#include "sim/solid/solid_recording.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr std::size_t most_cutback_reasons = 20;
-constexpr int rings_of_growth = 4;
+constexpr double round_off = 1e-9;  ///< of the cycles of a step
+constexpr int most_turns = 3;       ///< times that a block is repeated to end at a limit
 
 /// A run while it is played.
 class March {
  public:
   March(const SolidProblem& problem, const SolidObserver& observer)
-      : problem_(problem),
-        observer_(observer),
-        touchable_(touchable_nodes(problem)),
-        planned_(solid_plan(problem).size) {
-    for (const auto& [name, corners] : problem.scene.histories) state_.factors[name] = 0.0;
-    state_.energy_mJ.assign(problem.contacts.size(), 0.0);
-    state_.energy_before_cycle_mJ = state_.energy_last_cycle_mJ = state_.energy_mJ;
-    start_wall_ = std::chrono::steady_clock::now();
-    start_cpu_ = cpu_seconds();
-  }
+      : problem_(problem), observer_(observer), player_(problem), planned_(solid_plan(problem).size) {}
 
   SolidSummary play() {
-    std::string failure;
     try {
-      build();
-      failure = play_steps();
+      state_ = player_.begin();
+      play_steps();
     } catch (const base::SolveError& error) {
-      failure = error.what();
+      failure_ = error.what();
     }
-    return summary(failure);
+    return summary();
   }
 
  private:
-  void build() {
-    SolidAssembly fresh = assemble(problem_, touchable_);
-    state_.factor_s += fresh.seconds;
-    ++state_.counts.factorisations;
-    if (assembly_)
-      state_.solution = carried(*assembly_, fresh, state_.solution);
+  static double left_of(const scene::Step& step, const SolidRunState& state) { return step.cycles - state.step_cycles; }
+
+  static bool over(const scene::Step& step, const SolidRunState& state) {
+    return step.cycles > 0.0 ? left_of(step, state) <= round_off * step.cycles : state.step_blocks > 0;
+  }
+
+  void play_steps() {
+    while (state_.step < static_cast<int>(problem_.scene.steps.size())) {
+      const auto& step = problem_.scene.steps[static_cast<std::size_t>(state_.step)];
+      if (over(step, state_)) {
+        ++state_.step;
+        state_.step_cycles = state_.block_cycles = 0.0;
+        state_.step_blocks = 0;
+      } else if (stopped_by_limit(problem_, state_) || !next_block(step)) {
+        return;
+      }
+    }
+  }
+
+  /// The span with which the next block is tried.
+  SolidSpan next_span(const scene::Step& step) const {
+    SolidSpan span{.step = &step, .jump = 1.0, .cycles = step.cycles > 0.0, .last = true};
+    if (!span.cycles) return span;
+    const double left = left_of(step, state_);
+    if (under_tolerance(step))
+      span.jump = fitted(problem_.scene.frames, state_.cycle,
+                         std::min(state_.jump > 0.0 ? state_.jump : step.jump, step.jump_most), left);
     else
-      state_.solution = solver::initial_state(fresh.system);
-    assembly_.emplace(std::move(fresh));
-    state_.retained = assembly_->system.points();
+      span.jump = std::min(state_.block_cycles > 0.0 ? state_.block_cycles : step.jump, left);
+    span.last = left - span.jump <= round_off * step.cycles;
+    span.recorded = history_due(problem_.scene.history_every_blocks, state_.step_blocks + 1, span.last);
+    span.level = frame_due(problem_.scene.frames,
+                           played_block(step, state_, state_.cycle + span.jump, state_.step_cycles + span.jump,
+                                        state_.step_blocks + 1, span.last));
+    return span;
   }
 
-  std::string play_steps() {
-    const auto& steps = problem_.scene.steps;
-    for (state_.step = 0; state_.step < static_cast<int>(steps.size()); ++state_.step) {
-      const auto& step = steps[static_cast<std::size_t>(state_.step)];
-      const int plays = std::max(1, static_cast<int>(std::lround(step.cycles)));
-      for (int cycle = 0; cycle < plays; ++cycle) {
-        if (auto failure = play_once(step, cycle + 1 == plays); !failure.empty()) return failure;
-        if (interrupted_) return {};
-      }
-    }
-    return {};
-  }
-
-  std::string play_once(const scene::Step& step, bool last) {
-    const auto held = state_.factors;
-    state_.energy_before_cycle_mJ = state_.energy_mJ;
-    double from = 0.0;
-    for (const double to : step_corners(problem_.scene.histories, step)) {
-      if (auto failure = play_between(step, held, from, to, problem_.scene.max_cutbacks); !failure.empty())
-        return failure;
-      if (observer_.interrupted && observer_.interrupted()) {
-        interrupted_ = true;
-        return {};
-      }
-      from = to;
-      show(step, last, to);
-    }
-    ++state_.counts.blocks;
+  static PlayedBlock played_block(const scene::Step& step, const SolidRunState& before, double cycle,
+                                  double step_cycles, long number, bool last) {
+    PlayedBlock block{before.cycle, cycle, number, last, false};
     if (step.cycles > 0.0) {
-      state_.cycle += 1.0;
-      ++state_.counts.cycles_solved;
-      for (std::size_t c = 0; c < state_.energy_mJ.size(); ++c)
-        state_.energy_last_cycle_mJ[c] = state_.energy_mJ[c] - state_.energy_before_cycle_mJ[c];
+      block.share_before = before.step_cycles / step.cycles;
+      block.share = step_cycles / step.cycles;
     }
-    return {};
+    return block;
   }
 
-  /// One increment; on failure it is halved, up to `depth` times.
-  std::string play_between(const scene::Step& step, const std::map<std::string, double>& held, double from, double to,
-                           int depth) {
-    const auto factors = factors_at(problem_.scene.histories, step, to, held);
-    if (auto failure = solve(step, factors, from, to); !failure.empty()) {
-      const std::string where = base::formatted("step \"%s\", cycle %.9g, progress %.4g to %.4g: ", step.name.c_str(),
-                                                state_.cycle, from, to) +
-                                failure;
-      if (depth == 0) return where;
-      ++state_.counts.cutbacks;
-      if (state_.cutback_reasons.size() < most_cutback_reasons) state_.cutback_reasons.push_back(where);
-      if (observer_.log) observer_.log("cut back: " + where);
-      const double middle = 0.5 * (from + to);
-      if (auto first = play_between(step, held, from, middle, depth - 1); !first.empty()) return first;
-      return play_between(step, held, middle, to, depth - 1);
+  SolidOutcome play_span(const SolidSpan& span, const SolidRunState& from, const SolidObserver& observer) {
+    return under_tolerance(*span.step) ? play_controlled_block(problem_, player_, from, span, observer)
+                                       : play_fixed_block(problem_, player_, from, span, observer, warnings_);
+  }
+
+  /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
+  SolidOutcome play_to_limit(SolidSpan span) {
+    if (!span.cycles || !solid_stop_ahead(problem_, state_)) return play_span(span, state_, observer_);
+    SolidRecording recording;
+    SolidOutcome outcome = play_span(span, state_, recording.observer(observer_));
+    for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
+      const auto share = share_to_solid_stop(problem_, player_.system(), state_, outcome.state, outcome.middle);
+      const double cycles = outcome.state.cycle - state_.cycle;
+      if (!share || cycles <= 1.0) break;
+      SolidRunState start = state_;
+      start.counts = outcome.state.counts;
+      span.jump = std::max(1.0, *share * cycles);
+      span.last = span.level = true;
+      recording = {};
+      outcome = play_span(span, start, recording.observer(observer_));
     }
-    accept(step, factors, to);
-    return {};
+    recording.play_back(observer_);
+    return outcome;
   }
 
-  /// Empty where the increment is solved; contact that outruns its touchable nodes gets more of them.
-  std::string solve(const scene::Step& step, const std::map<std::string, double>& factors, double from, double to) {
-    const solver::SolidOptions options{.max_newton = problem_.scene.max_newton};
-    for (;;) {
-      const auto& system = assembly_->system;
-      const auto target = target_at(problem_, system, state_.solution, factors, step, from, to);
-      auto solution = solver::solve_increment(system, state_.solution, target, options);
-      state_.mortar_s += solution.mortar_s;
-      state_.interface_s += solution.interface_s;
-      state_.counts.newton_iterations += solution.iterations;
-      if (!solution.converged) return why(solution);
-      if (outrun(system, solution) && grow(problem_, touchable_, rings_of_growth)) {
-        if (observer_.log) observer_.log("contact outruns the nodes it was prepared for: more of them are kept");
-        build();
-        continue;
-      }
-      solution_ = std::move(solution);
-      return {};
+  /// False when the run ends here.
+  bool next_block(const scene::Step& step) {
+    const SolidRunState before = state_;
+    SolidOutcome outcome = play_to_limit(next_span(step));
+    state_ = std::move(outcome.state);
+    if (outcome.solution) solution_ = std::move(outcome.solution);
+    failure_ = outcome.failure;
+    interrupted_ = outcome.interrupted;
+    if (!failure_.empty() || interrupted_) return false;
+    finish_block(step, before);
+    const bool stop = watch_solid_limits(problem_, player_.system(), before.cycle, outcome.middle, state_);
+    const bool last = stop || over(step, state_);
+    const auto block = played_block(step, before, state_.cycle, state_.step_cycles, state_.step_blocks, last);
+    if (observer_.frame && frame_due(problem_.scene.frames, block))
+      observer_.frame(solid_frame(problem_, player_.assembly(), *solution_, state_, step.name,
+                                  {state_.cycle, 1.0, problem_.scene.frames.paraview}));
+    return !stop;
+  }
+
+  void finish_block(const scene::Step& step, const SolidRunState& before) {
+    const double cycles = state_.cycle - before.cycle;
+    state_.step_cycles += cycles;
+    if (step.cycles > 0.0 && over(step, state_)) {
+      state_.cycle += left_of(step, state_);
+      state_.step_cycles = step.cycles;
     }
+    ++state_.step_blocks;
+    ++state_.counts.blocks;
+    const auto start = player_.brought_up(before);
+    state_.slid = slid_between(start.solution.wear, state_.solution.wear);
+    if (step.cycles > 0.0)
+      for (std::size_t c = 0; c < state_.energy_last_cycle_mJ.size(); ++c)
+        state_.energy_last_cycle_mJ[c] = (energy_of(state_, c) - energy_of(start, c)) / cycles;
   }
 
-  std::string why(const solver::SolidSolution& failure) const {
-    return failure.loose ? free_bodies_in_words(assembly_->system) + " (" + failure.reason + ")" : failure.reason;
-  }
-
-  void accept(const scene::Step& step, const std::map<std::string, double>& factors, double to) {
-    const auto energy = dissipated(*solution_);
-    for (std::size_t c = 0; c < energy.size(); ++c) state_.energy_mJ[c] += energy[c];
-    state_.solution = solution_->state;
-    state_.factors = factors;
-    ++state_.counts.increments;
-    state_.balance = std::max(state_.balance, imbalance_of_bodies(problem_, assembly_->system, *solution_));
-    watch_solid(problem_, assembly_->system, *solution_, warnings_);
-    record(step, to);
-  }
-
-  void record(const scene::Step& step, double to) {
-    if (observer_.increment) {
-      SolidIncrement row{step.name, state_.cycle + (step.cycles > 0.0 ? to : 0.0), to, solution_->iterations, {}, {}};
-      for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
-        row.contacts.push_back(contact_row(*solution_, c, problem_.contacts[c].options.friction, state_.energy_mJ[c]));
-      row.supports = support_rows(problem_, assembly_->system, *solution_);
-      observer_.increment(row);
+  void summarise_limits(SolidSummary& s) const {
+    for (const auto& limit : problem_.scene.limits) {
+      const auto life = state_.life_cycles.find(limit.name);
+      const bool reached = life != state_.life_cycles.end();
+      s.life_cycles[limit.name] = reached ? std::optional(life->second) : std::nullopt;
+      const auto measure = state_.limit_measure.find(limit.name);
+      s.limit_share[limit.name] = measure == state_.limit_measure.end() ? 0.0 : measure->second / bound_of(limit);
+      if (!limit.wear_factor) continue;
+      const auto& [lowest, highest] = *limit.wear_factor;
+      s.life_band[limit.name] = reached ? LifeBand{life->second / highest, life->second / lowest} : LifeBand{};
     }
-    if (observer_.progress) observer_.progress(progress_of(step, to));
+    s.life_error = state_.life_error;
+    s.error_cycle_jump = state_.jump_error;
   }
 
-  Progress progress_of(const scene::Step& step, double to) const {
-    Progress p;
-    p.step = step.name;
-    p.cycle = state_.cycle + (step.cycles > 0.0 ? to : 0.0);
-    p.cycles = step.cycles;
-    p.newton = solution_->iterations;
-    p.increments = std::max(1, step.increments);
-    p.increment = static_cast<int>(std::lround(to * p.increments));
-    p.fraction = to;
-    p.solved = static_cast<double>(state_.counts.increments);
-    p.to_be_solved = std::max(0.0, solid_increments(problem_) - p.solved);
-    return p;
-  }
-
-  /// Frames at the end of each step, of every increment where that is asked for, and as the rules of a step say.
-  void show(const scene::Step& step, bool last, double to) {
-    if (!observer_.frame) return;
-    const auto& rules = problem_.scene.frames;
-    const bool counted = rules.per_step > 0 && step.cycles > 0.0 && to == 1.0 &&
-                         std::fmod(state_.cycle + 1.0, std::max(1.0, std::ceil(step.cycles / rules.per_step))) == 0.0;
-    const bool end = last && to == 1.0;
-    if (!(end || counted || rules.every_increment || (rules.last_block && last))) return;
-    SolidRunState at = state_;
-    at.cycle += step.cycles > 0.0 ? to : 0.0;
-    observer_.frame(solid_frame(problem_, *assembly_, *solution_, at, step.name, to, rules.paraview));
-  }
-
-  SolidSummary summary(const std::string& failure) {
+  SolidSummary summary() {
     SolidSummary s;
     s.title = problem_.scene.title;
-    s.status = !failure.empty() ? RunStatus::failed : interrupted_ ? RunStatus::interrupted : RunStatus::done;
-    s.reason = interrupted_ ? "interrupted" : failure;
+    s.status = !failure_.empty() ? RunStatus::failed : interrupted_ ? RunStatus::interrupted : RunStatus::done;
+    s.reason = interrupted_ ? "interrupted" : failure_;
     s.cycles = state_.cycle;
     s.counts = state_.counts;
     s.balance = state_.balance;
     s.cutback_reasons = state_.cutback_reasons;
     s.scene_sha256 = problem_.scene.sha256;
     s.warnings = problem_.warnings;
+    s.warnings.insert(s.warnings.end(), player_.warnings().begin(), player_.warnings().end());
     s.warnings.insert(s.warnings.end(), warnings_.begin(), warnings_.end());
     if (solution_) {
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
-        s.contacts.push_back(contact_summary(problem_, assembly_->system, *solution_, c, state_));
-      s.probes = probe_values(problem_, *assembly_, *solution_);
+        s.contacts.push_back(contact_summary(problem_, player_.system(), *solution_, c, state_));
+      s.probes = probe_values(problem_, player_.assembly(), *solution_, state_);
     }
+    summarise_limits(s);
     s.size = planned_;
     s.size.retained = state_.retained;
     s.phase_seconds = {{"mesh", problem_.mesh_seconds},
@@ -221,15 +194,15 @@ class March {
 
   const SolidProblem& problem_;
   const SolidObserver& observer_;
-  Touchable touchable_;
+  std::chrono::steady_clock::time_point start_wall_ = std::chrono::steady_clock::now();
+  double start_cpu_ = cpu_seconds();
+  SolidPlayer player_;
   SolidSize planned_;
-  std::optional<SolidAssembly> assembly_;
-  std::optional<solver::SolidSolution> solution_;
   SolidRunState state_;
+  std::optional<solver::SolidSolution> solution_;
   std::vector<Warning> warnings_;
+  std::string failure_;
   bool interrupted_ = false;
-  std::chrono::steady_clock::time_point start_wall_;
-  double start_cpu_ = 0.0;
 };
 
 }  // namespace

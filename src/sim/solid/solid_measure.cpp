@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/solid/skin_depth.hpp"
+
 namespace reye::sim {
 
 namespace {
@@ -26,21 +28,10 @@ Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& st
 
 }  // namespace
 
-std::vector<double> dissipated(const solver::SolidSolution& solution) {
-  std::vector<double> energy;
-  for (std::size_t c = 0; c < solution.place.size(); ++c) {
-    const auto& place = solution.place[c];
-    double sum = 0.0;
-    for (int j = 0; j < place.count(); ++j)
-      if (solution.state.status[c][j] == SkinStatus::slip)
-        sum += place.covered[j] * place.frame[j].across(solution.nodes[c][j].traction).dot(solution.nodes[c][j].slip);
-    energy.push_back(sum);
-  }
-  return energy;
-}
-
-SkinContactRow contact_row(const solver::SolidSolution& solution, std::size_t c, double friction, double energy_mJ) {
+SkinContactRow contact_row(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t c,
+                           const SolidRunState& state) {
   SkinContactRow row;
+  const auto& setup = system.contacts[c];
   const auto& place = solution.place[c];
   Vec3 shear = Vec3::Zero();
   for (int j = 0; j < place.count(); ++j) {
@@ -50,13 +41,16 @@ SkinContactRow contact_row(const solver::SolidSolution& solution, std::size_t c,
     const double p = z.dot(frame.normal), area = place.covered[j];
     row.pressure_max_MPa = std::max(row.pressure_max_MPa, p);
     row.area_mm2 += area;
-    if (status_number(solution.state.status[c][j], friction) == 1) row.stick_area_mm2 += area;
+    if (status_number(solution.state.status[c][j], setup.options.friction) == 1) row.stick_area_mm2 += area;
     row.force_N -= area * z;
     row.normal_force_N += area * p;
     shear += area * frame.across(z);
   }
   row.tangential_force_N = shear.norm();
-  row.energy_mJ = energy_mJ;
+  row.energy_mJ = energy_of(state, c);
+  if (!setup.options.wear.wears()) return row;
+  row.depth_secondary_mm = deepest_of(setup.secondary, state.solution.wear[c].removed_secondary);
+  row.depth_primary_mm = deepest_of(setup.primary, state.solution.wear[c].removed_primary);
   return row;
 }
 

@@ -6,11 +6,8 @@
 /// What is seen of an increment that was solved.
 namespace reye::sim {
 
-/// Work that friction dissipated in the increment, per contact: sum of covered area x shear . slip [mJ].
-std::vector<double> dissipated(const solver::SolidSolution& solution);
-
-SkinContactRow contact_row(const solver::SolidSolution& solution, std::size_t contact, double friction,
-                           double energy_mJ);
+SkinContactRow contact_row(const solver::SolidSystem& system, const solver::SolidSolution& solution,
+                           std::size_t contact, const SolidRunState& state);
 
 /// Forces of contacts on the points of a body [N].
 base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t body);
@@ -22,9 +19,15 @@ std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::
 double imbalance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
                            const solver::SolidSolution& solution);
 
+/// The moment of a frame, and whether it shows the bodies.
+struct FrameMoment {
+  double cycle = 0.0, progress = 0.0;
+  bool bodies = true;
+};
+
 SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly,
                        const solver::SolidSolution& solution, const SolidRunState& state, const std::string& step,
-                       double progress, bool bodies);
+                       const FrameMoment& moment);
 
 SkinContactSummary contact_summary(const SolidProblem& problem, const solver::SolidSystem& system,
                                    const solver::SolidSolution& solution, std::size_t contact,
@@ -32,6 +35,6 @@ SkinContactSummary contact_summary(const SolidProblem& problem, const solver::So
 
 /// Displacements of the probes. Throws base::InputError for a point outside of its body.
 std::map<std::string, Vec3> probe_values(const SolidProblem& problem, const SolidAssembly& assembly,
-                                         const solver::SolidSolution& solution);
+                                         const solver::SolidSolution& solution, const SolidRunState& state);
 
 }  // namespace reye::sim

@@ -8,6 +8,7 @@
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
 #include "sim/problem/drive.hpp"
+#include "sim/problem/rules.hpp"
 
 namespace reye::sim {
 
@@ -21,13 +22,25 @@ std::string kind_of(const mesh::SolidMesh& mesh) {
   return mesh.kind == mesh::SolidKind::tet4 ? "tet4" : mesh.kind == mesh::SolidKind::tet10 ? "tet10" : "hex8";
 }
 
+/// How often a step is played: blocks of a fixed number of cycles, or, under a tolerance, of numbers that are taken to
+/// grow by half from block to block, to a tenth of the step, each played three times.
+double plays_of(const scene::Step& step) {
+  if (step.cycles <= 0.0) return 1.0;
+  if (!under_tolerance(step)) return std::ceil(step.cycles / step.jump - 1e-9);
+  double plays = 0.0, jump = step.jump;
+  for (double done = 0.0; done < step.cycles; done += jump) {
+    plays += 3.0;
+    jump = std::min({1.5 * jump, std::max(jump, 0.1 * step.cycles), step.jump_most});
+  }
+  return plays;
+}
+
 }  // namespace
 
 double solid_increments(const SolidProblem& problem) {
   double count = 0.0;
   for (const auto& step : problem.scene.steps)
-    count += static_cast<double>(step_corners(problem.scene.histories, step).size()) *
-             std::max(1.0, std::round(step.cycles));
+    count += static_cast<double>(step_corners(problem.scene.histories, step).size()) * plays_of(step);
   return count;
 }
 

@@ -18,12 +18,13 @@ using base::Vec3;
 /// A contact at the end of an increment.
 struct SkinContactRow {
   double pressure_max_MPa = 0.0;
-  double area_mm2 = 0.0;            ///< of the nodes in contact
-  double stick_area_mm2 = 0.0;      ///< of those that stick
-  Vec3 force_N = Vec3::Zero();      ///< on the secondary side
-  double normal_force_N = 0.0;      ///< int p dA
-  double tangential_force_N = 0.0;  ///< |int t dA|, of the shear alone
-  double energy_mJ = 0.0;           ///< dissipated since the start
+  double area_mm2 = 0.0;                                    ///< of the nodes in contact
+  double stick_area_mm2 = 0.0;                              ///< of those that stick
+  Vec3 force_N = Vec3::Zero();                              ///< on the secondary side
+  double normal_force_N = 0.0;                              ///< int p dA
+  double tangential_force_N = 0.0;                          ///< |int t dA|, of the shear alone
+  double energy_mJ = 0.0;                                   ///< dissipated since the start
+  double depth_secondary_mm = 0.0, depth_primary_mm = 0.0;  ///< largest worn depths
 };
 
 /// The resultant of a support on its body.
@@ -48,6 +49,7 @@ struct SkinRecord {
   std::vector<int> body, node;               ///< of each row
   Points3 x_mm, shear_MPa, slip_mm, normal;  ///< slip: path vector of this increment
   std::vector<double> pressure_MPa, area_mm2;
+  std::vector<double> wear_depth_mm;  ///< worn since the start
   std::vector<int> status;
   std::vector<mesh::Facet> facets;  ///< over the rows
 };
@@ -67,6 +69,10 @@ struct SolidFrame {
   std::vector<SkinRecord> surfaces;
 };
 
+struct SkinSideSummary {
+  double max_depth_mm = 0.0, worn_volume_mm3 = 0.0;
+};
+
 /// Values of a contact at the end of the last accepted increment.
 struct SkinContactSummary {
   std::string name;
@@ -75,6 +81,9 @@ struct SkinContactSummary {
   std::array<double, 2> half_widths_mm{};  ///< of the contact along its principal directions; 0: not known
   double normal_force_N = 0.0, tangential_force_N = 0.0, dissipated_energy_mJ = 0.0;
   std::optional<double> energy_last_cycle_mJ;  ///< dissipated in the last whole cycle
+  bool wears = false;                          ///< else the following are empty
+  SkinSideSummary secondary, primary;
+  std::optional<double> ledger_relative_error;
 };
 
 struct SolidSize {
@@ -90,6 +99,10 @@ struct SolidSummary {
   double cycles = 0.0;
   std::vector<SkinContactSummary> contacts;
   std::map<std::string, Vec3> probes;
+  std::map<std::string, std::optional<double>> life_cycles;  ///< by limit; as in Summary
+  std::map<std::string, double> life_error, limit_share;
+  std::map<std::string, LifeBand> life_band;
+  std::optional<double> error_cycle_jump;
   std::vector<Warning> warnings;
   Counts counts;
   double balance = 0.0;  ///< largest sum of forces on a body over the largest force, at any end of an increment

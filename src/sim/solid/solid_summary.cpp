@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
@@ -9,10 +10,30 @@
 
 namespace reye::sim {
 
+namespace {
+
+void add_wear(const contact::SkinWear& wear, const SkinContactRow& row, SkinContactSummary& summary) {
+  const auto side = [](double depth, const std::vector<double>& removed) {
+    return SkinSideSummary{depth, std::accumulate(removed.begin(), removed.end(), 0.0)};
+  };
+  summary.wears = true;
+  summary.secondary = side(row.depth_secondary_mm, wear.removed_secondary);
+  summary.primary = side(row.depth_primary_mm, wear.removed_primary);
+  const auto gone = [](double strip, const std::vector<double>& pending) {
+    return strip + std::accumulate(pending.begin(), pending.end(), 0.0);
+  };
+  if (wear.law_volume > 0.0)
+    summary.ledger_relative_error = wear::Ledger{wear.law_volume, gone(wear.strip_secondary, wear.pending_secondary),
+                                                 gone(wear.strip_primary, wear.pending_primary)}
+                                        .relative_error();
+}
+
+}  // namespace
+
 SkinContactSummary contact_summary(const SolidProblem& problem, const solver::SolidSystem& system,
                                    const solver::SolidSolution& solution, std::size_t c, const SolidRunState& state) {
   const auto& options = problem.contacts[c].options;
-  const auto row = contact_row(solution, c, options.friction, state.energy_mJ[c]);
+  const auto row = contact_row(system, solution, c, state);
   SkinContactSummary summary;
   summary.name = options.name;
   summary.normal_force_N = row.normal_force_N;
@@ -25,15 +46,15 @@ SkinContactSummary contact_summary(const SolidProblem& problem, const solver::So
   summary.stick_area_mm2 = row.stick_area_mm2;
   summary.equivalent_radius_mm = std::sqrt(patch.area() / std::numbers::pi);
   summary.half_widths_mm = patch.half_widths();
+  if (options.wear.wears()) add_wear(state.solution.wear[c], row, summary);
   return summary;
 }
 
 std::map<std::string, Vec3> probe_values(const SolidProblem& problem, const SolidAssembly& assembly,
-                                         const solver::SolidSolution& solution) {
+                                         const solver::SolidSolution& solution, const SolidRunState& state) {
   std::map<std::string, Vec3> values;
   if (problem.scene.probes.empty()) return values;
-  SolidRunState none;
-  const SolidFrame frame = solid_frame(problem, assembly, solution, none, "", 0.0, true);
+  const SolidFrame frame = solid_frame(problem, assembly, solution, state, "", {});
   std::vector<base::Issue> issues;
   for (const auto& probe : problem.scene.probes)
     for (const auto& body : frame.bodies)

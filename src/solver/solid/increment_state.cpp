@@ -7,6 +7,7 @@ SolidState initial_state(const SolidSystem& system) {
   for (const auto& contact : system.contacts) {
     state.traction.emplace_back(contact.count(), Vec3::Zero());
     state.status.emplace_back(contact.count(), contact::SkinStatus::open);
+    state.wear.push_back(contact::fresh_wear(contact));
   }
   state.a = Vector::Zero(system.free());
   state.s = Vector::Zero(system.driven());

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact/solid/cone.hpp"
+#include "contact/solid/skin_wear.hpp"
 #include "solver/solid/solid_system.hpp"
 
 namespace reye::solver {
@@ -12,9 +13,10 @@ namespace reye::solver {
 struct SolidState {
   std::vector<Points3> traction;
   std::vector<std::vector<contact::SkinStatus>> status;
-  Vector a;  ///< free motions
-  Vector s;  ///< driven values
-  Vector u;  ///< displacements of the points
+  std::vector<contact::SkinWear> wear;  ///< per contact
+  Vector a;                             ///< free motions
+  Vector s;                             ///< driven values
+  Vector u;                             ///< displacements of the points
 };
 
 /// Before anything has happened.
@@ -29,6 +31,7 @@ struct SolidTarget {
   Vector s;                      ///< driven values at its end
   std::vector<Points3> slip;     ///< per contact and secondary point: slip that is imposed, besides that of the motion
   std::vector<double> friction;  ///< per contact
+  std::vector<contact::SkinWearing> wear;  ///< per contact
 };
 
 /// How an attempt begins. natural: points are classified by their old tractions and the new motion; settled: shear is

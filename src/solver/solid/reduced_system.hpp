@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/solid/cone.hpp"
@@ -17,6 +18,15 @@ struct ReducedRow {
   double residual = 0.0;
 };
 
+/// The volume V that a sliding point wears off one side in the increment, beside the rows:
+///   dV = of_traction . dz + of_motion . dw,
+/// and what it adds to equations of normal contact: `opens` lists (row, c x opening of its gap per volume).
+struct WearRow {
+  int contact = 0, point = 0;
+  Vec3 of_traction = Vec3::Zero(), of_motion = Vec3::Zero();
+  std::vector<std::pair<int, double>> opens{};
+};
+
 /// The change of all unknowns in one Newton step.
 struct ReducedStep {
   Vector z;  ///< per row
@@ -27,6 +37,7 @@ struct ReducedStep {
 /// slip the shear along the slip is eliminated. Throws base::SolveError where the matrix is singular: then nothing
 /// holds a body.
 ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const Vector& imbalance);
+                          const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear,
+                          const Vector& imbalance);
 
 }  // namespace reye::solver

@@ -24,28 +24,6 @@ class Account {
   double start_;
 };
 
-/// -Q^T z of all contacts.
-Vector contact_forces(const SolidSystem& system, const std::vector<contact::SkinPlace>& places,
-                      const std::vector<Points3>& traction) {
-  Vector force = Vector::Zero(3 * system.points());
-  for (std::size_t c = 0; c < places.size(); ++c) add_contact_forces(places[c], traction[c], force);
-  return force;
-}
-
-/// Positions of all points.
-Vector positions(const SolidSystem& system, const Vector& u) {
-  Vector x = u;
-  std::vector<char> done(static_cast<std::size_t>(system.points()), 0);
-  for (const auto& contact : system.contacts)
-    for (const auto* side : {&contact.secondary, &contact.primary})
-      for (std::size_t i = 0; i < side->points.size(); ++i) {
-        const int column = side->points[i].column;
-        if (done[column]++) continue;
-        x.segment<3>(3 * column) += side->skin.x[i];
-      }
-  return x;
-}
-
 }  // namespace
 
 SolidIterate::SolidIterate(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
@@ -85,6 +63,9 @@ void SolidIterate::integrate() {
       else
         z = z.dot(known.normal) * frame.normal + frame.across(known.across(z));
     }
+  worn_.assign(place_.size(), {});
+  for (std::size_t c = 0; c < place_.size(); ++c)
+    if (system_.contacts[c].options.wear.wears()) worn_[c] = worn_contact(system_.contacts[c], place_[c], old_.wear[c]);
   evaluate();
 }
 
@@ -99,9 +80,28 @@ void SolidIterate::evaluate() {
     nodes_[c].resize(w.size());
     for (std::size_t j = 0; j < w.size(); ++j) {
       const auto& frame = place.frame[j];
-      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j] + target_.slip[c][j])};
+      // Without friction the halves beside a plane of symmetry may slide across it alike.
+      const Vec3& imposed = target_.slip[c][j];
+      const Vec3 slid = target_.friction[c] > 0.0 ? frame.across(imposed) : frame.tangential(imposed);
+      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j]) + slid, 0.0};
+      if (worn_[c].opened_before.size() > 0) nodes_[c][j].gap += worn_[c].opened_before[static_cast<Eigen::Index>(j)];
     }
   }
+  wear();
+}
+
+/// Wear of the increment; none while shear is kept, for then nothing slides.
+void SolidIterate::wear() {
+  for (std::size_t c = 0; c < place_.size(); ++c) {
+    if (!target_.wear[c].on || keep_shear_) continue;
+    std::vector<char> slides;
+    for (const Status status : now_.status[c]) slides.push_back(contact::slides(status, target_.friction[c]));
+    wear_points(system_.contacts[c], place_[c], old_.wear[c], target_.wear[c], slides, nodes_[c], worn_[c]);
+  }
+}
+
+bool SolidIterate::wears() const {
+  return std::any_of(target_.wear.begin(), target_.wear.end(), [](const auto& wearing) { return wearing.on; });
 }
 
 /// Where a body is free to move and touches nothing, the points nearest to the other side begin in contact.
@@ -176,9 +176,10 @@ bool SolidIterate::classify() {
     changed = true;
   }
   stick_all_ = false;
-  changed = changed || fresh != now_.status;
+  const bool differs = fresh != now_.status;
+  changed = changed || differs;
   now_.status = std::move(fresh);
-  if (project()) evaluate();
+  if (project() || (differs && wears())) evaluate();
   return changed;
 }
 
@@ -224,6 +225,18 @@ std::vector<ReducedRow> SolidIterate::rows() const {
   return rows;
 }
 
+std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows) const {
+  std::vector<WearRow> wear;
+  if (keep_shear_ || !wears()) return wear;
+  std::vector<std::vector<int>> normal_row;
+  for (const auto& place : place_) normal_row.emplace_back(place.frame.size(), -1);
+  for (int k = static_cast<int>(rows.size()) - 1; k >= 0; --k)  // of a point's rows the first is that of its gap
+    normal_row[rows[k].contact][rows[k].point] = k;
+  for (std::size_t c = 0; c < place_.size(); ++c)
+    if (target_.wear[c].on) add_wear_rows(system_.contacts[c], worn_[c], static_cast<int>(c), normal_row[c], wear);
+  return wear;
+}
+
 /// No step may carry the sides past each other: at most a quarter of the reach of the search.
 double SolidIterate::step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
   std::vector<Points3> change;
@@ -252,13 +265,18 @@ void SolidIterate::apply(const std::vector<ReducedRow>& rows, const ReducedStep&
 void SolidIterate::step() {
   const Account account(interface_s);
   const auto rows = this->rows();
-  const ReducedStep step = solve_reduced(system_, place_, rows, imbalance(system_, force_, now_.s));
+  const ReducedStep step = solve_reduced(system_, place_, rows, wear_rows(rows), imbalance(system_, force_, now_.s));
   apply(rows, step, step_share(rows, step));
 }
 
 void SolidIterate::let_shear_go() { keep_shear_ = false; }
 
 SolidSolution SolidIterate::take() {
+  for (std::size_t c = 0; c < place_.size(); ++c) {
+    const auto& openings = worn_[c].openings;
+    contact::book(system_.contacts[c], place_[c], openings, nodes_[c], now_.status[c], worn_[c].worn, target_.wear[c],
+                  now_.wear[c]);
+  }
   SolidSolution solution;
   solution.converged = true;
   solution.state = std::move(now_);

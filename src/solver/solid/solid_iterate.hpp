@@ -4,6 +4,7 @@
 
 #include "solver/solid/increment_state.hpp"
 #include "solver/solid/reduced_system.hpp"
+#include "solver/solid/worn_contact.hpp"
 
 namespace reye::solver {
 
@@ -38,9 +39,12 @@ class SolidIterate {
  private:
   using Status = contact::SkinStatus;
   void evaluate();
+  void wear();
   void seed();
   bool project();
   std::vector<ReducedRow> rows() const;
+  std::vector<WearRow> wear_rows(const std::vector<ReducedRow>& rows) const;
+  bool wears() const;
   void add_rows(int contact, int point, std::vector<ReducedRow>& rows) const;
   double step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
   void apply(const std::vector<ReducedRow>& rows, const ReducedStep& step, double share);
@@ -54,6 +58,7 @@ class SolidIterate {
   std::vector<mortar::SkinPairs> pairs_;
   std::vector<contact::SkinPlace> place_;
   std::vector<std::vector<contact::SkinNode>> nodes_;
+  std::vector<WornContact> worn_;  ///< per contact
   Vector force_;
   bool keep_shear_ = false, stick_all_ = false;
   int came_apart_ = 0;

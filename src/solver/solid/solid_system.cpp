@@ -78,6 +78,26 @@ void add_contact_forces(const contact::SkinPlace& place, const Points3& traction
   }
 }
 
+Vector contact_forces(const SolidSystem& system, const std::vector<contact::SkinPlace>& places,
+                      const std::vector<Points3>& traction) {
+  Vector force = Vector::Zero(3 * system.points());
+  for (std::size_t c = 0; c < places.size(); ++c) add_contact_forces(places[c], traction[c], force);
+  return force;
+}
+
+Vector positions(const SolidSystem& system, const Vector& u) {
+  Vector x = u;
+  std::vector<char> done(static_cast<std::size_t>(system.points()), 0);
+  for (const auto& contact : system.contacts)
+    for (const auto* side : {&contact.secondary, &contact.primary})
+      for (std::size_t i = 0; i < side->points.size(); ++i) {
+        const int column = side->points[i].column;
+        if (done[column]++) continue;
+        x.segment<3>(3 * column) += side->skin.x[i];
+      }
+  return x;
+}
+
 Vector imbalance(const SolidSystem& system, const Vector& force, const Vector& s) {
   Vector left = Vector::Zero(system.free());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {

@@ -41,6 +41,13 @@ Vector displacement(const SolidSystem& system, const Vector& force, const Vector
 /// Adds the forces -Q^T z of one contact.
 void add_contact_forces(const contact::SkinPlace& place, const Points3& traction, Vector& force);
 
+/// The forces of all contacts.
+Vector contact_forces(const SolidSystem& system, const std::vector<contact::SkinPlace>& places,
+                      const std::vector<Points3>& traction);
+
+/// Positions of all points at their displacements.
+Vector positions(const SolidSystem& system, const Vector& u);
+
 /// A^T f + B s: what is left of the balance in each free motion [N; N mm].
 Vector imbalance(const SolidSystem& system, const Vector& force, const Vector& s);
 

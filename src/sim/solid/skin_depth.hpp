@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "contact/solid/skin_setup.hpp"
+
+namespace reye::sim {
+
+/// Area of each point of a side on its present shape, int N_j over all its facets [mm^2].
+std::vector<double> point_areas(const contact::SkinSide& side);
+
+/// Worn depth at each node of a side, by the volumes that its points have lost: V / A, of mid nodes of tri6 facets the
+/// value of the Bernstein functions there [mm].
+std::vector<double> skin_depths(const contact::SkinSide& side, const std::vector<double>& removed);
+
+/// The largest of them; 0 where there are none.
+double deepest_of(const contact::SkinSide& side, const std::vector<double>& removed);
+
+}  // namespace reye::sim

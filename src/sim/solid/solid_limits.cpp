@@ -1,0 +1,67 @@
+#include "sim/solid/solid_limits.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/measure/limits.hpp"
+#include "sim/solid/skin_depth.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+double measure_of(const scene::Limit& limit, const contact::SkinSide& side, const std::vector<double>& removed) {
+  return limit.depth_mm ? deepest_of(side, removed) : std::accumulate(removed.begin(), removed.end(), 0.0);
+}
+
+}  // namespace
+
+std::map<std::string, double> solid_limit_measures(const SolidProblem& problem, const solver::SolidSystem& system,
+                                                   const SolidRunState& state) {
+  std::map<std::string, double> measures;
+  for (const auto& limit : problem.scene.limits)
+    for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+      const auto& setup = system.contacts[c];
+      if (setup.options.name != limit.contact) continue;
+      const auto& wear = state.solution.wear[c];
+      const double secondary = measure_of(limit, setup.secondary, wear.removed_secondary);
+      const double primary = measure_of(limit, setup.primary, wear.removed_primary);
+      measures[limit.name] = limit.side == "secondary" ? secondary
+                             : limit.side == "primary" ? primary
+                                                       : secondary + primary;
+    }
+  return measures;
+}
+
+bool watch_solid_limits(const SolidProblem& problem, const solver::SolidSystem& system, double cycle_before,
+                        const std::map<std::string, double>& middle, SolidRunState& state) {
+  return note_limits(problem.scene.limits, solid_limit_measures(problem, system, state),
+                     {cycle_before, state.cycle, state.jump_error}, middle,
+                     {state.life_cycles, state.life_error, state.limit_measure});
+}
+
+std::optional<double> share_to_solid_stop(const SolidProblem& problem, const solver::SolidSystem& system,
+                                          const SolidRunState& before, const SolidRunState& after,
+                                          const std::map<std::string, double>& middle) {
+  auto cycles = before.life_cycles;
+  auto error = before.life_error;
+  auto measure = before.limit_measure;
+  return share_to_limit(problem.scene.limits, solid_limit_measures(problem, system, after), middle,
+                        {cycles, error, measure});
+}
+
+bool stopped_by_limit(const SolidProblem& problem, const SolidRunState& state) {
+  const auto& limits = problem.scene.limits;
+  return std::any_of(limits.begin(), limits.end(), [&](const auto& limit) {
+    const auto now = state.limit_measure.find(limit.name);
+    return limit.stop && now != state.limit_measure.end() && is_reached(limit, now->second);
+  });
+}
+
+bool solid_stop_ahead(const SolidProblem& problem, const SolidRunState& state) {
+  const auto& limits = problem.scene.limits;
+  return std::any_of(limits.begin(), limits.end(),
+                     [&](const auto& limit) { return limit.stop && !state.life_cycles.contains(limit.name); });
+}
+
+}  // namespace reye::sim

@@ -1,0 +1,18 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "sim/solid/solid_records.hpp"
+
+namespace reye::sim {
+
+/// Callbacks that observe a run of solids; every member may be empty.
+struct SolidObserver {
+  std::function<void(const Progress&)> progress;
+  std::function<void(const SolidIncrement&)> increment;
+  std::function<void(const SolidFrame&)> frame;
+  std::function<void(const std::string&)> log;
+  std::function<bool()> interrupted;  ///< asked after each increment
+};
+
+}  // namespace reye::sim

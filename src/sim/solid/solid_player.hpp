@@ -1,0 +1,51 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "sim/solid/solid_observer.hpp"
+#include "sim/solid/solid_span.hpp"
+#include "sim/solid/touchable.hpp"
+
+namespace reye::sim {
+
+/// Plays cycles and load steps on the present shapes. It owns the equations, which are made of the shapes and of the
+/// nodes that contact may touch; states made before there were more of these are carried onto them.
+class SolidPlayer {
+ public:
+  explicit SolidPlayer(const SolidProblem& problem);
+
+  /// The state before the first increment.
+  SolidRunState begin();
+  /// A state carried onto the present points.
+  SolidRunState brought_up(SolidRunState state) const;
+  /// One play of the span's step. Rows, frames inside and progress go to `observer`.
+  SolidOutcome play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer);
+  /// Makes the equations of other shapes, with the state's values carried onto them. Bodies that have not changed keep
+  /// theirs. Throws base::SolveError.
+  void reshape(SolidRunState& state, SolidMeshes meshes);
+
+  const SolidAssembly& assembly() const { return *assembly_; }
+  const solver::SolidSystem& system() const { return assembly_->system; }
+  /// What increments have shown that a reader must know.
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+ private:
+  struct Playing;
+  void build(SolidRunState& state);
+  void bring_up(SolidRunState& state) const;
+  std::string play_between(Playing& play, double from, double to, int depth);
+  std::string solve(Playing& play, const std::map<std::string, double>& factors, double from, double to);
+  void accept(Playing& play, const std::map<std::string, double>& factors, double to);
+  void record(const Playing& play, double to) const;
+
+  const SolidProblem& problem_;
+  Touchable touchable_;
+  std::optional<SolidAssembly> assembly_;
+  std::vector<Warning> warnings_;
+};
+
+/// The row of the history for an increment.
+SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system,
+                      const solver::SolidSolution& solution, const SolidRunState& state);
+
+}  // namespace reye::sim

@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+
+#include "sim/solid/solid_measure.hpp"
+
+namespace reye::sim {
+
+/// The part of a step that one block plays.
+struct SolidSpan {
+  const scene::Step* step = nullptr;
+  double jump = 1.0;  ///< cycles of this block; 1 for a load step
+  bool cycles = false;
+  bool last = false;     ///< no block of the step comes after it
+  bool recorded = true;  ///< its increments are rows of the history
+  bool level = false;    ///< its end is shown: under a tolerance levelling cycles are its last part
+};
+
+/// A state with the increment that led to it, or the reason of a failure.
+struct SolidOutcome {
+  SolidRunState state;
+  std::optional<solver::SolidSolution> solution;  ///< of the last increment
+  std::string failure;                            ///< empty when the state is accepted
+  bool interrupted = false;
+  std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
+};
+
+}  // namespace reye::sim

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include "support/solid_hertz.hpp"
+
+using namespace reye;
+using base::Vec3;
+
+namespace {
+
+/// A block on a block, pressed with p = 10 MPa on its top, or held there; meshes do not match. nu = 0 and sides on
+/// planes of symmetry keep the pressure even. Sliding along x is imposed, friction 0.3.
+struct SlidingBlocks {
+  double alpha_secondary = 2e-4, alpha_primary = 1e-4;  ///< [mm^2/N]
+  mesh::SolidKind lower = mesh::SolidKind::hex8, upper = mesh::SolidKind::hex8;
+  bool held = false;  ///< the top is held at the depth of the pressure: the column
+  static constexpr double E = 2e3, p = 10.0, mu = 0.3;
+
+  sim::SolidProblem problem(double slide_mm, int increments, double cycles = 0.0, double jump = 1.0) const {
+    auto below = support::solid(
+        "below", support::block(lower, {3, 3, 1}, Vec3::Ones(), support::box({0, 0, 0}, {1, 1, 1})), E, 0.0);
+    auto above = support::solid(
+        "above", support::block(upper, {2, 2, 1}, Vec3::Ones(), support::box({0, 0, 1}, {1, 1, 2})), E, 0.0);
+    for (auto* body : {&below, &above}) {
+      body->supports = {support::symmetry(body->name + "_x", "x0"), support::symmetry(body->name + "_x1", "x1"),
+                        support::symmetry(body->name + "_y", "y0"), support::symmetry(body->name + "_y1", "y1")};
+    }
+    below.supports.push_back(support::symmetry("bottom", "z0"));
+    if (held) {
+      body::SolidSupport top = support::by_node("top", "z1", {});
+      top.along[2] = support::moved(-2.0 * p / E, "press");
+      above.supports.push_back(top);
+    } else {
+      body::SolidLoad press;
+      press.name = press.face = "z1";
+      press.pressure_MPa = p;
+      press.history = "press";
+      above.loads = {press};
+    }
+    auto all = support::problem_of({below, above}, {0, "z1"}, {1, "z0"}, 0.0, 0.2);
+    auto& options = all.contacts[0].options;
+    options.wear.kind = wear::LawKind::archard;  // mu p = 0.3 p: as the energy law with friction
+    options.wear.secondary = mu * alpha_secondary;
+    options.wear.primary = mu * alpha_primary;
+    options.sliding = {{.direction = Vec3::UnitX(), .parts = {{slide_mm, ""}}}};
+    all.scene.histories["press"] = {{0.0, 0.0}, {1.0, 1.0}};
+    auto slide = support::step_of(increments, {}, cycles);
+    slide.wear = true;
+    slide.jump = jump;
+    slide.name = "slide";
+    all.scene.steps = {support::step_of(1, {"press"}), slide};
+    return all;
+  }
+};
+
+}  // namespace
+
+TEST(SolidWear, BlocksUnderALoadWearByTheLaw) {
+  // Under an even pressure that a load keeps up, both blocks lose k p s everywhere, exactly, whatever the meshes, and
+  // the ledger closes.
+  for (const auto& [lower, upper] : {std::pair{mesh::SolidKind::hex8, mesh::SolidKind::hex8},
+                                     std::pair{mesh::SolidKind::hex8, mesh::SolidKind::tet4},
+                                     std::pair{mesh::SolidKind::tet10, mesh::SolidKind::hex8}}) {
+    SlidingBlocks blocks;
+    blocks.lower = lower;
+    blocks.upper = upper;
+    const auto played = support::play(blocks.problem(100.0, 4));
+    ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+    const double depth = blocks.mu * blocks.alpha_secondary * blocks.p * 100.0;
+    const auto& frame = played.frames.back();
+    for (const double d : frame.surfaces[0].wear_depth_mm) EXPECT_NEAR(d, depth, 1e-10 * depth);
+    for (const double d : frame.surfaces[1].wear_depth_mm) EXPECT_NEAR(d, 0.5 * depth, 1e-10 * depth);
+    const auto& contact = played.summary.contacts[0];
+    EXPECT_NEAR(contact.secondary.worn_volume_mm3, depth, 1e-12 * depth);
+    EXPECT_NEAR(contact.primary.worn_volume_mm3, 0.5 * depth, 1e-12 * depth);
+    EXPECT_LE(*contact.ledger_relative_error, 1e-13);
+  }
+}
+
+TEST(SolidWear, AHeldColumnLosesItsPressureByBackwardEuler) {
+  // Blocks whose far ends are held lose pressure as they wear: dp = -(E / 2) k p ds, and each increment is a step of
+  // backward Euler, p = p_0 / (1 + (E / 2) k s) to 1e-12, whatever its size.
+  SlidingBlocks blocks;
+  blocks.held = true;
+  const auto played = support::play(blocks.problem(10.0, 5));
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  const double k = blocks.mu * (blocks.alpha_secondary + blocks.alpha_primary), step = 2.0;
+  double p = blocks.p;
+  for (std::size_t i = 1; i < played.rows.size(); ++i) {
+    p /= 1.0 + 0.5 * blocks.E * k * step;
+    EXPECT_NEAR(played.rows[i].contacts[0].pressure_max_MPa, p, 1e-10 * blocks.p);
+    EXPECT_NEAR(played.rows[i].contacts[0].normal_force_N, p, 1e-10 * blocks.p);
+    EXPECT_LE(played.rows[i].newton, 6);
+  }
+}
+
+TEST(SolidWear, AJumpStandsForItsCycles) {
+  // Blocks of ten cycles wear ten times what one cycle does; their sum is the law's volume.
+  SlidingBlocks blocks;
+  const auto played = support::play(blocks.problem(1.0, 2, 100.0, 10.0));
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  EXPECT_EQ(played.summary.counts.cycles_solved, 10);
+  EXPECT_DOUBLE_EQ(played.summary.cycles, 100.0);
+  const double depth = blocks.mu * blocks.alpha_secondary * blocks.p * 100.0;
+  EXPECT_NEAR(played.summary.contacts[0].secondary.max_depth_mm, depth, 1e-10 * depth);
+}
+
+TEST(SolidWear, AToleranceIsHeldByTheColumn) {
+  // Under a tolerance of 1 % the depth of the held column comes within 1 % of its differential equation, with few of
+  // the cycles played, and the run says no less than its error.
+  SlidingBlocks blocks;
+  blocks.held = true;
+  auto problem = blocks.problem(0.002, 1, 10000.0, 1.0);
+  problem.scene.steps[1].jump_tolerance = 0.01;
+  problem.scene.steps[1].jump = 10.0;
+  const auto played = support::play(problem);
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  const double k = blocks.mu * (blocks.alpha_secondary + blocks.alpha_primary);
+  const double lost = 2.0 * blocks.p / blocks.E * (1.0 - std::exp(-0.5 * blocks.E * k * 20.0));
+  const double exact = lost * blocks.alpha_secondary / (blocks.alpha_secondary + blocks.alpha_primary);
+  const double error = std::abs(played.summary.contacts[0].secondary.max_depth_mm / exact - 1.0);
+  EXPECT_LE(error, 0.01);
+  EXPECT_LE(error, 3.0 * *played.summary.error_cycle_jump + 1e-4);
+  EXPECT_LE(played.summary.counts.cycles_solved, 150);
+  EXPECT_LE(*played.summary.contacts[0].ledger_relative_error, 1e-12);
+}
+
+TEST(SolidWear, ALimitEndsTheRunAtItsDepth) {
+  // A limit that stops the run ends it at the cycle at which its depth is reached, within a thousandth.
+  SlidingBlocks blocks;
+  auto problem = blocks.problem(1.0, 1, 1000.0, 30.0);
+  const double per_cycle = blocks.mu * blocks.alpha_secondary * blocks.p;
+  scene::Limit limit;
+  limit.name = "deep";
+  limit.contact = "pad";
+  limit.side = "secondary";
+  limit.depth_mm = 123.4 * per_cycle;
+  limit.stop = true;
+  problem.scene.limits = {limit};
+  const auto played = support::play(problem);
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  ASSERT_TRUE(played.summary.life_cycles.at("deep").has_value());
+  EXPECT_NEAR(*played.summary.life_cycles.at("deep"), 123.4, 0.13);
+  EXPECT_NEAR(played.summary.cycles, 123.4, 0.13);
+}
+
+TEST(SolidWear, ABallWornFlatLosesTheCapOfItsPath) {
+  // A ball that slides on a flat under a load of P loses V = k P s, but for the slope of its surface, whose square is
+  // below 1e-4, and needs few iterations on its way.
+  support::HertzCase c;
+  c.elements = 5.0;
+  auto problem = support::hertz_problem(c);
+  auto& options = problem.contacts[0].options;
+  options.wear.kind = wear::LawKind::archard;
+  options.wear.secondary = 1e-8;
+  options.sliding = {{.direction = Vec3::UnitX(), .parts = {{200.0, ""}}}};
+  problem.scene.geometry.fine_zones[0].radius_mm = 1.6 * c.a_mm;
+  problem.scene.steps[0].wear = false;
+  problem.scene.steps.push_back(support::step_of(4));
+  problem.scene.steps[1].wear = true;
+  const auto played = support::play(problem);
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  const double volume = 1e-8 * c.force() * 200.0;
+  const auto& contact = played.summary.contacts[0];
+  EXPECT_NEAR(contact.secondary.worn_volume_mm3 / c.share(), volume, 1e-4 * volume);
+  EXPECT_LE(*contact.ledger_relative_error, 1e-13);
+  EXPECT_GT(contact.secondary.max_depth_mm, 0.0);
+  EXPECT_LE(played.summary.counts.newton_iterations, 8 * played.summary.counts.increments);
+}
