@@ -33,6 +33,7 @@ struct SkinSetup {
   SkinSide secondary, primary;
   std::vector<double> stiffness;  ///< c_n = c_t per secondary point: E / h [MPa/mm]
   double search = 0.0;
+  std::vector<int> order;  ///< secondary points along a curve through space: neighbours follow each other
 
   int count() const { return static_cast<int>(secondary.points.size()); }
 };
