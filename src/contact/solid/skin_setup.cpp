@@ -1,5 +1,6 @@
 #include "contact/solid/skin_setup.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -74,6 +75,26 @@ class SideBuilder {
   SkinSide side_;
 };
 
+/// Lebesgue's curve: the bits of the three places in the box of all points, taken in turn.
+std::vector<int> along_a_curve(const Points3& x) {
+  constexpr int bits = 10;
+  Eigen::AlignedBox3d box;
+  for (const auto& point : x) box.extend(point);
+  std::vector<std::pair<unsigned, int>> keys;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const base::Vec3 share = (x[j] - box.min()) / std::max(box.sizes().maxCoeff(), 1e-300);
+    const Eigen::Vector3i cell = (share * ((1 << bits) - 1)).cast<int>();
+    unsigned key = 0;
+    for (int bit = bits - 1; bit >= 0; --bit)
+      for (int axis = 0; axis < 3; ++axis) key = 2 * key + ((static_cast<unsigned>(cell[axis]) >> bit) & 1U);
+    keys.emplace_back(key, static_cast<int>(j));
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> order;
+  for (const auto& [key, point] : keys) order.push_back(point);
+  return order;
+}
+
 }  // namespace
 
 SkinSide make_side(const std::vector<FaceRef>& faces, const std::vector<const mesh::SolidMesh*>& meshes,
@@ -85,9 +106,10 @@ SkinSide make_side(const std::vector<FaceRef>& faces, const std::vector<const me
 
 SkinSetup make_skin_setup(const SkinContactOptions& options, SkinSide secondary, SkinSide primary, double modulus_MPa,
                           double search) {
-  SkinSetup setup{options, std::move(secondary), std::move(primary), {}, {}, search};
+  SkinSetup setup{options, std::move(secondary), std::move(primary), {}, {}, search, {}};
   setup.primary_area = mortar::nodal_areas(setup.primary.skin);
   const auto& skin = setup.secondary.skin;
+  setup.order = along_a_curve(skin.x);
   std::vector<double> longest(skin.x.size(), 0.0);
   for (const auto& facet : skin.facets) {
     const double size = std::sqrt(mesh::facet_area(skin.x, facet));

@@ -34,6 +34,7 @@ struct SkinSetup {
   std::vector<double> stiffness;  ///< c_n = c_t per secondary point: E / h [MPa/mm]
   base::Vector primary_area;      ///< of the primary points, on X [mm^2]
   double search = 0.0;
+  std::vector<int> order;  ///< secondary points along a curve through space: neighbours follow each other
 
   int count() const { return static_cast<int>(secondary.points.size()); }
 };

@@ -1,5 +1,7 @@
 #include "solver/solid/increment_state.hpp"
 
+#include <algorithm>
+
 namespace reye::solver {
 
 SolidState initial_state(const SolidSystem& system) {
@@ -13,6 +15,12 @@ SolidState initial_state(const SolidSystem& system) {
   state.s = Vector::Zero(system.driven());
   state.u = Vector::Zero(3 * system.points());
   return state;
+}
+
+bool touched(const SolidState& state) {
+  return std::any_of(state.status.begin(), state.status.end(), [](const auto& contact) {
+    return std::any_of(contact.begin(), contact.end(), [](auto s) { return s != contact::SkinStatus::open; });
+  });
 }
 
 Vector displacements_of(const SolidSystem& system, const SolidState& state) {

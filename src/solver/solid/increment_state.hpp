@@ -22,6 +22,9 @@ struct SolidState {
 /// Before anything has happened.
 SolidState initial_state(const SolidSystem& system);
 
+/// Whether any point was in contact.
+bool touched(const SolidState& state);
+
 /// Displacements of all points that belong to a state's tractions, drives and free motions, integrated without
 /// displacements: to begin from after the points were chosen again.
 Vector displacements_of(const SolidSystem& system, const SolidState& state);
@@ -34,8 +37,9 @@ struct SolidTarget {
   std::vector<contact::SkinWearing> wear;  ///< per contact
 };
 
-/// How an attempt begins. natural: points are classified by their old tractions and the new motion; settled: shear is
-/// kept until normal contact has settled; sticking: every closed point sticks at first.
+/// How an attempt begins. natural: what was closed stays closed in the first step, and sticks or slips by its old
+/// traction and the new motion; settled: shear is kept until normal contact has settled; sticking: every closed point
+/// sticks at first.
 enum class SolidStart { natural, settled, sticking };
 
 /// An increment that was solved, or why it was not.

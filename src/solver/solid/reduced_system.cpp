@@ -3,6 +3,7 @@
 #include <map>
 
 #include "algebra/factor.hpp"
+#include "algebra/gathered_product.hpp"
 #include "base/errors.hpp"
 
 namespace reye::solver {
@@ -49,25 +50,9 @@ Columns columns_of(const SolidSystem& system, std::span<const contact::SkinPlace
 
 /// J -= motion^T C force of one body.
 void subtract_compliance(const Matrix& C, const Columns& columns, int begin, Matrix& J) {
-  const int end = begin + static_cast<int>(C.rows());
-  const int count = static_cast<int>(columns.force.cols()), motions = static_cast<int>(columns.motion.cols());
-  Vector moved(C.rows());
-  for (int k = 0; k < count; ++k) {
-    moved.setZero();
-    bool any = false;
-    for (SparseMatrix::InnerIterator it(columns.force, k); it; ++it)
-      if (it.row() >= begin && it.row() < end) {
-        moved.noalias() += it.value() * C.col(it.row() - begin);
-        any = true;
-      }
-    if (!any) continue;
-    for (int i = 0; i < motions; ++i) {
-      double sum = 0.0;
-      for (SparseMatrix::InnerIterator it(columns.motion, i); it; ++it)
-        if (it.row() >= begin && it.row() < end) sum += it.value() * moved[it.row() - begin];
-      J(i, k) -= sum;
-    }
-  }
+  const SparseMatrix motion = columns.motion.middleRows(begin, C.rows());
+  const SparseMatrix force = columns.force.middleRows(begin, C.rows());
+  J.topLeftCorner(motion.cols(), force.cols()) -= algebra::gathered_product(motion, C, force);
 }
 
 /// `balance`: the rows of J where the equations of free motions begin.

@@ -33,7 +33,8 @@ SolidIterate::SolidIterate(const SolidSystem& system, const SolidState& old, con
       target_(target),
       now_(old),
       keep_shear_(start == SolidStart::settled),
-      stick_all_(start == SolidStart::sticking) {
+      stick_all_(start == SolidStart::sticking),
+      as_before_(start == SolidStart::natural && touched(old)) {
   now_.s = target.s;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {  // what is driven moves at once, the rest follows by Newton
     const auto& U = system.bodies[b].U();
@@ -130,7 +131,8 @@ SolidIterate::Status SolidIterate::decide(int c, int j) const {
   const auto& place = place_[c];
   const auto& node = nodes_[c][j];
   const double stiffness = system_.contacts[c].stiffness[j];
-  if (!place.carries[j] || !contact::closed(node, place.frame[j], stiffness)) return Status::open;
+  const bool closed = as_before_ ? now_.status[c][j] != Status::open : contact::closed(node, place.frame[j], stiffness);
+  if (!place.carries[j] || !closed) return Status::open;
   if (stick_all_ || friction(c) == 0.0) return Status::stick;
   const Status status = contact::tangential_status(node, place.frame[j], friction(c), stiffness);
   // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro.
@@ -175,9 +177,14 @@ bool SolidIterate::classify() {
     fresh = now_.status;
     changed = true;
   }
+<<<<<<< HEAD
   stick_all_ = false;
   const bool differs = fresh != now_.status;
   changed = changed || differs;
+=======
+  stick_all_ = as_before_ = false;
+  changed = changed || fresh != now_.status;
+>>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
   now_.status = std::move(fresh);
   if (project() || (differs && wears())) evaluate();
   return changed;
@@ -220,11 +227,12 @@ void SolidIterate::add_rows(int c, int j, std::vector<ReducedRow>& rows) const {
 std::vector<ReducedRow> SolidIterate::rows() const {
   std::vector<ReducedRow> rows;
   for (std::size_t c = 0; c < place_.size(); ++c)
-    for (int j = 0; j < place_[c].count(); ++j)
+    for (const int j : system_.contacts[c].order)
       if (now_.status[c][j] != Status::open) add_rows(static_cast<int>(c), j, rows);
   return rows;
 }
 
+<<<<<<< HEAD
 std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows) const {
   std::vector<WearRow> wear;
   if (keep_shear_ || !wears()) return wear;
@@ -239,11 +247,18 @@ std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows
 
 /// No step may carry the sides past each other: at most a quarter of the reach of the search.
 double SolidIterate::step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
+=======
+/// The change of displacements that a step brings.
+Vector SolidIterate::moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
+>>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
   std::vector<Points3> change;
   for (const auto& traction : now_.traction) change.emplace_back(traction.size(), Vec3::Zero());
   for (std::size_t k = 0; k < rows.size(); ++k) change[rows[k].contact][rows[k].point] += step.z[k] * rows[k].along;
-  const Vector moved =
-      displacement(system_, contact_forces(system_, place_, change), Vector::Zero(system_.driven()), step.a);
+  return displacement(system_, contact_forces(system_, place_, change), Vector::Zero(system_.driven()), step.a);
+}
+
+/// No step may carry the sides past each other: at most a quarter of the reach of the search.
+double SolidIterate::step_share(const Vector& moved) const {
   double share = 1.0;
   for (std::size_t c = 0; c < place_.size(); ++c) {
     const Points3 w = contact::relative(place_[c], moved);
@@ -255,18 +270,21 @@ double SolidIterate::step_share(const std::vector<ReducedRow>& rows, const Reduc
   return share;
 }
 
-void SolidIterate::apply(const std::vector<ReducedRow>& rows, const ReducedStep& step, double share) {
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    now_.traction[rows[k].contact][rows[k].point] += share * step.z[k] * rows[k].along;
-  now_.a += share * step.a;
-  evaluate();
-}
-
 void SolidIterate::step() {
   const Account account(interface_s);
   const auto rows = this->rows();
+<<<<<<< HEAD
   const ReducedStep step = solve_reduced(system_, place_, rows, wear_rows(rows), imbalance(system_, force_, now_.s));
   apply(rows, step, step_share(rows, step));
+=======
+  const ReducedStep step = solve_reduced(system_, place_, rows, imbalance(system_, force_, now_.s));
+  const Vector moved = moved_by(rows, step);
+  const double share = step_share(moved);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    now_.traction[rows[k].contact][rows[k].point] += share * step.z[k] * rows[k].along;
+  now_.a += share * step.a;
+  now_.u += share * moved;
+>>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
 }
 
 void SolidIterate::let_shear_go() { keep_shear_ = false; }

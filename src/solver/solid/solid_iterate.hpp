@@ -25,7 +25,7 @@ class SolidIterate {
     double balance = 0.0;       ///< imbalance over the sum of forces
   };
   Error error() const;
-  /// One Newton step. Throws base::SolveError.
+  /// One Newton step; the integrals are to follow. Throws base::SolveError.
   void step();
   /// Shear that was kept while normal contact settled is let go.
   void let_shear_go();
@@ -46,8 +46,8 @@ class SolidIterate {
   std::vector<WearRow> wear_rows(const std::vector<ReducedRow>& rows) const;
   bool wears() const;
   void add_rows(int contact, int point, std::vector<ReducedRow>& rows) const;
-  double step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
-  void apply(const std::vector<ReducedRow>& rows, const ReducedStep& step, double share);
+  Vector moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
+  double step_share(const Vector& moved) const;
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
 
@@ -61,6 +61,7 @@ class SolidIterate {
   std::vector<WornContact> worn_;  ///< per contact
   Vector force_;
   bool keep_shear_ = false, stick_all_ = false;
+  bool as_before_ = false;  ///< what was closed stays closed until a step was made
   int came_apart_ = 0;
 };
 

@@ -22,12 +22,6 @@ double faint_traction(const SolidSystem& system) {
   return faint * largest;
 }
 
-bool touched(const SolidState& state) {
-  return std::any_of(state.status.begin(), state.status.end(), [](const auto& contact) {
-    return std::any_of(contact.begin(), contact.end(), [](auto s) { return s != contact::SkinStatus::open; });
-  });
-}
-
 SolidSolution failed(std::string reason, int iterations, std::vector<double> errors) {
   SolidSolution solution;
   solution.reason = std::move(reason);

@@ -54,6 +54,20 @@ SolidSystem make_system(std::vector<body::SolidBody> bodies) {
   return system;
 }
 
+namespace {
+
+/// u += C f, with the columns of points that bear no force left out: most are open.
+void add_compliance(const Matrix& C, const Vector& force, Eigen::Ref<Vector> u) {
+  for (Eigen::Index first = 0; first < force.size(); first += 3) {
+    Eigen::Index end = first;
+    while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
+    if (end > first) u.noalias() += C.middleCols(first, end - first) * force.segment(first, end - first);
+    first = end;
+  }
+}
+
+}  // namespace
+
 Vector displacement(const SolidSystem& system, const Vector& force, const Vector& s, const Vector& a) {
   Vector u = Vector::Zero(3 * system.points());
   const Vector left = imbalance(system, force, s);
@@ -61,7 +75,7 @@ Vector displacement(const SolidSystem& system, const Vector& force, const Vector
     const auto& body = system.bodies[b];
     const int rows = 3 * static_cast<int>(body.retained().size());
     auto own = u.segment(3 * system.first_point[b], rows);
-    if (system.yields[b]) own.noalias() += body.C() * force.segment(3 * system.first_point[b], rows);
+    if (system.yields[b]) add_compliance(body.C(), force.segment(3 * system.first_point[b], rows), own);
     own.noalias() += body.U() * s.segment(system.first_driven[b], body.U().cols());
     own.noalias() += body.A() * a.segment(system.first_free[b], body.A().cols());
     if (system.yields[b] && body.A().cols() > 0)

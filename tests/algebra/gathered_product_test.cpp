@@ -1,0 +1,39 @@
+#include "algebra/gathered_product.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace reye;
+
+namespace {
+
+base::SparseMatrix scattered(int rows, int columns, int per_column, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  std::vector<base::Triplet> entries;
+  for (int k = 0; k < columns; ++k)
+    for (int i = 0; i < per_column; ++i)
+      entries.emplace_back(
+          static_cast<int>((static_cast<unsigned>(7 * k) + random() % 40) % static_cast<unsigned>(rows)), k,
+          number(random));
+  base::SparseMatrix A(rows, columns);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+}  // namespace
+
+TEST(GatheredProduct, IsTheProductOfTheWholeMatrices) {
+  // Whatever the number of columns, none and empty ones included, the product is that of the dense matrices.
+  std::mt19937_64 random(3);
+  const base::Matrix half = base::Matrix::Random(90, 90), C = half + half.transpose();
+  for (const auto& [left, right, entries] :
+       {std::array{70, 33, 5}, std::array{1, 64, 9}, std::array{0, 5, 3}, std::array{5, 0, 3}, std::array{40, 40, 0}}) {
+    const auto L = scattered(90, left, entries, random), R = scattered(90, right, entries, random);
+    const base::Matrix expected = base::Matrix(L).transpose() * C * base::Matrix(R);
+    const base::Matrix product = algebra::gathered_product(L, C, R);
+    ASSERT_EQ(product.rows(), left);
+    ASSERT_EQ(product.cols(), right);
+    EXPECT_LE((product - expected).lpNorm<1>(), 1e-11);
+  }
+}
