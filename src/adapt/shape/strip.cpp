@@ -1,8 +1,8 @@
 #include "adapt/shape/strip.hpp"
 
-#include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "adapt/shape/exact_factor.hpp"
 
 namespace reye::adapt {
 
@@ -62,17 +62,7 @@ double strip_between(Analysis analysis, const Points& before, const Points& afte
 
 double exact_factor(Analysis analysis, const Points& X, const std::vector<LineFacet>& facets, const Points& step,
                     double volume) {
-  const auto excess = [&](double theta) { return strip_volume(analysis, X, facets, step, theta) - volume; };
-  double theta = 1.0, f = excess(theta), slope = f + volume;  // the strip is nearly proportional to theta
-  if (!(slope > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  for (int i = 0; i < 30 && f != 0.0; ++i) {
-    const double next = theta - f / slope, g = excess(next);
-    if (!(std::abs(g) < std::abs(f))) break;  // round-off reached
-    slope = (g - f) / (next - theta);
-    theta = next;
-    f = g;
-  }
-  return std::abs(f) <= 1e-12 * volume ? theta : std::numeric_limits<double>::quiet_NaN();
+  return exact_factor(volume, [&](double theta) { return strip_volume(analysis, X, facets, step, theta); });
 }
 
 }  // namespace reye::adapt

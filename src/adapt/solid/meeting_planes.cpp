@@ -1,0 +1,57 @@
+#include "adapt/solid/meeting_planes.hpp"
+
+#include <Eigen/Eigenvalues>
+
+namespace reye::adapt {
+
+namespace {
+
+/// Sine of the angle below which a direction counts as lying in those before it.
+constexpr double least_sine = 0.05;
+
+/// What is left of v beside orthonormal directions.
+Vec3 beside_all(Vec3 v, const std::vector<Vec3>& directions) {
+  for (const Vec3& q : directions) v -= v.dot(q) * q;
+  return v;
+}
+
+void add_direction(const Vec3& v, std::vector<Vec3>& directions) {
+  const Vec3 rest = beside_all(v, directions);
+  if (rest.norm() > least_sine) directions.push_back(rest.normalized());
+}
+
+/// The shortest d with p_k . d = -depth_k in the sense of least squares: a sum of the rows p_k, so that a component
+/// which is zero in all of them is zero in d.
+Vec3 shortest(const Eigen::Matrix3Xd& rows, const Eigen::VectorXd& depths) {
+  if (rows.cols() == 1) return -depths[0] / rows.col(0).squaredNorm() * rows.col(0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(rows.transpose() * rows);
+  const auto& lambda = gram.eigenvalues();
+  Eigen::VectorXd shares = -(gram.eigenvectors().transpose() * depths);
+  for (int k = 0; k < lambda.size(); ++k)
+    shares[k] = lambda[k] > least_sine * least_sine * lambda[lambda.size() - 1] ? shares[k] / lambda[k] : 0.0;
+  return rows * (gram.eigenvectors() * shares);
+}
+
+}  // namespace
+
+Vec3 where_planes_meet(const std::vector<RecedingPlane>& planes, const Vec3& along) {
+  std::vector<Vec3> held;
+  for (const RecedingPlane& plane : planes)
+    if (plane.depth == 0.0) add_direction(plane.normal, held);
+  Eigen::Matrix3Xd rows(3, static_cast<int>(planes.size()));
+  Eigen::VectorXd depths(static_cast<int>(planes.size()));
+  int count = 0;
+  for (const RecedingPlane& plane : planes) {
+    const Vec3 row = beside_all(plane.normal, held);
+    if (plane.depth == 0.0 || !(row.norm() > least_sine)) continue;
+    rows.col(count) = row;
+    depths[count++] = plane.depth;
+  }
+  Vec3 d = Vec3::Zero();
+  if (count > 0) d = shortest(rows.leftCols(count), depths.head(count));
+  if (along.isZero(0.0)) return d;
+  for (int k = 0; k < count; ++k) add_direction(rows.col(k), held);
+  return d + beside_all(along, held);
+}
+
+}  // namespace reye::adapt
