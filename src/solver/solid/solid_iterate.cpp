@@ -177,14 +177,9 @@ bool SolidIterate::classify() {
     fresh = now_.status;
     changed = true;
   }
-<<<<<<< HEAD
-  stick_all_ = false;
+  stick_all_ = as_before_ = false;
   const bool differs = fresh != now_.status;
   changed = changed || differs;
-=======
-  stick_all_ = as_before_ = false;
-  changed = changed || fresh != now_.status;
->>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
   now_.status = std::move(fresh);
   if (project() || (differs && wears())) evaluate();
   return changed;
@@ -232,7 +227,6 @@ std::vector<ReducedRow> SolidIterate::rows() const {
   return rows;
 }
 
-<<<<<<< HEAD
 std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows) const {
   std::vector<WearRow> wear;
   if (keep_shear_ || !wears()) return wear;
@@ -245,12 +239,8 @@ std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows
   return wear;
 }
 
-/// No step may carry the sides past each other: at most a quarter of the reach of the search.
-double SolidIterate::step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
-=======
 /// The change of displacements that a step brings.
 Vector SolidIterate::moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
->>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
   std::vector<Points3> change;
   for (const auto& traction : now_.traction) change.emplace_back(traction.size(), Vec3::Zero());
   for (std::size_t k = 0; k < rows.size(); ++k) change[rows[k].contact][rows[k].point] += step.z[k] * rows[k].along;
@@ -273,18 +263,13 @@ double SolidIterate::step_share(const Vector& moved) const {
 void SolidIterate::step() {
   const Account account(interface_s);
   const auto rows = this->rows();
-<<<<<<< HEAD
   const ReducedStep step = solve_reduced(system_, place_, rows, wear_rows(rows), imbalance(system_, force_, now_.s));
-  apply(rows, step, step_share(rows, step));
-=======
-  const ReducedStep step = solve_reduced(system_, place_, rows, imbalance(system_, force_, now_.s));
   const Vector moved = moved_by(rows, step);
   const double share = step_share(moved);
   for (std::size_t k = 0; k < rows.size(); ++k)
     now_.traction[rows[k].contact][rows[k].point] += share * step.z[k] * rows[k].along;
   now_.a += share * step.a;
   now_.u += share * moved;
->>>>>>> 6c689d0229c605d3189d896090dc1347524892c8
 }
 
 void SolidIterate::let_shear_go() { keep_shear_ = false; }
