@@ -13,6 +13,7 @@
 #include "sim/solid/solid_limits.hpp"
 #include "sim/solid/solid_plan.hpp"
 #include "sim/solid/solid_recording.hpp"
+#include "sim/solid/solid_reshape.hpp"
 
 namespace reye::sim {
 
@@ -122,11 +123,22 @@ class March {
     finish_block(step, before);
     const bool stop = watch_solid_limits(problem_, player_.system(), before.cycle, outcome.middle, state_);
     const bool last = stop || over(step, state_);
+    if (step.wear && problem_.scene.shape && !move_shapes(last)) return false;
     const auto block = played_block(step, before, state_.cycle, state_.step_cycles, state_.step_blocks, last);
     if (observer_.frame && frame_due(problem_.scene.frames, block))
       observer_.frame(solid_frame(problem_, player_.assembly(), *solution_, state_, step.name,
                                   {state_.cycle, 1.0, problem_.scene.frames.paraview}));
     return !stop;
+  }
+
+  /// Moves the worn faces where the depth that waits in the gaps is no longer small beside the facets, and at the end
+  /// of a step. False where a body cannot follow.
+  bool move_shapes(bool last) {
+    constexpr double small = 0.02;
+    const double share = pending_share(player_.system(), state_);
+    if (!(share > (last ? 0.0 : small))) return true;
+    failure_ = reshape_bodies(problem_, player_, relocations_, state_);
+    return failure_.empty();
   }
 
   void finish_block(const scene::Step& step, const SolidRunState& before) {
@@ -184,7 +196,8 @@ class March {
     s.phase_seconds = {{"mesh", problem_.mesh_seconds},
                        {"stiffness and factors", state_.factor_s},
                        {"mortar", state_.mortar_s},
-                       {"interface", state_.interface_s}};
+                       {"interface", state_.interface_s},
+                       {"shape", state_.shape_s}};
     s.cpu_s = cpu_seconds() - start_cpu_ + problem_.mesh_seconds;
     s.wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start_wall_).count() + problem_.mesh_seconds;
@@ -200,6 +213,7 @@ class March {
   SolidSize planned_;
   SolidRunState state_;
   std::optional<solver::SolidSolution> solution_;
+  SolidRelocations relocations_;
   std::vector<Warning> warnings_;
   std::string failure_;
   bool interrupted_ = false;
