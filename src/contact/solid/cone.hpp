@@ -16,7 +16,7 @@ struct SkinNode {
   base::Vec3 traction = base::Vec3::Zero();  ///< [MPa]
   double gap = 0.0;                          ///< -n.w, opened by wear [mm]
   base::Vec3 slip = base::Vec3::Zero();      ///< of this increment, across the normal [mm]
-  double worn = 0.0;                         ///< the part of the gap that this increment has worn [mm]
+  double worn = 0.0, own_worn = 0.0;         ///< what this increment has worn of it, and the point itself [mm]
 };
 
 inline double pressure(const SkinNode& node, const SkinFrame& frame) { return node.traction.dot(frame.normal); }

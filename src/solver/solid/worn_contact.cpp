@@ -55,7 +55,10 @@ void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& plac
   const Vector opened =
       contact.openings.per_secondary() * as_vector(secondary) + contact.openings.per_primary() * as_vector(primary);
   for (std::size_t j = 0; j < nodes.size(); ++j) {
-    nodes[j].worn = opened[static_cast<Eigen::Index>(j)];
+    const auto k = static_cast<int>(j);
+    nodes[j].worn = opened[k];
+    nodes[j].own_worn = contact.openings.per_secondary().coeff(k, k) * contact.worn[j].secondary.volume +
+                        contact.openings.per_primary().coeff(k, k) * contact.worn[j].primary.volume;
     nodes[j].gap += nodes[j].worn;
   }
 }
