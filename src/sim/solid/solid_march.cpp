@@ -22,14 +22,16 @@ constexpr int rings_of_growth = 4;
 /// A run while it is played.
 class March {
  public:
-  March(const SolidProblem& problem, const SolidObserver& observer)
+  March(const SolidProblem& problem, SolidRunState state, const SolidObserver& observer,
+        std::optional<SolidAssembly> assembly)
       : problem_(problem),
         observer_(observer),
-        touchable_(touchable_nodes(problem)),
-        planned_(solid_plan(problem).size) {
-    for (const auto& [name, corners] : problem.scene.histories) state_.factors[name] = 0.0;
-    state_.energy_mJ.assign(problem.contacts.size(), 0.0);
-    state_.energy_before_cycle_mJ = state_.energy_last_cycle_mJ = state_.energy_mJ;
+        planned_(solid_plan(problem).size),
+        assembly_(std::move(assembly)),
+        solution_(state.solved),
+        state_(std::move(state)) {
+    if (assembly_) state_.factor_s += assembly_->seconds;
+    before_s_ = problem.mesh_seconds + state_.factor_s;
     start_wall_ = std::chrono::steady_clock::now();
     start_cpu_ = cpu_seconds();
   }
@@ -37,7 +39,7 @@ class March {
   SolidSummary play() {
     std::string failure;
     try {
-      build();
+      if (!assembly_) build();
       failure = play_steps();
     } catch (const base::SolveError& error) {
       failure = error.what();
@@ -47,44 +49,55 @@ class March {
 
  private:
   void build() {
-    SolidAssembly fresh = assemble(problem_, touchable_);
+    SolidAssembly fresh = assemble(problem_, state_.touchable);
     state_.factor_s += fresh.seconds;
     ++state_.counts.factorisations;
     if (assembly_)
       state_.solution = carried(*assembly_, fresh, state_.solution);
     else
       state_.solution = solver::initial_state(fresh.system);
+    solution_.reset();  // it has the points of the equations before
     assembly_.emplace(std::move(fresh));
     state_.retained = assembly_->system.points();
   }
 
   std::string play_steps() {
     const auto& steps = problem_.scene.steps;
-    for (state_.step = 0; state_.step < static_cast<int>(steps.size()); ++state_.step) {
+    for (; state_.step < static_cast<int>(steps.size()); ++state_.step, state_.step_plays = 0) {
       const auto& step = steps[static_cast<std::size_t>(state_.step)];
-      const int plays = std::max(1, static_cast<int>(std::lround(step.cycles)));
-      for (int cycle = 0; cycle < plays; ++cycle) {
-        if (auto failure = play_once(step, cycle + 1 == plays); !failure.empty()) return failure;
+      while (state_.step_plays < plays_of(step)) {
+        if (auto failure = play_once(step, state_.step_plays + 1 == plays_of(step)); !failure.empty()) return failure;
         if (interrupted_) return {};
       }
     }
     return {};
   }
 
+  /// One play of a step, or what is left of it where the run resumed within.
   std::string play_once(const scene::Step& step, bool last) {
-    const auto held = state_.factors;
-    state_.energy_before_cycle_mJ = state_.energy_mJ;
-    double from = 0.0;
-    for (const double to : step_corners(problem_.scene.histories, step)) {
-      if (auto failure = play_between(step, held, from, to, problem_.scene.max_cutbacks); !failure.empty())
+    if (state_.increment == 0) begin_play();
+    const auto corners = step_corners(problem_.scene.histories, step);
+    for (std::size_t k = static_cast<std::size_t>(state_.increment); k < corners.size(); ++k) {
+      const double from = k > 0 ? corners[k - 1] : 0.0;
+      if (auto failure = play_between(step, state_.held, from, corners[k], problem_.scene.max_cutbacks);
+          !failure.empty())
         return failure;
-      if (observer_.interrupted && observer_.interrupted()) {
-        interrupted_ = true;
-        return {};
-      }
-      from = to;
-      show(step, last, to);
+      show(step, last, corners[k]);
+      state_.increment = static_cast<int>(k) + 1;
+      if (k + 1 == corners.size()) end_play(step);
+      if (!keep()) return {};
     }
+    return {};
+  }
+
+  void begin_play() {
+    state_.held = state_.factors;
+    state_.energy_before_cycle_mJ = state_.energy_mJ;
+  }
+
+  void end_play(const scene::Step& step) {
+    state_.increment = 0;
+    ++state_.step_plays;
     ++state_.counts.blocks;
     if (step.cycles > 0.0) {
       state_.cycle += 1.0;
@@ -92,7 +105,16 @@ class March {
       for (std::size_t c = 0; c < state_.energy_mJ.size(); ++c)
         state_.energy_last_cycle_mJ[c] = state_.energy_mJ[c] - state_.energy_before_cycle_mJ[c];
     }
-    return {};
+  }
+
+  /// Shows the state, from which a run can resume; false where this one is to end with it.
+  bool keep() {
+    if (observer_.state) {
+      state_.solved = solution_;
+      observer_.state(state_);
+    }
+    interrupted_ = !at_end(problem_, state_) && observer_.interrupted && observer_.interrupted();
+    return !interrupted_;
   }
 
   /// One increment; on failure it is halved, up to `depth` times.
@@ -126,7 +148,7 @@ class March {
       state_.interface_s += solution.interface_s;
       state_.counts.newton_iterations += solution.iterations;
       if (!solution.converged) return why(solution);
-      if (outrun(system, solution) && grow(problem_, touchable_, rings_of_growth)) {
+      if (outrun(system, solution) && grow(problem_, state_.touchable, rings_of_growth)) {
         if (observer_.log) observer_.log("contact outruns the nodes it was prepared for: more of them are kept");
         build();
         continue;
@@ -147,7 +169,7 @@ class March {
     state_.factors = factors;
     ++state_.counts.increments;
     state_.balance = std::max(state_.balance, imbalance_of_bodies(problem_, assembly_->system, *solution_));
-    watch_solid(problem_, assembly_->system, *solution_, warnings_);
+    watch_solid(problem_, assembly_->system, *solution_, state_.warnings);
     record(step, to);
   }
 
@@ -200,7 +222,7 @@ class March {
     s.cutback_reasons = state_.cutback_reasons;
     s.scene_sha256 = problem_.scene.sha256;
     s.warnings = problem_.warnings;
-    s.warnings.insert(s.warnings.end(), warnings_.begin(), warnings_.end());
+    s.warnings.insert(s.warnings.end(), state_.warnings.begin(), state_.warnings.end());
     if (solution_) {
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
         s.contacts.push_back(contact_summary(problem_, assembly_->system, *solution_, c, state_));
@@ -212,30 +234,32 @@ class March {
                        {"stiffness and factors", state_.factor_s},
                        {"mortar", state_.mortar_s},
                        {"interface", state_.interface_s}};
-    s.cpu_s = cpu_seconds() - start_cpu_ + problem_.mesh_seconds;
-    s.wall_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_wall_).count() + problem_.mesh_seconds;
+    s.cpu_s = cpu_seconds() - start_cpu_ + before_s_;
+    s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_wall_).count() + before_s_;
     s.peak_rss_MB = peak_memory_MB();
     return s;
   }
 
   const SolidProblem& problem_;
   const SolidObserver& observer_;
-  Touchable touchable_;
   SolidSize planned_;
   std::optional<SolidAssembly> assembly_;
   std::optional<solver::SolidSolution> solution_;
   SolidRunState state_;
-  std::vector<Warning> warnings_;
   bool interrupted_ = false;
   std::chrono::steady_clock::time_point start_wall_;
-  double start_cpu_ = 0.0;
+  double start_cpu_ = 0.0, before_s_ = 0.0;  ///< CPU seconds: when the run began, and of what was made before
 };
 
 }  // namespace
 
+SolidSummary run_solid(const SolidProblem& problem, SolidRunState state, const SolidObserver& observer,
+                       std::optional<SolidAssembly> assembly) {
+  return March(problem, std::move(state), observer, std::move(assembly)).play();
+}
+
 SolidSummary run_solid(const SolidProblem& problem, const SolidObserver& observer) {
-  return March(problem, observer).play();
+  return run_solid(problem, initial_solid_state(problem), observer);
 }
 
 }  // namespace reye::sim
