@@ -19,10 +19,10 @@
 #include "output/folder/vtk_frames.hpp"
 #include "output/picture/scene_picture.hpp"
 #include "output/report/report.hpp"
-#include "output/run/checkpoint.hpp"
 #include "output/run/commit.hpp"
 #include "output/run/run_writer.hpp"
 #include "output/solid/solid_report.hpp"
+#include "plane_resume.hpp"
 #include "progress_line.hpp"
 #include "scene/read.hpp"
 #include "scene/solid/solid_keys.hpp"
@@ -60,29 +60,17 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
   }
 }
 
-/// The state to start from, the folder made ready for it. It is kept as the first checkpoint: a run interrupted before
-/// its first block can resume, too.
-sim::State fresh_start(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints) {
+/// The folder made ready for a new run. Its start is kept as the first checkpoint: a run interrupted before its first
+/// block can resume, too.
+void begin_folder(const sim::Problem& problem, const sim::State& state, output::RunWriter& writer,
+                  Checkpoints& checkpoints) {
   writer.begin();
-  sim::State state = sim::initial_state(problem);
-  checkpoints.start(state);
+  checkpoints.start(snapshot_of(problem, state, writer.counters()));
   output::atomic_write(writer.dir() + "/scene.svg", output::scene_picture(problem));
-  return state;
 }
 
-/// The state to resume from, the folder cut back to it.
-sim::State resumed(Resumption resumption, output::RunWriter& writer, Checkpoints& checkpoints) {
-  for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
-  if (resumption.previous) output::restore_previous(writer.dir());
-  writer.resume(resumption.counters);
-  if (resumption.extends) {  // in this order: either scene finds a checkpoint to resume from, whenever a kill comes
-    checkpoints.start(resumption.state);
-    writer.extend();
-  }
-  return std::move(resumption.state);
-}
-
-sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, ProgressLine& line) {
+sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints,
+                          ProgressLine& line) {
   sim::Observer o;
   o.progress = [&line](const sim::Progress& p) { line.show(p); };
   o.increment = [&](const sim::IncrementRecord& r) { writer.increment(r); };
@@ -90,26 +78,24 @@ sim::Observer observer_of(output::RunWriter& writer, Checkpoints& checkpoints, P
   o.remesh = [&](const sim::RemeshRecord& r) { writer.remesh(r); };
   o.log = [&](const std::string& text) { writer.log(text); };
   o.interrupted = [] { return StopSignals::count() > 0; };
-  o.block = [&](const sim::State& state) { checkpoints.block_end(state); };
+  o.block = [&](const sim::State& state) {
+    checkpoints.reach(snapshot_of(problem, state, writer.counters()), standing_of(problem, state));
+  };
   return o;
 }
 
 /// Plays the scene and writes everything. A failed write ends the run; the error says whether it can resume.
 sim::Summary play(const sim::Problem& problem, sim::Cache& cache, sim::State state, output::RunWriter& writer,
                   Checkpoints& checkpoints, bool quiet) {
-  try {
+  sim::Summary summary;
+  play_guarded(writer.dir(), origin_of(problem), [&] {
     ProgressLine line(!quiet);
-    const sim::Summary summary = sim::run(problem, state, observer_of(writer, checkpoints, line), cache);
+    summary = sim::run(problem, state, observer_of(problem, writer, checkpoints, line), cache);
     line.end();
     checkpoints.finish();
     writer.finish(summary);
-    return summary;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(error.what() +
-                             std::string(can_go_on(writer.dir(), problem)
-                                             ? "; the last checkpoint is intact: --restart resumes from it"
-                                             : "; there is no checkpoint to resume from"));
-  }
+  });
+  return summary;
 }
 
 /// A value of the summary for a line of text; a dash when it is not known.
@@ -173,9 +159,7 @@ int run(const Request& request) {
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
   const auto extension = request.restart ? extension_in(dir, scene) : std::nullopt;
-  const std::string held = extension ? output::read_identity(dir)->sha256 : scene.sha256;
-  if (const auto refusal = output::open_folder(dir, scene.name, held, request.force))
-    throw base::InputError({{"--out", dir, *refusal}});
+  open_or_refuse(dir, scene.name, scene.sha256, extension.has_value(), request.force);
   sim::Cache cache;
   const sim::Problem problem = sim::prepare(scene, &cache);
   for (const auto& text : problem.plan.lines) spdlog::info("{}", base::printable(text));
@@ -186,12 +170,16 @@ int run(const Request& request) {
     for (const auto& change : extension->changes) writer.log("extended: " + change);
   if (!request.quiet) tell(problem.scene, problem.warnings);
   const StopSignals stop(true);
-  Checkpoints checkpoints(problem, writer);
-  std::optional<Resumption> resumption;
-  if (request.restart) resumption = resumption_of(dir, problem, extension, cache);  // refused before anything is made
+  Checkpoints checkpoints(dir, scene.output.checkpoint_s);
+  sim::State state = sim::initial_state(problem);
+  std::optional<Resumption> resumption;  // refused before anything is made
+  if (request.restart) resumption = resumption_of(dir, problem, extension, state, cache);
   const output::FolderLock lock(dir);
-  sim::State state =
-      resumption ? resumed(std::move(*resumption), writer, checkpoints) : fresh_start(problem, writer, checkpoints);
+  if (resumption)
+    resume_folder(*resumption, snapshot_of(problem, state, resumption->counters), standing_of(problem, state), writer,
+                  checkpoints);
+  else
+    begin_folder(problem, state, writer, checkpoints);
   const sim::Summary summary = play(problem, cache, std::move(state), writer, checkpoints, request.quiet);
   tell_result(scene, summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;

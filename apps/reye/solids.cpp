@@ -9,9 +9,9 @@
 #include "base/printable.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "output/folder/files.hpp"
-#include "output/folder/folder.hpp"
 #include "output/folder/folder_lock.hpp"
 #include "output/folder/summary.hpp"
+#include "output/solid/drawn_meshes.hpp"
 #include "output/solid/solid_picture.hpp"
 #include "output/solid/solid_run_writer.hpp"
 #include "output/solid/solid_vtk.hpp"
@@ -21,6 +21,7 @@
 #include "sim/problem/warnings.hpp"
 #include "sim/solid/solid_march.hpp"
 #include "sim/solid/solid_plan.hpp"
+#include "solid_resume.hpp"
 
 namespace reye::apps {
 
@@ -47,11 +48,15 @@ void tell_lines(const sim::SolidPlan& plan) {
   for (const auto& text : plan.lines) std::printf("%s\n", base::printable(text).c_str());
 }
 
-sim::SolidObserver solid_observer(output::SolidRunWriter& writer, ProgressLine& line) {
+sim::SolidObserver solid_observer(const SolidCheckpoints& run, output::SolidRunWriter& writer, Checkpoints& checkpoints,
+                                  ProgressLine& line) {
   sim::SolidObserver o;
   o.progress = [&line](const sim::Progress& p) { line.show(p); };
   o.increment = [&](const sim::SolidIncrement& row) { writer.increment(row); };
   o.frame = [&](const sim::SolidFrame& frame) { writer.frame(frame); };
+  o.state = [&](const sim::SolidRunState& state) {
+    checkpoints.reach(snapshot_of(run, state, writer.counters()), standing_of(run.problem, state));
+  };
   o.log = [&](const std::string& text) { writer.log(text); };
   o.interrupted = [] { return StopSignals::count() > 0; };
   return o;
@@ -78,31 +83,67 @@ void refuse_what_does_not_fit(const sim::SolidPlan& plan) {
   if (!plan.refusal.empty()) throw base::InputError({{"geometry", "", plan.refusal}});
 }
 
+/// A run that resumes takes the meshes that it had: the mesher might not make them again.
+sim::SolidProblem solid_problem(const Request& request, const scene::SolidScene& scene, const std::string& dir) {
+  if (request.restart)
+    if (auto geometry = output::load_meshes(dir, scene.fixed_sha256))
+      return sim::prepare_solid(scene, std::move(*geometry));
+  return sim::prepare_solid(scene);
+}
+
+/// The folder made ready for a new run, whose start is its first checkpoint.
+void begin_solid_folder(const SolidCheckpoints& run, const sim::SolidRunState& state, output::SolidRunWriter& writer,
+                        Checkpoints& checkpoints) {
+  writer.begin();
+  output::save_meshes(writer.dir(), run.problem);
+  checkpoints.start(snapshot_of(run, state, writer.counters()));
+  output::atomic_write(writer.dir() + "/scene.svg", output::solid_picture(run.problem.scene, run.problem.inputs));
+}
+
+/// Plays the scene and writes everything, as for the plane.
+sim::SolidSummary play_solid(const SolidCheckpoints& run, SolidStart start, output::SolidRunWriter& writer,
+                             Checkpoints& checkpoints, bool quiet) {
+  sim::SolidSummary summary;
+  play_guarded(writer.dir(), run.origin, [&] {
+    ProgressLine line(!quiet);
+    summary = sim::run_solid(run.problem, std::move(start.state), solid_observer(run, writer, checkpoints, line),
+                             std::move(start.assembly));
+    line.end();
+    checkpoints.finish();
+    writer.finish(summary);
+  });
+  return summary;
+}
+
 }  // namespace
 
 int run_solid(const Request& request) {
   ignore_lost_output();
-  if (request.restart)
-    throw base::InputError(
-        {{"--restart", "", "a run of solids cannot resume in this version: begin again with --force"}});
   const auto scene = read_solid_scene(request);
   const std::string dir = solid_folder(request, scene);
-  if (const auto refusal = output::open_folder(dir, scene.name, scene.sha256, request.force))
-    throw base::InputError({{"--out", dir, *refusal}});
-  const sim::SolidProblem problem = sim::prepare_solid(scene);
+  const auto extension = request.restart ? solid_extension_in(dir, scene) : std::nullopt;
+  open_or_refuse(dir, scene.name, scene.sha256, extension.has_value(), request.force);
+  const sim::SolidProblem problem = solid_problem(request, scene, dir);
   const sim::SolidPlan plan = sim::solid_plan(problem);
   refuse_what_does_not_fit(plan);
   for (const auto& text : plan.lines) spdlog::info("{}", base::printable(text));
   if (!request.quiet) tell_warnings(problem.warnings);
-  const StopSignals stop(true);
-  const output::FolderLock lock(dir);
   output::SolidRunWriter writer(dir, problem.scene);
-  writer.begin();
-  output::atomic_write(dir + "/scene.svg", output::solid_picture(problem.scene, problem.inputs));
-  ProgressLine line(!request.quiet);
-  const sim::SolidSummary summary = sim::run_solid(problem, solid_observer(writer, line));
-  line.end();
-  writer.finish(summary);
+  if (extension)
+    for (const auto& change : extension->changes) writer.log("extended: " + change);
+  const StopSignals stop(true);
+  const SolidCheckpoints run(problem);
+  Checkpoints checkpoints(dir, problem.scene.checkpoint_s);
+  SolidStart start{sim::initial_solid_state(problem), {}};
+  std::optional<Resumption> resumption;  // refused before anything is made
+  if (request.restart) resumption = resumption_of(dir, run, extension, start);
+  const output::FolderLock lock(dir);
+  if (resumption)
+    resume_folder(*resumption, snapshot_of(run, start.state, resumption->counters), standing_of(problem, start.state),
+                  writer, checkpoints);
+  else
+    begin_solid_folder(run, start.state, writer, checkpoints);
+  const sim::SolidSummary summary = play_solid(run, std::move(start), writer, checkpoints, request.quiet);
   tell_solid_result(summary, dir);
   return summary.status == sim::RunStatus::done ? 0 : summary.status == sim::RunStatus::failed ? 1 : 130;
 }

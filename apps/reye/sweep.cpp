@@ -16,6 +16,8 @@
 #include "output/run/sweep_page.hpp"
 #include "output/run/sweep_table.hpp"
 #include "scene/read.hpp"
+#include "scene/solid/solid_keys.hpp"
+#include "scene/solid/solid_located.hpp"
 #include "scene/sweep.hpp"
 #include "signals.hpp"
 
@@ -29,6 +31,16 @@ namespace {
 struct Place {
   std::string name, dir, sha256;
 };
+
+/// What a sweep needs of a scene of any kind.
+struct SceneHead {
+  std::string name, title, sha256;
+};
+
+SceneHead head_of(const std::string& text, const std::string& path) {
+  const auto head = [](const auto& scene) { return SceneHead{scene.name, scene.title, scene.sha256}; };
+  return scene::is_solid_text(text) ? head(scene::read_solid_text(text, path)) : head(scene::read_text(text, path));
+}
 
 struct Job {
   const SweepRequest& request;
@@ -64,7 +76,7 @@ void check_members(Job& job, const std::string& name) {
   for (const auto i : job.wanted) {
     auto& place = job.places[i];
     try {
-      place.sha256 = scene::read_text(job.sweep.members[i].text, place.dir + "/scene.toml").sha256;
+      place.sha256 = head_of(job.sweep.members[i].text, place.dir + "/scene.toml").sha256;
     } catch (const base::InputError& error) {
       add_issues(place.name, error.issues(), told, issues);
       continue;
@@ -81,9 +93,10 @@ void check_members(Job& job, const std::string& name) {
 Job job_of(const SweepRequest& request) {
   if (request.slurm && !is_installed("sbatch"))
     throw base::InputError({{"--slurm", "", "there is no sbatch in PATH; Slurm is not installed here"}});
-  const auto scene = scene::read(request.path);
+  const auto scene = head_of(scene::text_of(request.path), request.path);
+  const auto& keys = scene::is_solid(request.path) ? scene::solid_spec() : scene::spec();
   const auto dir = request.out.empty() ? "./" + scene.name + ".sweep" : request.out;
-  Job job{request, dir, scene.title, scene::sweep_of(request.path, request.vary), {}, {}};
+  Job job{request, dir, scene.title, scene::sweep_of(request.path, request.vary, keys), {}, {}};
   const auto count = job.sweep.members.size();
   for (std::size_t i = 0; i < count; ++i) job.places.push_back({name_of(i), dir + '/' + name_of(i), {}});
   if (request.member >= static_cast<int>(count)) {

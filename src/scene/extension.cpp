@@ -5,7 +5,7 @@
 #include "base/in_words.hpp"
 #include "scene/check.hpp"
 #include "scene/fixed_part.hpp"
-#include "scene/read.hpp"
+#include "scene/located.hpp"
 
 namespace reye::scene {
 
@@ -72,7 +72,7 @@ void sort_out(Issues differences, bool cycles_may, Extension& extension, Issues&
 }
 
 /// What is wrong with a scene that differs nowhere from the one before; empty: it continues it.
-Issues not_continued(const Document& before, const Document& after, const std::string& was_fixed, const Scene& now) {
+Issues not_continued(const Document& before, const Document& after, const std::string& was_fixed, const Written& now) {
   if (fixed_part(before.root, before.text) != fixed_part(after.root, after.text))
     return {{"", "", std::string("tables stand in a different order than in the run to be resumed") + only_these}};
   if (was_fixed != now.fixed_sha256)
@@ -87,7 +87,7 @@ Issues not_continued(const Document& before, const Document& after, const std::s
 
 }  // namespace
 
-Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
+Extension extension_of(const std::string& was, const std::string& was_fixed, const Written& now) {
   const Document before{parse(was), was}, after{parse(now.text), now.text};
   Extension extension{{}, changed_limits(before, after), cycles_key_of(after.root)};
   const bool cycles_may = counts(before.root, extension.cycles_key) && counts(after.root, extension.cycles_key);
@@ -95,8 +95,12 @@ Extension extension_of(const std::string& was, const std::string& was_fixed, con
   add_differences(before.root, after.root, before, after, differences);
   sort_out(std::move(differences), cycles_may, extension, wrong);
   if (wrong.empty()) wrong = not_continued(before, after, was_fixed, now);
-  if (!wrong.empty()) throw located(now, wrong);
+  if (!wrong.empty()) throw located(std::move(wrong), now.lines, now.path);
   return extension;
+}
+
+Extension extension_of(const std::string& was, const std::string& was_fixed, const Scene& now) {
+  return extension_of(was, was_fixed, Written{now.text, now.fixed_sha256, now.path, now.lines, now.accuracy});
 }
 
 }  // namespace reye::scene

@@ -70,6 +70,12 @@ bool read_bytes(const std::string& path, std::string& bytes) {
   return !file.bad();
 }
 
+std::string file_sha256(const std::string& path) {
+  std::string bytes;
+  read_bytes(path, bytes);
+  return sha256(bytes);
+}
+
 std::string digest(const std::string& scene_text, const std::vector<std::string>& files) {
   auto all = std::to_string(scene_text.size()) + '\n' + scene_text;
   for (const auto& file : files) {

@@ -19,6 +19,9 @@ std::string unreadable_rule(const std::string& file);
 /// The bytes of a file; false when it cannot be read.
 bool read_bytes(const std::string& path, std::string& bytes);
 
+/// SHA-256 of a file's bytes.
+std::string file_sha256(const std::string& path);
+
 /// SHA-256 over the scene's text and its files (geometry, then profiles) in their order, each with its length,
 /// so that bytes cannot move from one file to the next undetected.
 std::string digest(const std::string& scene_text, const std::vector<std::string>& files);

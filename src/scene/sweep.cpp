@@ -99,8 +99,8 @@ std::string step_down(const std::string& segment, const Spec*& place, const Node
 }
 
 /// The rule that a key breaks: unknown, or below a name that the scene does not have; empty when it is fine.
-std::string key_rule(const std::string& key, const Node& root) {
-  const Spec* place = &spec();
+std::string key_rule(const std::string& key, const Node& root, const Spec& keys) {
+  const Spec* place = &keys;
   const Node* node = &root;
   for (const auto& segment : split(key, '.'))
     if (const auto rule = step_down(segment, place, node); !rule.empty()) return rule;
@@ -115,10 +115,10 @@ void check_places(const std::string& text, const Variation& variation, Issues& i
 }
 
 /// Checks one variation of a text, and adds it to those found.
-void check_variation(const std::string& words, const Node& root, const std::string& text, std::vector<Variation>& found,
-                     Issues& issues) {
+void check_variation(const std::string& words, const Node& root, const std::string& text, const Spec& keys,
+                     std::vector<Variation>& found, Issues& issues) {
   auto variation = variation_of(words);
-  auto rule = key_rule(variation.key, root);
+  auto rule = key_rule(variation.key, root, keys);
   for (const auto& other : found)
     if (other.key == variation.key) rule = "varies " + other.key + " a second time";
   if (rule.empty())
@@ -136,13 +136,13 @@ void check_members(const std::vector<Variation>& variations, Issues& issues) {
 }
 
 /// All variations, each with a key that the scene can take; all errors are thrown at once.
-std::vector<Variation> checked(const std::vector<std::string>& variations, const std::string& text) {
+std::vector<Variation> checked(const std::vector<std::string>& variations, const std::string& text, const Spec& keys) {
   const auto root = parse(text);
   std::vector<Variation> good;
   Issues issues;
   for (const auto& words : variations) {
     try {
-      check_variation(words, root, text, good, issues);
+      check_variation(words, root, text, keys, good, issues);
     } catch (const base::InputError& error) {
       issues.insert(issues.end(), error.issues().begin(), error.issues().end());
     }
@@ -192,10 +192,9 @@ Variation variation_of(const std::string& words) {
   return variation;
 }
 
-Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {
+Sweep sweep_of(const std::string& path, const std::vector<std::string>& words, const Spec& keys) {
   const auto text = text_of(path);
-  read_text(text, path);  // its own errors are reported once, not once per member
-  const auto variations = checked(words, text);
+  const auto variations = checked(words, text, keys);
   Sweep sweep;
   std::size_t count = 1;
   for (const auto& variation : variations) {
@@ -208,6 +207,11 @@ Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {
     sweep.members.push_back({std::move(values), std::move(member)});
   }
   return sweep;
+}
+
+Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {
+  read_text(text_of(path), path);
+  return sweep_of(path, words, spec());
 }
 
 }  // namespace reye::scene

@@ -5,9 +5,11 @@
 #include "apps/command.hpp"
 #include "apps/same_results.hpp"
 #include "apps/scenes.hpp"
+#include "apps/solid_scenes.hpp"
 #include "output/folder/files.hpp"
 #include "output/run/checkpoint.hpp"
 #include "output/run/state_archive.hpp"
+#include "output/solid/solid_archive.hpp"
 
 /// Checkpoints that were altered and sealed again with the right checksum.
 namespace reye::test {
@@ -36,18 +38,30 @@ inline std::string altered(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
+/// A run that is interrupted once its history has more than so many rows.
+struct Interrupted {
+  std::string geometry_file, geometry, scene;
+  long rows = 0;
+  std::uint64_t layout = 0;  ///< of its states
+};
+
+inline Interrupted wearing_interrupted() { return {"wearing.geo", wearing_geo, wearing, 40, output::state_layout()}; }
+inline Interrupted rubbing_interrupted() {
+  return {"rubbing.geo", rubbing_geo, rubbing, 15, output::solid_state_layout()};
+}
+
 /// A run is interrupted in the middle; its checkpoint is altered so many times, and the run resumed each time. That
 /// must end with a code of the contract and without NaN in its summary; in one that is refused, with a
 /// sentence that names the file.
-inline void expect_sentences(int alterations) {
+inline void expect_sentences(const Interrupted& of, int alterations) {
   const Place place;
-  place.write("wearing.geo", wearing_geo);
-  place.write("wearing.toml", wearing);
-  auto run = place.start_reye({"run", "wearing.toml", "--out", "o", "--quiet"});
-  ASSERT_TRUE(run.signal_when(SIGINT, [&] { return lines(place / "o/history.csv") > 40; }));
+  place.write(of.geometry_file, of.geometry);
+  place.write("scene.toml", of.scene);
+  auto run = place.start_reye({"run", "scene.toml", "--out", "o", "--quiet"});
+  ASSERT_TRUE(run.signal_when(SIGINT, [&] { return lines(place / "o/history.csv") > of.rows; }));
   ASSERT_EQ(run.wait().code, 130);
   fs::remove(place / "o/checkpoint/previous.bin");
-  const auto whole = output::unpacked(read(place / "o/checkpoint/current.bin"), output::state_layout());
+  const auto whole = output::unpacked(read(place / "o/checkpoint/current.bin"), of.layout);
   std::mt19937 random(7);
   int refused = 0;
   for (int k = 0; k < alterations; ++k) {
@@ -57,7 +71,7 @@ inline void expect_sentences(int alterations) {
     checkpoint.payload = altered(whole.payload, random);
     output::atomic_write((place / "again/checkpoint/current.bin").string(), output::packed(checkpoint));
     const auto told = place
-                          .start({"/usr/bin/timeout", "60", REYE_COMMAND, "run", "wearing.toml", "--out", "again",
+                          .start({"/usr/bin/timeout", "60", REYE_COMMAND, "run", "scene.toml", "--out", "again",
                                   "--restart", "--quiet"})
                           .wait();
     ASSERT_TRUE(told.code == 0 || told.code == 1 || told.code == 2)

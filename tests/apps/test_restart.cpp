@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 #include "output/run/checkpoint.hpp"
+#include "output/run/state_archive.hpp"
 #include "places.hpp"
 #include "same_results.hpp"
 #include "scenes.hpp"
@@ -107,7 +108,8 @@ TEST(Restart, RareCheckpoints) {
   ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
   const auto rows = [&](const std::string& folder) {
     const auto file = nlohmann::json::parse(test::read(place / (folder + "/.reye.json")));
-    const auto search = output::load_checkpoint((place / folder).string(), output::own_origin(file.at("scene_sha256")));
+    const auto search = output::load_checkpoint((place / folder).string(),
+                                                output::own_origin(output::state_layout(), file.at("scene_sha256")));
     return search.found ? search.found->counters.history_rows : -1;
   };
   EXPECT_EQ(rows("whole"), 66);

@@ -34,7 +34,7 @@ Checkpoint checkpoint(const std::string& payload) {
 
 /// The container of a body.
 std::string sealed(const std::string& body) {
-  std::string head("REYECKP4");
+  std::string head("REYECKP5");
   for (const std::uint64_t value : {static_cast<std::uint64_t>(body.size()), checksum(body)})
     for (int i = 0; i < 8; ++i) head += static_cast<char>((value >> (8 * i)) & 0xff);
   return head + body;

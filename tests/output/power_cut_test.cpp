@@ -7,6 +7,7 @@
 
 #include "output/folder/files.hpp"
 #include "output/run/checkpoint.hpp"
+#include "output/run/state_archive.hpp"
 #include "sample_run.hpp"
 
 using namespace reye::output;
@@ -33,7 +34,7 @@ constexpr int blocks = 12;
 std::map<std::string, std::string> results(const std::string& dir) { return sample::contents(dir, {".txt", ".bin"}); }
 
 Checkpoint checkpoint_of(const RunWriter& writer, int block) {
-  return {own_origin("abc123"), writer.counters(), std::to_string(block)};
+  return {own_origin(state_layout(), "abc123"), writer.counters(), std::to_string(block)};
 }
 
 /// Thrown where the power fails.
@@ -88,7 +89,7 @@ TEST(PowerCut, AnyMoment) {
         ended = true;
       } catch (const PowerCut&) {
         cut_power(dir.str(), random);
-        const auto search = load_checkpoint(dir.str(), own_origin("abc123"));
+        const auto search = load_checkpoint(dir.str(), own_origin(state_layout(), "abc123"));
         ASSERT_TRUE(search.found) << "moment " << moment;
         EXPECT_FALSE(search.previous) << "what a checkpoint counts was not synced before it";
         begun = std::stoi(search.found->payload);

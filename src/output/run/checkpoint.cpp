@@ -7,11 +7,9 @@
 #include "output/folder/files.hpp"
 #include "output/folder/tables.hpp"
 #include "output/folder/text.hpp"
-#include "output/run/checksum.hpp"
 #include "output/run/commit.hpp"
-#include "output/run/layout.hpp"
+#include "output/run/container.hpp"
 #include "output/run/serialize.hpp"
-#include "output/run/state_archive.hpp"
 
 namespace reye::output {
 
@@ -19,39 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "REYECKP4";
-constexpr std::size_t same_magic = 7;  ///< of it, in every layout of the container
-constexpr std::size_t head_size = 24;
-
-std::string little_endian(std::uint64_t value) {
-  std::string bytes;
-  for (int i = 0; i < 8; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
-  return bytes;
-}
-
-std::uint64_t from_little_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (int i = 7; i >= 0; --i) value = (value << 8) | static_cast<unsigned char>(bytes[static_cast<std::size_t>(i)]);
-  return value;
-}
-
-/// The body of a whole container; throws with the reason otherwise.
-std::string checked_body(const std::string& bytes) {
-  if (bytes.size() < head_size) throw std::runtime_error("truncated");
-  if (bytes.compare(0, same_magic, magic, 0, same_magic) != 0)
-    throw std::runtime_error("altered: not a checkpoint of this program");
-  const std::string_view view(bytes);
-  const std::uint64_t length = from_little_endian(view.substr(8, 8));
-  if (view.size() - head_size < length) throw std::runtime_error("truncated");
-  if (view.size() - head_size > length) throw std::runtime_error("altered: longer than it was written");
-  if (from_little_endian(view.substr(16, 8)) != checksum(view.substr(head_size)))
-    throw std::runtime_error("altered: wrong checksum");
-  if (bytes.compare(0, magic.size(), magic) != 0)
-    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") +
-                             commit() + ", cannot read");
-  return bytes.substr(head_size);
-}
-
+constexpr std::string_view magic = "REYECKP5";
 std::string file_in(const std::string& dir, const char* name) {
   return (fs::path(dir) / "checkpoint" / (std::string(name) + ".bin")).string();
 }
@@ -92,19 +58,18 @@ Checkpoint candidate(const std::string& dir, const char* name, const Origin& own
 
 }  // namespace
 
-Origin own_origin(const std::string& scene_sha256, const std::string& fixed_sha256) {
-  return {version, commit(), state_layout(), scene_sha256, fixed_sha256};
+Origin own_origin(std::uint64_t layout, const std::string& scene_sha256, const std::string& fixed_sha256) {
+  return {version, commit(), layout, scene_sha256, fixed_sha256};
 }
 
 std::string packed(const Checkpoint& checkpoint) {
   const auto& o = checkpoint.origin;
-  const std::string body = to_bytes(o.layout, o.commit, o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended,
-                                    checkpoint.counters, checkpoint.payload);
-  return std::string(magic) + little_endian(body.size()) + little_endian(checksum(body)) + body;
+  return sealed(magic, to_bytes(o.layout, o.commit, o.version, o.scene_sha256, o.fixed_sha256, o.file_sha256,
+                                checkpoint.ended, checkpoint.counters, checkpoint.payload));
 }
 
 Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
-  const std::string body = checked_body(bytes);
+  const std::string body = unsealed(magic, bytes, "a checkpoint");
   Checkpoint checkpoint;
   auto& o = checkpoint.origin;
   try {
@@ -114,7 +79,8 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
       throw std::runtime_error("written by the build of commit " + base::printable(o.commit) +
                                ", whose layout the build of commit " + commit() +
                                " cannot read; resume with a build of that commit, or start a new run");
-    archive(o.version, o.scene_sha256, o.fixed_sha256, checkpoint.ended, checkpoint.counters, checkpoint.payload);
+    archive(o.version, o.scene_sha256, o.fixed_sha256, o.file_sha256, checkpoint.ended, checkpoint.counters,
+            checkpoint.payload);
     archive.end();
   } catch (const cereal::Exception& error) {
     throw std::runtime_error(std::string("altered: ") + error.what());
@@ -122,14 +88,25 @@ Checkpoint unpacked(const std::string& bytes, std::uint64_t layout) {
   return checkpoint;
 }
 
-void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint) {
+void save_checkpoint(const std::string& dir, const Checkpoint& checkpoint, Former former) {
   const std::string current = file_in(dir, "current"), fresh = file_in(dir, "fresh");
   for (const auto& [file, rows] : tables_of(checkpoint.counters)) sync_file((fs::path(dir) / file).string());
   make_folder(fs::path(current).parent_path().string());
   atomic_write(fresh, packed(checkpoint));
-  if (fs::exists(current)) fs::rename(current, file_in(dir, "previous"));
+  if (former == Former::kept && fs::exists(current)) fs::rename(current, file_in(dir, "previous"));
   fs::rename(fresh, current);
   sync_folder(fs::path(current).parent_path().string());
+}
+
+std::map<std::string, std::string> files_of_run(const std::string& dir, std::uint64_t layout) {
+  for (const char* name : {"current", "previous"}) {
+    try {
+      return unpacked(read_text(file_in(dir, name)), layout).origin.file_sha256;
+    } catch (const std::runtime_error&) {
+      continue;  // the search for a checkpoint gives the reason
+    }
+  }
+  return {};
 }
 
 void restore_previous(const std::string& dir) {

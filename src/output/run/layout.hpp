@@ -73,6 +73,10 @@ class LayoutArchive {
   void add(const Eigen::Matrix<T, R, C, O, MR, MC>*) {
     text_ += "matrix " + std::to_string(R) + ' ' + std::to_string(C) + ' ';
   }
+  template <class T, int O, class Index>
+  void add(const Eigen::SparseMatrix<T, O, Index>*) {
+    text_ += "sparse " + std::to_string(O) + ' ' + std::to_string(sizeof(Index)) + ' ';
+  }
   template <class T>
   void add(const T*) {
     text_ += typeid(T).name();

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/map.hpp>
@@ -9,8 +10,10 @@
 #include <cereal/types/utility.hpp>
 #include <cereal/types/vector.hpp>
 #include <cstdint>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/linalg.hpp"
 #include "body/shape.hpp"
@@ -45,6 +48,40 @@ void load(Archive& archive, Matrix<double, Rows, Cols, Options, MaxRows, MaxCols
     m.resize(rows, cols);
   }
   archive(cereal::binary_data(m.data(), static_cast<std::size_t>(m.size()) * sizeof(double)));
+}
+
+/// The compressed arrays of a sparse matrix: where its rows (or columns) begin, its inner indices and its values.
+template <class Archive, int Options>
+void save(Archive& archive, const SparseMatrix<double, Options>& m) {
+  SparseMatrix<double, Options> whole = m;
+  whole.makeCompressed();
+  const std::vector<int> begin(whole.outerIndexPtr(), whole.outerIndexPtr() + whole.outerSize() + 1);
+  const std::vector<int> inner(whole.innerIndexPtr(), whole.innerIndexPtr() + whole.nonZeros());
+  const std::vector<double> values(whole.valuePtr(), whole.valuePtr() + whole.nonZeros());
+  archive(static_cast<std::int64_t>(m.innerSize()), begin, inner, values);
+}
+
+template <class Archive, int Options>
+void load(Archive& archive, SparseMatrix<double, Options>& m) {
+  std::int64_t inner_size = 0;
+  std::vector<int> begin, inner;
+  std::vector<double> values;
+  archive(inner_size, begin, inner, values);
+  const bool sized = inner_size >= 0 && inner_size <= std::numeric_limits<int>::max() && !begin.empty() &&
+                     begin.front() == 0 && std::is_sorted(begin.begin(), begin.end()) &&
+                     static_cast<std::size_t>(begin.back()) == inner.size() && values.size() == inner.size();
+  if (!sized) throw cereal::Exception("a sparse matrix has a size that it cannot have");
+  for (std::size_t k = 0; k + 1 < begin.size(); ++k)
+    for (int i = begin[k]; i < begin[k + 1]; ++i)
+      if (inner[i] < 0 || inner[i] >= inner_size || (i > begin[k] && inner[i] <= inner[i - 1]))
+        throw cereal::Exception("a sparse matrix has an entry where it can have none");
+  const int outer_size = static_cast<int>(begin.size()) - 1, length = static_cast<int>(inner_size);
+  const bool by_row = (Options & RowMajorBit) != 0;
+  m.resize(by_row ? outer_size : length, by_row ? length : outer_size);  // an assignment would reserve for its length
+  m.resizeNonZeros(static_cast<Index>(inner.size()));
+  std::copy(begin.begin(), begin.end(), m.outerIndexPtr());
+  std::copy(inner.begin(), inner.end(), m.innerIndexPtr());
+  std::copy(values.begin(), values.end(), m.valuePtr());
 }
 
 }  // namespace Eigen

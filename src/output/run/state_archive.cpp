@@ -5,6 +5,7 @@
 #include "output/run/layout.hpp"
 #include "output/run/run_writer.hpp"
 #include "output/run/serialize.hpp"
+#include "output/run/serialize_records.hpp"
 
 namespace reye::base {
 
@@ -62,17 +63,6 @@ void serialize(Archive& archive, Guess& s) {
 }  // namespace reye::solver
 
 namespace reye::sim {
-
-template <class Archive>
-void serialize(Archive& archive, Counts& c) {
-  archive(c.blocks, c.increments, c.newton_iterations, c.factorisations, c.remeshes, c.cutbacks, c.cycles_solved,
-          c.refused_blocks);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Warning& w) {
-  archive(w.kind, w.about, w.text, w.severity);
-}
 
 template <class Archive>
 void serialize(Archive& archive, Pressed& p) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "output/folder/csv.hpp"
@@ -39,23 +40,58 @@ double largest_of(const std::vector<SweepRow>& rows, const std::string& name) {
   return most;
 }
 
-/// The lives that a member reaches and the depths that are not zero, in the order of the summary.
+/// Numbers of a contact of solids, by the ends of their names, with words for readers.
+struct OfSolids {
+  std::string_view ending, title, label;
+};
+
+constexpr OfSolids of_solids[] = {{".peak_pressure_MPa", "Largest pressure", "pressure, MPa"},
+                                  {".contact_area_mm2", "Area in contact", "area, mm²"},
+                                  {".equivalent_radius_mm", "Radius of a circle of the area", "radius, mm"},
+                                  {".normal_force_N", "Normal force", "force, N"},
+                                  {".tangential_force_N", "Tangential force", "force, N"},
+                                  {".dissipated_energy_mJ", "Energy dissipated", "energy, mJ"}};
+
+std::optional<Drawn> drawn_life(const std::string& name) {
+  const auto limit = between(name, "life_cycles.", "");
+  return limit.empty() ? std::nullopt : std::optional(Drawn{name, "Life, limit " + limit, "cycles"});
+}
+
+std::optional<Drawn> drawn_depth(const std::vector<SweepRow>& rows, const std::string& name) {
+  const auto side = between(name, "contacts.", ".max_depth_mm");
+  if (side.empty()) return {};
+  const Unit unit = length_unit(largest_of(rows, name));
+  return Drawn{name, "Largest depth, " + side, "depth, " + unit.name, unit.factor};
+}
+
+/// Of a contact of solids, which has an area.
+std::optional<Drawn> drawn_of_solids(const SweepRow& row, const std::string& name) {
+  for (const auto& [ending, title, label] : of_solids)
+    if (const auto contact = between(name, "contacts.", ending);
+        !contact.empty() && number_of(row, "contacts." + contact + ".contact_area_mm2"))
+      return Drawn{name, std::string(title) + ", " + contact, std::string(label)};
+  return {};
+}
+
+/// The lives that a member reaches, the depths that are not zero and the numbers of contacts of solids, each in the
+/// order of the summary.
 std::vector<Drawn> drawn_of(const std::vector<SweepRow>& rows) {
-  std::vector<Drawn> depths, lives;
-  const auto known = [](const std::vector<Drawn>& all, const std::string& name) {
-    return std::any_of(all.begin(), all.end(), [&](const Drawn& drawn) { return drawn.name == name; });
-  };
+  std::vector<Drawn> lives, depths, others;
+  std::set<std::string> known;
   for (const auto& row : rows)
     for (const auto& [name, value] : row.end.figures) {
-      if (known(lives, name) || known(depths, name) || largest_of(rows, name) <= 0.0) continue;
-      if (const auto limit = between(name, "life_cycles.", ""); !limit.empty())
-        lives.push_back({name, "Life, limit " + limit, "cycles"});
-      else if (const auto side = between(name, "contacts.", ".max_depth_mm"); !side.empty()) {
-        const Unit unit = length_unit(largest_of(rows, name));
-        depths.push_back({name, "Largest depth, " + side, "depth, " + unit.name, unit.factor});
-      }
+      if (known.contains(name) || largest_of(rows, name) <= 0.0) continue;
+      const auto add = [&known](std::vector<Drawn>& list, std::optional<Drawn> drawn) {
+        if (!drawn) return;
+        known.insert(drawn->name);
+        list.push_back(std::move(*drawn));
+      };
+      add(lives, drawn_life(name));
+      add(depths, drawn_depth(rows, name));
+      add(others, drawn_of_solids(row, name));
     }
   lives.insert(lives.end(), depths.begin(), depths.end());
+  lives.insert(lives.end(), others.begin(), others.end());
   return lives;
 }
 

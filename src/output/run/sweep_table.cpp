@@ -26,6 +26,8 @@ constexpr const char* parts[] = {"cycles",          "contacts", "bonds",  "probe
 void add_figures(const Json& value, const std::string& name, RunEnd& end) {
   if (value.is_object())
     for (const auto& [below, child] : value.items()) add_figures(child, name + '.' + below, end);
+  else if (value.is_array())
+    for (std::size_t k = 0; k < value.size(); ++k) add_figures(value[k], name + '[' + std::to_string(k) + ']', end);
   else if (value.is_number() || value.is_null())
     end.figures.emplace_back(name, value.is_null() ? "" : value.dump());
 }

@@ -6,6 +6,7 @@
 #include "scene/located.hpp"
 #include "scene/read.hpp"
 #include "scene/solid/build_solid.hpp"
+#include "scene/solid/solid_extension.hpp"
 #include "scene/solid/solid_keys.hpp"
 #include "scene/solid/solid_located.hpp"
 #include "scene/solid/validate_solid.hpp"
@@ -72,11 +73,17 @@ std::vector<std::string> solid_files_of(const SolidScene& scene) {
 
 bool is_solid(const std::string& path) {
   try {
-    const auto document = parse(text_of(path));
-    const auto* analysis = document.find("analysis");
-    return analysis && analysis->text == "solid";
+    return is_solid_text(text_of(path));
   } catch (const base::InputError&) {
     return false;
+  }
+}
+
+bool is_solid_text(const std::string& text) {
+  try {
+    const auto document = parse(text);
+    const auto* analysis = document.find("analysis");
+    return analysis && analysis->text == "solid";
   } catch (const SyntaxError&) {
     return false;
   }
@@ -103,6 +110,7 @@ SolidScene read_solid_text(const std::string& text, const std::string& path) {
   const auto files = solid_files_of(scene);
   scene.sha256 = digest(text, files);
   scene.fixed_sha256 = digest(fixed_part(document, text), files);
+  for (const auto& file : files) scene.file_sha256[path_from_scene(scene, file)] = file_sha256(file);
   scene.text = text;
   return scene;
 }

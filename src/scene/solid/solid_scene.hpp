@@ -43,11 +43,16 @@ struct SolidScene {
   std::string name, path, text, sha256, fixed_sha256;
   std::map<std::string, int> lines;
   std::vector<std::string> warnings;
+  std::map<std::string, std::string>
+      file_sha256;  ///< of geometry and measured histories, by their paths from the scene
 };
 
 /// Whether the scene at this path says analysis = "solid". A file that cannot be read says no: reading it gives the
 /// reason.
 bool is_solid(const std::string& path);
+
+/// Whether the text of a scene says so; one that is not TOML says no.
+bool is_solid_text(const std::string& text);
 
 /// Reads and checks; throws base::InputError with every issue, as `read` does for scenes of the plane.
 SolidScene read_solid(const std::string& path);

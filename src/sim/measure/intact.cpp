@@ -1,44 +1,16 @@
 #include "sim/measure/intact.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "contact/fields.hpp"
 #include "fem/element.hpp"
 #include "mesh/quality.hpp"
+#include "sim/problem/finite.hpp"
 
 namespace reye::sim {
 
 namespace {
-
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::runtime_error("altered: " + what);
-}
-
-template <class Number>
-bool counted(Number value, Number most) {
-  return value >= 0 && value <= most;
-}
-
-bool finite(double value) { return std::isfinite(value); }
-bool finite(const Vec2& v) { return v.allFinite(); }
-bool finite(const Vector& v) { return v.allFinite(); }
-bool finite(const std::optional<double>& value) { return !value || std::isfinite(*value); }
-bool finite(const std::pair<int, double>& share) { return std::isfinite(share.second); }
-bool finite(const contact::MortarRow& row);
-template <class T, std::size_t N>
-bool finite(const std::array<T, N>& list) {
-  return std::all_of(list.begin(), list.end(), [](const auto& v) { return finite(v); });
-}
-template <class T>
-bool finite(const std::vector<T>& list) {
-  return std::all_of(list.begin(), list.end(), [](const auto& v) { return finite(v); });
-}
-bool finite(const contact::MortarRow& row) {
-  return finite(row.D) && finite(row.cover) && finite(row.covered) && finite(row.off) && finite(row.M);
-}
 
 /// Checks the mesh of any body.
 void check_mesh(const mesh::Mesh& mesh, bool rigid, const std::string& body) {
@@ -145,8 +117,6 @@ void check_progress(const Problem& problem, const State& state) {
               c.cutbacks >= 0,
           "its counts are below zero");
 }
-
-bool optional(std::size_t size, std::size_t full) { return size == 0 || size == full; }
 
 void check_statuses(const std::vector<contact::ContactStatus>& statuses) {
   for (const auto status : statuses)

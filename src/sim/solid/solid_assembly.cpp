@@ -62,6 +62,12 @@ std::vector<SkinPoints> points_of(const solver::SolidSystem& system) {
   return all;
 }
 
+SolidMeshes drawn_meshes(const SolidProblem& problem) {
+  SolidMeshes meshes;
+  for (const auto& input : problem.inputs) meshes.push_back(input.mesh);
+  return meshes;
+}
+
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
                        std::optional<SolidAssembly> old) {
   const double start = cpu_seconds();
@@ -92,17 +98,14 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
   return assembly;
 }
 
-solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
-                           const solver::SolidState& state) {
-  solver::SolidState fresh = solver::initial_state(to);
-  fresh.a = state.a;
-  fresh.s = state.s;
+std::vector<contact::SkinWear> carried_wear(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
+                                            const std::vector<contact::SkinWear>& wear) {
   const auto points = points_of(to);
+  std::vector<contact::SkinWear> all;
   for (std::size_t c = 0; c < points.size(); ++c) {
     const auto secondary = places_of(from[c].secondary), primary = places_of(from[c].primary);
-    carry_values(secondary, points[c].secondary, state.traction[c], fresh.traction[c]);
-    carry_values(secondary, points[c].secondary, state.status[c], fresh.status[c]);
-    contact::for_each_field(state.wear[c], fresh.wear[c], [&](const contact::Field& field, const auto& old, auto& now) {
+    auto& fresh = all.emplace_back(contact::fresh_wear(to.contacts[c]));
+    contact::for_each_field(wear[c], fresh, [&](const contact::Field& field, const auto& old, auto& now) {
       if constexpr (std::is_arithmetic_v<std::remove_reference_t<decltype(now)>>)
         now = old;
       else if (field.site == contact::Site::secondary)
@@ -111,6 +114,21 @@ solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::So
         carry_values(primary, points[c].primary, old, now);
     });
   }
+  return all;
+}
+
+solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
+                           const solver::SolidState& state) {
+  solver::SolidState fresh = solver::initial_state(to);
+  fresh.a = state.a;
+  fresh.s = state.s;
+  const auto points = points_of(to);
+  for (std::size_t c = 0; c < points.size(); ++c) {
+    const auto secondary = places_of(from[c].secondary);
+    carry_values(secondary, points[c].secondary, state.traction[c], fresh.traction[c]);
+    carry_values(secondary, points[c].secondary, state.status[c], fresh.status[c]);
+  }
+  fresh.wear = carried_wear(from, to, state.wear);
   fresh.u = solver::displacements_of(to, fresh);
   return fresh;
 }

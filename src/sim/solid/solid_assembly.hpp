@@ -24,6 +24,9 @@ std::vector<SkinPoints> points_of(const solver::SolidSystem& system);
 
 using SolidMeshes = std::vector<std::shared_ptr<const mesh::SolidMesh>>;
 
+/// The meshes of the bodies as they are drawn.
+SolidMeshes drawn_meshes(const SolidProblem& problem);
+
 /// Condenses every body of these shapes onto its touchable nodes; bodies of `old` that are the same are taken from it.
 /// Throws base::SolveError.
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
@@ -32,6 +35,10 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
 /// The state carried onto equations with other points: values stay with their nodes.
 solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
                            const solver::SolidState& state);
+
+/// Values of wear alone, likewise.
+std::vector<contact::SkinWear> carried_wear(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
+                                            const std::vector<contact::SkinWear>& wear);
 
 /// Whether a point presses whose facets were left out on one side: the contact has outrun its touchable nodes.
 bool outrun(const solver::SolidSystem& system, const solver::SolidSolution& solution);

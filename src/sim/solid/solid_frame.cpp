@@ -103,9 +103,9 @@ SkinRecord primary_record(const solver::SolidSystem& system, const solver::Solid
 
 }  // namespace
 
-SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly,
-                       const solver::SolidSolution& solution, const SolidRunState& state, const std::string& step,
-                       const FrameMoment& moment) {
+SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly, const SolidRunState& state,
+                       const std::string& step, const FrameMoment& moment) {
+  const auto& solution = *state.solved;
   SolidFrame frame{moment.cycle, moment.progress, step, {}, {}};
   if (moment.bodies)
     for (int b = 0; b < problem.body_count(); ++b)

@@ -17,6 +17,7 @@ namespace {
 /// Counts of the work done continue where the state itself begins again.
 void keep_work(SolidRunState& start, const SolidRunState& played) {
   start.counts = played.counts;
+  start.warnings = played.warnings;
   start.cutback_reasons = played.cutback_reasons;
   start.balance = played.balance;
   start.mortar_s = played.mortar_s;
@@ -128,9 +129,9 @@ void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const So
   trial.error = skin_wear_difference(player.system(), twice, halves);
   trial.too_long = trial.error > allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
   trial.throughout = slides_throughout(begin, halves);
-  trial.uncorrected = row_of(problem, player.system(), *attempt.halves.solution, halves);
+  trial.uncorrected = row_of(problem, player.system(), halves);
   extrapolate_skins(player.system(), twice, halves);
-  trial.corrected = row_of(problem, player.system(), *attempt.halves.solution, halves);
+  trial.corrected = row_of(problem, player.system(), halves);
   trial.outcome = std::move(attempt.halves);
   trial.outcome.middle = std::move(attempt.middle);
   if (!trial.too_long && span.level)
@@ -172,23 +173,26 @@ SolidOutcome play_one_solid_cycle(SolidPlayer& player, const SolidRunState& stat
 
 }  // namespace
 
-SolidOutcome play_fixed_block(const SolidProblem&, SolidPlayer& player, const SolidRunState& state, SolidSpan span,
-                              const SolidObserver& observer, std::vector<Warning>& warnings) {
+SolidOutcome play_fixed_block(SolidPlayer& player, const SolidRunState& state, SolidSpan span,
+                              const SolidObserver& observer) {
+  if (!span.cycles || !span.step->wear || span.jump <= 1.0) return player.play(state, span, observer);
   constexpr double shorter = 0.25;
   const double wanted = span.jump;
   SolidRunState start = state;
   for (;;) {
     SolidRecording recording;
     SolidOutcome outcome = player.play(start, span, recording.observer(observer));
-    if (outcome.failure.empty() || !span.cycles || !span.step->wear || span.jump <= 1.0) {
+    if (outcome.failure.empty() || span.jump <= 1.0) {
+      if (outcome.interrupted) outcome.state = start;
       recording.play_back(observer);
       if (span.jump < wanted && outcome.failure.empty() && !outcome.interrupted) {
         outcome.state.block_cycles = span.jump;
-        warnings.push_back({"jump", "step " + span.step->name,
-                            base::formatted("A block of %g cycles failed at cycle %g; from there on blocks have %g. "
-                                            "Write jump = %g, or jump = { tolerance = 0.01 }.",
-                                            wanted, state.cycle, span.jump, span.jump),
-                            wanted / span.jump});
+        outcome.state.warnings.push_back(
+            {"jump", "step " + span.step->name,
+             base::formatted("A block of %g cycles failed at cycle %g; from there on blocks have %g. "
+                             "Write jump = %g, or jump = { tolerance = 0.01 }.",
+                             wanted, state.cycle, span.jump, span.jump),
+             wanted / span.jump});
       }
       return outcome;
     }
@@ -225,7 +229,11 @@ SolidOutcome play_controlled_block(const SolidProblem& problem, SolidPlayer& pla
     span.last = span.level = false;
     if (trial.too_long && start.step_cycles == 0.0) break;
   }
-  return play_one_solid_cycle(player, start, span, observer);
+  SolidObserver without_states = observer;  // none of them is at the end of a block
+  without_states.state = {};
+  SolidOutcome outcome = play_one_solid_cycle(player, start, span, without_states);
+  if (outcome.interrupted) outcome.state = std::move(start);
+  return outcome;
 }
 
 }  // namespace reye::sim

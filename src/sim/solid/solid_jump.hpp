@@ -6,8 +6,8 @@
 namespace reye::sim {
 
 /// A block of `span.jump` cycles; where it fails, fewer are tried, and the state remembers how many worked.
-SolidOutcome play_fixed_block(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& state,
-                              SolidSpan span, const SolidObserver& observer, std::vector<Warning>& warnings);
+SolidOutcome play_fixed_block(SolidPlayer& player, const SolidRunState& state, SolidSpan span,
+                              const SolidObserver& observer);
 
 /// A block of at most `span.jump` cycles, played once as a whole and once in two halves, extrapolated, and levelled
 /// where its end is shown. Where the two differ too much for the step's tolerance, fewer cycles are tried.

@@ -50,14 +50,6 @@ std::optional<double> share_to_solid_stop(const SolidProblem& problem, const sol
                         {cycles, error, measure});
 }
 
-bool stopped_by_limit(const SolidProblem& problem, const SolidRunState& state) {
-  const auto& limits = problem.scene.limits;
-  return std::any_of(limits.begin(), limits.end(), [&](const auto& limit) {
-    const auto now = state.limit_measure.find(limit.name);
-    return limit.stop && now != state.limit_measure.end() && is_reached(limit, now->second);
-  });
-}
-
 bool solid_stop_ahead(const SolidProblem& problem, const SolidRunState& state) {
   const auto& limits = problem.scene.limits;
   return std::any_of(limits.begin(), limits.end(),

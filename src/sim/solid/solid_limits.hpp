@@ -21,8 +21,7 @@ std::optional<double> share_to_solid_stop(const SolidProblem& problem, const sol
                                           const SolidRunState& before, const SolidRunState& after,
                                           const std::map<std::string, double>& middle);
 
-/// Whether a limit that ends the run has been reached, and whether one is still to be reached.
-bool stopped_by_limit(const SolidProblem& problem, const SolidRunState& state);
+/// Whether a limit that ends the run is still to be reached.
 bool solid_stop_ahead(const SolidProblem& problem, const SolidRunState& state);
 
 }  // namespace reye::sim

@@ -25,13 +25,21 @@ constexpr int most_turns = 3;       ///< times that a block is repeated to end a
 /// A run while it is played.
 class March {
  public:
-  March(const SolidProblem& problem, const SolidObserver& observer)
-      : problem_(problem), observer_(observer), player_(problem), planned_(solid_plan(problem).size) {}
+  March(const SolidProblem& problem, SolidRunState state, const SolidObserver& observer,
+        std::optional<SolidAssembly> assembly)
+      : problem_(problem), observer_(observer), planned_(solid_plan(problem).size), state_(std::move(state)) {
+    const double made_s = assembly ? assembly->seconds : 0.0;
+    before_s_ = problem.mesh_seconds + made_s;
+    try {
+      player_.emplace(problem_, state_, std::move(assembly));
+    } catch (const base::SolveError& error) {
+      failure_ = error.what();
+    }
+  }
 
   SolidSummary play() {
     try {
-      state_ = player_.begin();
-      play_steps();
+      if (player_) play_steps();
     } catch (const base::SolveError& error) {
       failure_ = error.what();
     }
@@ -39,20 +47,14 @@ class March {
   }
 
  private:
-  static double left_of(const scene::Step& step, const SolidRunState& state) { return step.cycles - state.step_cycles; }
-
-  static bool over(const scene::Step& step, const SolidRunState& state) {
-    return step.cycles > 0.0 ? left_of(step, state) <= round_off * step.cycles : state.step_blocks > 0;
-  }
-
   void play_steps() {
-    while (state_.step < static_cast<int>(problem_.scene.steps.size())) {
+    while (!at_end(problem_, state_)) {
       const auto& step = problem_.scene.steps[static_cast<std::size_t>(state_.step)];
-      if (over(step, state_)) {
+      if (is_over(step, state_)) {
         ++state_.step;
         state_.step_cycles = state_.block_cycles = 0.0;
         state_.step_blocks = 0;
-      } else if (stopped_by_limit(problem_, state_) || !next_block(step)) {
+      } else if (!next_block(step)) {
         return;
       }
     }
@@ -62,7 +64,7 @@ class March {
   SolidSpan next_span(const scene::Step& step) const {
     SolidSpan span{.step = &step, .jump = 1.0, .cycles = step.cycles > 0.0, .last = true};
     if (!span.cycles) return span;
-    const double left = left_of(step, state_);
+    const double left = cycles_left(step, state_);
     if (under_tolerance(step))
       span.jump = fitted(problem_.scene.frames, state_.cycle,
                          std::min(state_.jump > 0.0 ? state_.jump : step.jump, step.jump_most), left);
@@ -87,8 +89,8 @@ class March {
   }
 
   SolidOutcome play_span(const SolidSpan& span, const SolidRunState& from, const SolidObserver& observer) {
-    return under_tolerance(*span.step) ? play_controlled_block(problem_, player_, from, span, observer)
-                                       : play_fixed_block(problem_, player_, from, span, observer, warnings_);
+    return under_tolerance(*span.step) ? play_controlled_block(problem_, *player_, from, span, observer)
+                                       : play_fixed_block(*player_, from, span, observer);
   }
 
   /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
@@ -97,7 +99,7 @@ class March {
     SolidRecording recording;
     SolidOutcome outcome = play_span(span, state_, recording.observer(observer_));
     for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
-      const auto share = share_to_solid_stop(problem_, player_.system(), state_, outcome.state, outcome.middle);
+      const auto share = share_to_solid_stop(problem_, player_->system(), state_, outcome.state, outcome.middle);
       const double cycles = outcome.state.cycle - state_.cycle;
       if (!share || cycles <= 1.0) break;
       SolidRunState start = state_;
@@ -107,54 +109,61 @@ class March {
       recording = {};
       outcome = play_span(span, start, recording.observer(observer_));
     }
+    if (outcome.interrupted) outcome.state = state_;
     recording.play_back(observer_);
     return outcome;
   }
 
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
+    if (state_.increment == 0) state_.block_wear = state_.solution.wear;
     const SolidRunState before = state_;
     SolidOutcome outcome = play_to_limit(next_span(step));
     state_ = std::move(outcome.state);
-    if (outcome.solution) solution_ = std::move(outcome.solution);
     failure_ = outcome.failure;
     interrupted_ = outcome.interrupted;
     if (!failure_.empty() || interrupted_) return false;
     finish_block(step, before);
-    const bool stop = watch_solid_limits(problem_, player_.system(), before.cycle, outcome.middle, state_);
-    const bool last = stop || over(step, state_);
+    const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
+    const bool last = stop || is_over(step, state_);
     if (step.wear && problem_.scene.shape && !move_shapes(last)) return false;
     const auto block = played_block(step, before, state_.cycle, state_.step_cycles, state_.step_blocks, last);
     if (observer_.frame && frame_due(problem_.scene.frames, block))
-      observer_.frame(solid_frame(problem_, player_.assembly(), *solution_, state_, step.name,
+      observer_.frame(solid_frame(problem_, player_->assembly(), state_, step.name,
                                   {state_.cycle, 1.0, problem_.scene.frames.paraview}));
-    return !stop;
+    return keep();
+  }
+
+  /// Shows the state, from which a run can resume; false where this one is to end with it.
+  bool keep() {
+    if (observer_.state) observer_.state(state_);
+    interrupted_ = !at_end(problem_, state_) && observer_.interrupted && observer_.interrupted();
+    return !interrupted_;
   }
 
   /// Moves the worn faces where the depth that waits in the gaps is no longer small beside the facets, and at the end
   /// of a step. False where a body cannot follow.
   bool move_shapes(bool last) {
     constexpr double small = 0.02;
-    const double share = pending_share(player_.system(), state_);
+    const double share = pending_share(player_->system(), state_);
     if (!(share > (last ? 0.0 : small))) return true;
-    failure_ = reshape_bodies(problem_, player_, relocations_, state_);
+    failure_ = reshape_bodies(problem_, *player_, relocations_, state_);
     return failure_.empty();
   }
 
   void finish_block(const scene::Step& step, const SolidRunState& before) {
     const double cycles = state_.cycle - before.cycle;
     state_.step_cycles += cycles;
-    if (step.cycles > 0.0 && over(step, state_)) {
-      state_.cycle += left_of(step, state_);
+    if (step.cycles > 0.0 && is_over(step, state_)) {
+      state_.cycle += cycles_left(step, state_);
       state_.step_cycles = step.cycles;
     }
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    const auto start = player_.brought_up(before);
-    state_.slid = slid_between(start.solution.wear, state_.solution.wear);
+    state_.slid = slid_between(state_.block_wear, state_.solution.wear);
     if (step.cycles > 0.0)
       for (std::size_t c = 0; c < state_.energy_last_cycle_mJ.size(); ++c)
-        state_.energy_last_cycle_mJ[c] = (energy_of(state_, c) - energy_of(start, c)) / cycles;
+        state_.energy_last_cycle_mJ[c] = (energy_of(state_, c) - state_.block_wear[c].frictional_work) / cycles;
   }
 
   void summarise_limits(SolidSummary& s) const {
@@ -183,12 +192,11 @@ class March {
     s.cutback_reasons = state_.cutback_reasons;
     s.scene_sha256 = problem_.scene.sha256;
     s.warnings = problem_.warnings;
-    s.warnings.insert(s.warnings.end(), player_.warnings().begin(), player_.warnings().end());
-    s.warnings.insert(s.warnings.end(), warnings_.begin(), warnings_.end());
-    if (solution_) {
+    s.warnings.insert(s.warnings.end(), state_.warnings.begin(), state_.warnings.end());
+    if (state_.solved) {
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
-        s.contacts.push_back(contact_summary(problem_, player_.system(), *solution_, c, state_));
-      s.probes = probe_values(problem_, player_.assembly(), *solution_, state_);
+        s.contacts.push_back(contact_summary(problem_, player_->system(), state_, c));
+      s.probes = probe_values(problem_, player_->assembly(), state_);
     }
     summarise_limits(s);
     s.size = planned_;
@@ -198,9 +206,8 @@ class March {
                        {"mortar", state_.mortar_s},
                        {"interface", state_.interface_s},
                        {"shape", state_.shape_s}};
-    s.cpu_s = cpu_seconds() - start_cpu_ + problem_.mesh_seconds;
-    s.wall_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_wall_).count() + problem_.mesh_seconds;
+    s.cpu_s = cpu_seconds() - start_cpu_ + before_s_;
+    s.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_wall_).count() + before_s_;
     s.peak_rss_MB = peak_memory_MB();
     return s;
   }
@@ -208,21 +215,24 @@ class March {
   const SolidProblem& problem_;
   const SolidObserver& observer_;
   std::chrono::steady_clock::time_point start_wall_ = std::chrono::steady_clock::now();
-  double start_cpu_ = cpu_seconds();
-  SolidPlayer player_;
+  double start_cpu_ = cpu_seconds(), before_s_ = 0.0;  ///< CPU: when the run began, and of what was made before
   SolidSize planned_;
   SolidRunState state_;
-  std::optional<solver::SolidSolution> solution_;
+  std::optional<SolidPlayer> player_;
   SolidRelocations relocations_;
-  std::vector<Warning> warnings_;
   std::string failure_;
   bool interrupted_ = false;
 };
 
 }  // namespace
 
+SolidSummary run_solid(const SolidProblem& problem, SolidRunState state, const SolidObserver& observer,
+                       std::optional<SolidAssembly> assembly) {
+  return March(problem, std::move(state), observer, std::move(assembly)).play();
+}
+
 SolidSummary run_solid(const SolidProblem& problem, const SolidObserver& observer) {
-  return March(problem, observer).play();
+  return run_solid(problem, initial_solid_state(problem), observer);
 }
 
 }  // namespace reye::sim

@@ -28,8 +28,8 @@ Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& st
 
 }  // namespace
 
-SkinContactRow contact_row(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t c,
-                           const SolidRunState& state) {
+SkinContactRow contact_row(const solver::SolidSystem& system, const SolidRunState& state, std::size_t c) {
+  const auto& solution = *state.solved;
   SkinContactRow row;
   const auto& setup = system.contacts[c];
   const auto& place = solution.place[c];

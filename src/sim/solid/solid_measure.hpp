@@ -6,8 +6,8 @@
 /// What is seen of an increment that was solved.
 namespace reye::sim {
 
-SkinContactRow contact_row(const solver::SolidSystem& system, const solver::SolidSolution& solution,
-                           std::size_t contact, const SolidRunState& state);
+/// A contact at the end of the increment that led to a state.
+SkinContactRow contact_row(const solver::SolidSystem& system, const SolidRunState& state, std::size_t contact);
 
 /// Forces of contacts on the points of a body [N].
 base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t body);
@@ -25,16 +25,14 @@ struct FrameMoment {
   bool bodies = true;
 };
 
-SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly,
-                       const solver::SolidSolution& solution, const SolidRunState& state, const std::string& step,
-                       const FrameMoment& moment);
+SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembly, const SolidRunState& state,
+                       const std::string& step, const FrameMoment& moment);
 
 SkinContactSummary contact_summary(const SolidProblem& problem, const solver::SolidSystem& system,
-                                   const solver::SolidSolution& solution, std::size_t contact,
-                                   const SolidRunState& state);
+                                   const SolidRunState& state, std::size_t contact);
 
 /// Displacements of the probes. Throws base::InputError for a point outside of its body.
 std::map<std::string, Vec3> probe_values(const SolidProblem& problem, const SolidAssembly& assembly,
-                                         const solver::SolidSolution& solution, const SolidRunState& state);
+                                         const SolidRunState& state);
 
 }  // namespace reye::sim

@@ -25,31 +25,26 @@ struct SolidPlayer::Playing {
   const SolidSpan& span;
   const SolidObserver& observer;
   SolidOutcome outcome;
-  std::map<std::string, double> held;
-  double increments_of_run = 0.0;
 
   double cycle_at(double progress) const { return outcome.state.cycle + (span.cycles ? span.jump * progress : 0.0); }
 };
 
-SolidPlayer::SolidPlayer(const SolidProblem& problem) : problem_(problem), touchable_(touchable_nodes(problem)) {}
-
-SolidRunState SolidPlayer::begin() {
-  SolidRunState state;
-  for (const auto& [name, corners] : problem_.scene.histories) state.factors[name] = 0.0;
-  for (const auto& input : problem_.inputs) state.meshes.push_back(input.mesh);
-  state.energy_last_cycle_mJ.assign(problem_.contacts.size(), 0.0);
-  build(state);
-  return state;
+SolidPlayer::SolidPlayer(const SolidProblem& problem, SolidRunState& state, std::optional<SolidAssembly> assembly)
+    : problem_(problem), touchable_(state.touchable), assembly_(std::move(assembly)) {
+  if (assembly_)
+    state.factor_s += assembly_->seconds;
+  else
+    build(state);
 }
 
 void SolidPlayer::build(SolidRunState& state) {
-  const bool first = !assembly_;
   assembly_.emplace(assemble(problem_, state.meshes, touchable_, std::move(assembly_)));
   state.factor_s += assembly_->seconds;
   state.counts.factorisations += assembly_->factorised;
-  if (first) {
+  if (state.solution.traction.empty()) {
     state.solution = solver::initial_state(system());
     state.points = points_of(system());
+    state.block_wear = state.solution.wear;
     for (const auto& setup : system().contacts) state.slid.emplace_back(static_cast<std::size_t>(setup.count()), 0);
   }
   bring_up(state);
@@ -58,9 +53,12 @@ void SolidPlayer::build(SolidRunState& state) {
 /// Carries a state onto the present points.
 void SolidPlayer::bring_up(SolidRunState& state) const {
   state.retained = system().points();
+  state.touchable = touchable_;
   auto points = points_of(system());
   if (points == state.points) return;
   state.solution = carried(state.points, system(), state.solution);
+  state.block_wear = carried_wear(state.points, system(), state.block_wear);
+  state.solved.reset();  // it has the points of the equations before
   state.points = std::move(points);
   for (std::size_t c = 0; c < state.slid.size(); ++c) state.slid[c].assign(state.points[c].secondary.size(), 0);
 }
@@ -79,34 +77,43 @@ void SolidPlayer::reshape(SolidRunState& state, SolidMeshes meshes) {
 
 SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer) {
   bring_up(state);
-  Playing play{span, observer, {std::move(state), {}, {}, false}, {}, 0.0};
-  play.held = play.outcome.state.factors;
-  if (observer.progress) play.increments_of_run = solid_increments(problem_);
-  double from = 0.0;
-  for (const double to : step_corners(problem_.scene.histories, *span.step)) {
-    play.outcome.failure = play_between(play, from, to, problem_.scene.max_cutbacks);
+  if (state.increment == 0) state.held = state.factors;
+  Playing play{span, observer, {std::move(state), {}, false}};
+  auto& now = play.outcome.state;
+  const auto corners = step_corners(problem_.scene.histories, *span.step);
+  const auto count = static_cast<int>(corners.size());
+  while (now.increment < count) {
+    const auto k = static_cast<std::size_t>(now.increment);
+    play.outcome.failure = play_between(play, k > 0 ? corners[k - 1] : 0.0, corners[k], problem_.scene.max_cutbacks);
     if (!play.outcome.failure.empty()) return std::move(play.outcome);
-    from = to;
+    if (++now.increment == count) break;
+    show_inside(play, corners[k]);
+    if (observer.state) observer.state(now);
     if (observer.interrupted && observer.interrupted()) {
       play.outcome.interrupted = true;
       return std::move(play.outcome);
     }
-    const auto& rules = problem_.scene.frames;
-    if (to < 1.0 && observer.frame && (rules.every_increment || (rules.last_block && span.last)))
-      observer.frame(solid_frame(problem_, *assembly_, *play.outcome.solution, play.outcome.state, span.step->name,
-                                 {play.cycle_at(to), to, rules.paraview}));
   }
+  now.increment = 0;
   if (span.cycles) {
-    play.outcome.state.cycle += span.jump;
-    ++play.outcome.state.counts.cycles_solved;
+    now.cycle += span.jump;
+    ++now.counts.cycles_solved;
   }
   return std::move(play.outcome);
+}
+
+/// A frame at the end of an increment, where the scene asks for those.
+void SolidPlayer::show_inside(const Playing& play, double to) const {
+  const auto& rules = problem_.scene.frames;
+  if (play.observer.frame && (rules.every_increment || (rules.last_block && play.span.last)))
+    play.observer.frame(solid_frame(problem_, *assembly_, play.outcome.state, play.span.step->name,
+                                    {play.cycle_at(to), to, rules.paraview}));
 }
 
 /// One increment; on failure it is halved, up to `depth` times.
 std::string SolidPlayer::play_between(Playing& play, double from, double to, int depth) {
   auto& state = play.outcome.state;
-  const auto factors = factors_at(problem_.scene.histories, *play.span.step, to, play.held);
+  const auto factors = factors_at(problem_.scene.histories, *play.span.step, to, state.held);
   if (auto failure = solve(play, factors, from, to); !failure.empty()) {
     const std::string where =
         base::formatted("step \"%s\", cycle %.9g, progress %.4g to %.4g: ", play.span.step->name.c_str(), state.cycle,
@@ -142,18 +149,18 @@ std::string SolidPlayer::solve(Playing& play, const std::map<std::string, double
       build(state);
       continue;
     }
-    play.outcome.solution = std::move(solution);
+    state.solved = std::move(solution);
     return {};
   }
 }
 
 void SolidPlayer::accept(Playing& play, const std::map<std::string, double>& factors, double to) {
   auto& state = play.outcome.state;
-  state.solution = play.outcome.solution->state;
+  state.solution = state.solved->state;
   state.factors = factors;
   ++state.counts.increments;
-  state.balance = std::max(state.balance, imbalance_of_bodies(problem_, system(), *play.outcome.solution));
-  watch_solid(problem_, system(), *play.outcome.solution, warnings_);
+  state.balance = std::max(state.balance, imbalance_of_bodies(problem_, system(), *state.solved));
+  watch_solid(problem_, system(), *state.solved, state.warnings);
   record(play, to);
 }
 
@@ -161,7 +168,7 @@ void SolidPlayer::record(const Playing& play, double to) const {
   const auto& state = play.outcome.state;
   const auto& step = *play.span.step;
   if (play.observer.increment && play.span.recorded) {
-    SolidIncrement row = row_of(problem_, system(), *play.outcome.solution, state);
+    SolidIncrement row = row_of(problem_, system(), state);
     row.step = step.name;
     row.cycle = play.cycle_at(to);
     row.progress = to;
@@ -172,22 +179,20 @@ void SolidPlayer::record(const Playing& play, double to) const {
   p.step = step.name;
   p.cycle = play.cycle_at(to);
   p.cycles = step.cycles;
-  p.newton = play.outcome.solution->iterations;
+  p.newton = state.solved->iterations;
   p.increments = std::max(1, step.increments);
   p.increment = static_cast<int>(std::lround(to * p.increments));
   p.fraction = play.span.cycles ? (state.step_cycles + play.span.jump * to) / step.cycles : to;
   p.solved = static_cast<double>(state.counts.increments);
-  p.to_be_solved = std::max(0.0, play.increments_of_run - p.solved);
+  p.to_be_solved = std::max(0.0, solid_increments(problem_) - p.solved);
   play.observer.progress(p);
 }
 
-SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system,
-                      const solver::SolidSolution& solution, const SolidRunState& state) {
+SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system, const SolidRunState& state) {
   SolidIncrement row;
-  row.newton = solution.iterations;
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c)
-    row.contacts.push_back(contact_row(system, solution, c, state));
-  row.supports = support_rows(problem, system, solution);
+  row.newton = state.solved->iterations;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) row.contacts.push_back(contact_row(system, state, c));
+  row.supports = support_rows(problem, system, *state.solved);
   return row;
 }
 

@@ -12,13 +12,13 @@ namespace reye::sim {
 /// nodes that contact may touch; states made before there were more of these are carried onto them.
 class SolidPlayer {
  public:
-  explicit SolidPlayer(const SolidProblem& problem);
+  /// `assembly`: the equations of the state where it is under way; else they are made. Throws base::SolveError.
+  SolidPlayer(const SolidProblem& problem, SolidRunState& state, std::optional<SolidAssembly> assembly);
 
-  /// The state before the first increment.
-  SolidRunState begin();
   /// A state carried onto the present points.
   SolidRunState brought_up(SolidRunState state) const;
-  /// One play of the span's step. Rows, frames inside and progress go to `observer`.
+  /// One play of the span's step, or what is left of it where the state is within. Rows, frames inside and progress go
+  /// to `observer`, and states at the ends of increments but the last.
   SolidOutcome play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer);
   /// Makes the equations of other shapes, with the state's values carried onto them. Bodies that have not changed keep
   /// theirs. Throws base::SolveError.
@@ -26,8 +26,6 @@ class SolidPlayer {
 
   const SolidAssembly& assembly() const { return *assembly_; }
   const solver::SolidSystem& system() const { return assembly_->system; }
-  /// What increments have shown that a reader must know.
-  const std::vector<Warning>& warnings() const { return warnings_; }
 
  private:
   struct Playing;
@@ -37,15 +35,14 @@ class SolidPlayer {
   std::string solve(Playing& play, const std::map<std::string, double>& factors, double from, double to);
   void accept(Playing& play, const std::map<std::string, double>& factors, double to);
   void record(const Playing& play, double to) const;
+  void show_inside(const Playing& play, double to) const;
 
   const SolidProblem& problem_;
   Touchable touchable_;
   std::optional<SolidAssembly> assembly_;
-  std::vector<Warning> warnings_;
 };
 
-/// The row of the history for an increment.
-SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system,
-                      const solver::SolidSolution& solution, const SolidRunState& state);
+/// The row of the history for the increment that led to a state.
+SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system, const SolidRunState& state);
 
 }  // namespace reye::sim

@@ -26,7 +26,7 @@ class Preparation {
   Preparation(scene::SolidScene scene, cad::SolidGeometry geometry) {
     problem_.scene = std::move(scene);
     for (std::size_t b = 0; b < geometry.bodies.size(); ++b) add_body(b, std::move(geometry.bodies[b]));
-    for (const auto& text : geometry.warnings) problem_.warnings.push_back({"geometry", "", text});
+    for (const auto& text : geometry.warnings) problem_.warnings.push_back({geometry_warning, "", text});
   }
 
   SolidProblem finish() {
@@ -190,6 +190,13 @@ SolidProblem prepare_solid(scene::SolidScene scene) {
   } catch (const base::InputError& error) {
     throw scene::located(scene, error.issues());
   }
+  SolidProblem problem = prepare_solid(std::move(scene), std::move(geometry));
+  problem.mesh_seconds = cpu_seconds() - start;
+  return problem;
+}
+
+SolidProblem prepare_solid(scene::SolidScene scene, cad::SolidGeometry geometry) {
+  const double start = cpu_seconds();
   SolidProblem problem = Preparation(std::move(scene), std::move(geometry)).finish();
   problem.mesh_seconds = cpu_seconds() - start;
   return problem;

@@ -37,8 +37,14 @@ struct SolidProblem {
 /// Resultants of all loads, as `load_force` holds them.
 std::vector<std::vector<Vec3>> load_resultants(const std::vector<body::SolidInput>& inputs);
 
+/// The kind of warnings that the geometry gave.
+inline constexpr const char* geometry_warning = "geometry";
+
 /// Imports and meshes the geometry, finds the faces by their names and puts supports, loads and contacts onto the
 /// bodies. Throws base::InputError with all issues and their lines.
 SolidProblem prepare_solid(scene::SolidScene scene);
+
+/// Puts the scene onto geometry that was built before.
+SolidProblem prepare_solid(scene::SolidScene scene, cad::SolidGeometry geometry);
 
 }  // namespace reye::sim

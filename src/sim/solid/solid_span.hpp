@@ -1,6 +1,5 @@
 #pragma once
 #include <map>
-#include <optional>
 #include <string>
 
 #include "sim/solid/solid_measure.hpp"
@@ -17,11 +16,10 @@ struct SolidSpan {
   bool level = false;    ///< its end is shown: under a tolerance levelling cycles are its last part
 };
 
-/// A state with the increment that led to it, or the reason of a failure.
+/// A state, or the reason of a failure.
 struct SolidOutcome {
   SolidRunState state;
-  std::optional<solver::SolidSolution> solution;  ///< of the last increment
-  std::string failure;                            ///< empty when the state is accepted
+  std::string failure;  ///< empty when the state is accepted
   bool interrupted = false;
   std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
 };

@@ -31,9 +31,9 @@ void add_wear(const contact::SkinWear& wear, const SkinContactRow& row, SkinCont
 }  // namespace
 
 SkinContactSummary contact_summary(const SolidProblem& problem, const solver::SolidSystem& system,
-                                   const solver::SolidSolution& solution, std::size_t c, const SolidRunState& state) {
+                                   const SolidRunState& state, std::size_t c) {
   const auto& options = problem.contacts[c].options;
-  const auto row = contact_row(system, solution, c, state);
+  const auto row = contact_row(system, state, c);
   SkinContactSummary summary;
   summary.name = options.name;
   summary.normal_force_N = row.normal_force_N;
@@ -41,7 +41,7 @@ SkinContactSummary contact_summary(const SolidProblem& problem, const solver::So
   summary.dissipated_energy_mJ = row.energy_mJ;
   if (state.cycle >= 1.0) summary.energy_last_cycle_mJ = state.energy_last_cycle_mJ[c];
   summary.peak_pressure_MPa = row.pressure_max_MPa;
-  const WholePatch patch = whole_patch(problem, system, solution, c);
+  const WholePatch patch = whole_patch(problem, system, *state.solved, c);
   summary.area_mm2 = row.area_mm2;
   summary.stick_area_mm2 = row.stick_area_mm2;
   summary.equivalent_radius_mm = std::sqrt(patch.area() / std::numbers::pi);
@@ -51,10 +51,10 @@ SkinContactSummary contact_summary(const SolidProblem& problem, const solver::So
 }
 
 std::map<std::string, Vec3> probe_values(const SolidProblem& problem, const SolidAssembly& assembly,
-                                         const solver::SolidSolution& solution, const SolidRunState& state) {
+                                         const SolidRunState& state) {
   std::map<std::string, Vec3> values;
   if (problem.scene.probes.empty()) return values;
-  const SolidFrame frame = solid_frame(problem, assembly, solution, state, "", {});
+  const SolidFrame frame = solid_frame(problem, assembly, state, "", {});
   std::vector<base::Issue> issues;
   for (const auto& probe : problem.scene.probes)
     for (const auto& body : frame.bodies)

@@ -99,6 +99,20 @@ Touchable touchable_nodes(const SolidProblem& problem) {
   return touchable;
 }
 
+Touchable contact_nodes(const SolidProblem& problem) {
+  Touchable all;
+  for (const auto& input : problem.inputs) all.emplace_back(input.mesh->X.size(), 0);
+  const auto add = [&](const contact::FaceRef& ref) {
+    const auto face = view(problem, ref);
+    for (const int index : face.facets) take(face.mesh.skin[index], all[ref.body]);
+  };
+  for (const auto& contact : problem.contacts) {
+    add(contact.secondary);
+    for (const auto& ref : contact.primary) add(ref);
+  }
+  return all;
+}
+
 bool grow(const SolidProblem& problem, Touchable& touchable, int rings) {
   bool any = false;
   for (int ring = 0; ring < rings; ++ring)

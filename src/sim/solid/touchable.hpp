@@ -14,6 +14,9 @@ using Touchable = std::vector<std::vector<char>>;
 /// to the other side than the drawn distance and two facets.
 Touchable touchable_nodes(const SolidProblem& problem);
 
+/// Nodes of all faces of contacts: touchable ones are among them.
+Touchable contact_nodes(const SolidProblem& problem);
+
 /// Adds rings of facets of the contacts' faces; false where there is nothing to add.
 bool grow(const SolidProblem& problem, Touchable& touchable, int rings);
 

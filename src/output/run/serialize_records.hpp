@@ -1,0 +1,20 @@
+#pragma once
+#include "sim/problem/records.hpp"
+
+/// cereal functions for the records that states of every kind of run carry. A member that is added to one of them and
+/// not to its list here does not compile.
+namespace reye::sim {
+
+template <class Archive>
+void serialize(Archive& archive, Counts& c) {
+  auto& [blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks] = c;
+  archive(blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Warning& w) {
+  auto& [kind, about, text, severity] = w;
+  archive(kind, about, text, severity);
+}
+
+}  // namespace reye::sim
