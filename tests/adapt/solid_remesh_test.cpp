@@ -1,13 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "adapt/solid/skin_locator.hpp"
 #include "adapt/solid/solid_remesh.hpp"
 #include "adapt/solid/solid_triggers.hpp"
 #include "adapt/solid_worn.hpp"
+#include "mesh/solid/facet_control_points.hpp"
 
 namespace reye {
 namespace {
 
 using namespace support;  // NOLINT: test vocabulary
+using adapt::evolve_solid;
 using adapt::remesh_solid;
 using adapt::ScarRoute;
 using mesh::SolidKind;
@@ -91,22 +96,98 @@ mesh::SolidMesh before_wear_above(mesh::SolidMesh m, double z) {
   return m;
 }
 
-// A worn cap drawn again a hundred times without wear must keep its volume and its shape.
+/// A ball with a cap worn by a third of its height, its skin alone.
+mesh::SolidMesh worn_ball(SolidKind kind, int n) {
+  const auto m = rigid(ball(kind, n, 1.0));
+  const auto cap = [](const Vec3& X) { return 0.3 * std::max(0.0, X.z() - 0.8); };
+  return *adapt::evolve_solid(shared(m), m, {worn_by(m, "ball", cap)}, 1e-3).mesh;
+}
+
+/// Largest distance of nodes from a surface of the face "ball".
+double distance_from(const mesh::SolidMesh& surface, const mesh::SolidMesh& m) {
+  const mortar::Skin skin{surface.skin, mesh::control_points(surface.skin, surface.X)};
+  const adapt::SkinLocator locator(skin);
+  double largest = 0.0;
+  for (const Vec3& X : m.X) largest = std::max(largest, locator.nearest(X).distance);
+  return largest;
+}
+
+// A worn cap, 0.06 deep, drawn again a hundred times without wear must keep its volume and its shape: no node leaves
+// the surface by more than a chord leaves its arc.
 TEST(SolidRemesh, AHundredTimesWithoutWear) {
   for (auto kind : {SolidKind::tet4, SolidKind::tet10}) {
-  auto now = rigid(ball(kind, kind == SolidKind::tet4 ? 16 : 8, 1.0));
-  now = *adapt::evolve_solid(shared(now), now, {worn_by(now, "ball", [](const Vec3& X) { return 0.3 * std::max(0.0, X.z() - 0.8); })}, 1e-3).mesh;
-  const double volume = mesh::volume(now);
-  for (int k = 0; k < 100; ++k) {
-    const auto result = remesh_solid(now, before_wear_above(now, 0.7), {.scar = ScarRoute::redraw});
-    ASSERT_TRUE(result.mesh) << result.failure;
-    double top = 0.0;
-    for (const Vec3& X : result.mesh->X) top = std::max(top, X.z());
-    if (k % 11 == 0) printf("%d: fresh %d residue %g correction %g facets %zu top %.6f cz %.9f\n", k, result.fresh_facets, result.volume_residue, result.correction_mm, result.mesh->skin.size(), top, mesh::volume_centroid(*result.mesh).z());
-    now = *result.mesh;
+    const int n = kind == SolidKind::tet4 ? 12 : 6;
+    const double sagitta = std::pow(std::numbers::pi / 2.0 / n, 2) / 8.0;
+    const auto first = worn_ball(kind, n);
+    auto now = first, early = first;
+    for (int k = 0; k < 100; ++k) {
+      const auto result = remesh_solid(now, before_wear_above(now, 0.7), {.scar = ScarRoute::redraw});
+      ASSERT_TRUE(result.mesh) << result.failure;
+      EXPECT_GT(result.fresh_facets, 50);
+      now = *result.mesh;
+      if (k == 20) early = now;
+    }
+    EXPECT_NEAR(mesh::volume(now), mesh::volume(first), 1e-9);
+    EXPECT_NEAR(mesh::volume_centroid(now).z(), mesh::volume_centroid(first).z(), 1e-5);
+    EXPECT_LT(distance_from(first, now), 2.0 * sagitta);
+    EXPECT_LT(distance_from(early, now), 0.25 * sagitta);
   }
-  EXPECT_NEAR(mesh::volume(now), volume, 1e-9 * volume);
+}
+
+// Edges that slide along a curved face squeeze its facets: those are drawn again, and the face stays where it was.
+TEST(SolidRemesh, MakesRoomForAnEdgeThatSlides) {
+  const auto pin = support::block(SolidKind::tet4, {6, 6, 6}, Vec3(2, 2, 2), [](const Vec3& X) {
+    const Vec3 p(X.x() - 1.0, X.y() - 1.0, 0.0);
+    const double largest = p.cwiseAbs().maxCoeff();
+    return Vec3((largest > 0.0 ? Vec3(largest * p.normalized()) : p) + X.z() * Vec3::UnitZ());
+  });
+  auto born = pin;
+  born.faces = {{"z1", pin.faces.at("z1")}};
+  for (auto& facet : born.skin)
+    if (std::abs(mesh::facet_normal(born.X, facet).z()) < 0.5) facet.group = 99;
+  const auto start = born;
+  auto now = shared(born);
+  for (int step = 0; step < 14; ++step) {
+    const auto worn = evolve_solid(now, born, {worn_by(*now, "z1", [](const Vec3&) { return 0.05; })}, 1e-3);
+    ASSERT_TRUE(worn.mesh) << step << worn.failure;
+    now = worn.mesh;
+    if (step % 2 == 0) continue;
+    const auto fresh = remesh_solid(*now, born);
+    ASSERT_TRUE(fresh.mesh) << fresh.failure;
+    EXPECT_GT(fresh.fresh_facets, 0);
+    born = *fresh.mesh;
+    now = fresh.mesh;
   }
+  EXPECT_NEAR(lost(start, *now), 14 * 0.05 * mesh::area(start.X, mesh::facets_of(start, "z1")), 2e-2);
+  for (const auto& facet : now->skin)
+    for (int a = 0; facet.group == 99 && a < 3; ++a) EXPECT_NEAR(now->X[facet.nodes[a]].head<2>().norm(), 1.0, 0.02);
+}
+
+// What cannot be remeshed must be refused with the reason: hexahedra, and a surface that crosses itself.
+TEST(SolidRemesh, Refusals) {
+  const auto hex = support::block(SolidKind::hex8, {2, 2, 2}, Vec3(1, 1, 1));
+  EXPECT_NE(remesh_solid(hex, hex).failure.find("hexahedra"), std::string::npos);
+  auto crossed = support::block(SolidKind::tet4, {2, 2, 2}, Vec3(1, 1, 1));
+  const auto born = crossed;
+  for (int node : mesh::nodes_of(mesh::facets_of(crossed, "z1")))
+    if (crossed.X[node].x() == 0.5 && crossed.X[node].y() == 0.5) crossed.X[node].z() = -0.5;
+  const auto result = remesh_solid(crossed, born, {.scar = ScarRoute::keep});
+  EXPECT_FALSE(result.mesh);
+  EXPECT_NE(result.failure, "");
+}
+
+// The reasons for a remesh must name what exceeds its bound, where, and by what; a mesh as it was made has none.
+TEST(SolidTriggers, NameWhatIsWorn) {
+  const auto [born, worn] = dented(SolidKind::tet4, 8, 0.05);
+  EXPECT_EQ(adapt::why_remesh(born, born, {}), "");
+  EXPECT_EQ(adapt::why_remesh(*worn, born, {}), "");
+  const std::string wear = adapt::why_remesh(*worn, born, {.wear_fraction = 0.1});
+  EXPECT_NE(wear.find("wear at (0.5, 0.5, 0.4"), std::string::npos) << wear;
+  EXPECT_NE(wear.find("times the height of the element below, above 0.1"), std::string::npos) << wear;
+  EXPECT_NEAR(adapt::measure(*worn, born).wear_fraction.value, 0.05 / 0.125, 0.01);
+  const auto [flat, deep] = dented(SolidKind::tet10, 8, 0.25, 8);
+  const std::string poor = adapt::why_remesh(*deep, flat, {.min_quality = 0.4, .wear_fraction = 10.0});
+  EXPECT_NE(poor.find("has shape"), std::string::npos) << poor;
 }
 
 }  // namespace

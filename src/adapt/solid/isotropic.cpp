@@ -3,8 +3,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace reye::adapt {
 
@@ -12,6 +16,7 @@ namespace {
 
 using SurfaceKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<SurfaceKernel::Point_3>;
+using base::Vec3;
 using SurfaceVertex = SurfaceMesh::Vertex_index;
 
 /// Its points by place; empty where a triangle cannot be added.
@@ -43,7 +48,47 @@ RemeshedPatch read_patch(const SurfaceMesh& surface, const std::vector<int>& fro
   return patch;
 }
 
+Vec3 position(const SurfaceMesh& surface, SurfaceVertex vertex) {
+  const auto& p = surface.point(vertex);
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Whether the other diagonal of the two triangles at an edge gives the poorer of them a better shape, and folds
+/// nothing.
+bool other_diagonal_is_better(const SurfaceMesh& surface, SurfaceMesh::Edge_index edge) {
+  const auto h = surface.halfedge(edge), g = surface.opposite(h);
+  const auto va = surface.source(h), vb = surface.target(h), vc = surface.target(surface.next(h)),
+             vd = surface.target(surface.next(g));
+  if (surface.halfedge(vc, vd) != SurfaceMesh::null_halfedge()) return false;
+  const Points3 X{position(surface, va), position(surface, vb), position(surface, vc), position(surface, vd)};
+  const auto normal = [&](int i, int j, int k) { return Vec3((X[j] - X[i]).cross(X[k] - X[i])); };
+  const Vec3 up = normal(0, 1, 2) + normal(1, 0, 3);
+  if (!(up.dot(normal(0, 3, 2)) > 0.0) || !(up.dot(normal(3, 1, 2)) > 0.0)) return false;
+  const double now = std::min(triangle_shape(X, {0, 1, 2}), triangle_shape(X, {1, 0, 3}));
+  return std::min(triangle_shape(X, {0, 3, 2}), triangle_shape(X, {3, 1, 2})) > 1.01 * now;
+}
+
+/// Flips edges for shape: remeshing flips them for valence and leaves flat triangles at borders that do not move.
+template <class Fixed>
+void flip_for_shape(SurfaceMesh& surface, const Fixed& fixed) {
+  constexpr int most_passes = 5;
+  bool again = true;
+  for (int pass = 0; again && pass < most_passes; ++pass) {
+    again = false;
+    for (const auto edge : surface.edges()) {
+      if (fixed[edge] || surface.is_border(edge) || !other_diagonal_is_better(surface, edge)) continue;
+      CGAL::Euler::flip_edge(surface.halfedge(edge), surface);
+      again = true;
+    }
+  }
+}
+
 }  // namespace
+
+double triangle_shape(const Points3& X, const PatchTriangle& t) {
+  const Vec3 a = X[t[1]] - X[t[0]], b = X[t[2]] - X[t[0]];
+  return 2.0 * std::sqrt(3.0) * a.cross(b).norm() / (a.squaredNorm() + b.squaredNorm() + (a - b).squaredNorm());
+}
 
 std::optional<RemeshedPatch> remeshed(const TrianglePatch& patch, double length) {
   constexpr int iterations = 5, relaxations = 3;
@@ -66,6 +111,7 @@ std::optional<RemeshedPatch> remeshed(const TrianglePatch& patch, double length)
                                .protect_constraints(true)
                                .edge_is_constrained_map(fixed)
                                .vertex_is_constrained_map(held));
+  flip_for_shape(surface, fixed);
   std::vector<int> from_of(surface.num_vertices() + surface.number_of_removed_vertices(), -1);
   for (const auto vertex : surface.vertices())
     if (held[vertex]) from_of[vertex.idx()] = from[vertex];

@@ -14,6 +14,9 @@ using base::Points3;
 using PatchTriangle = std::array<int, 3>;
 using PatchEdge = std::pair<int, int>;  ///< the smaller node first
 
+/// The shape of a triangle, 1 of the regular one and 0 of a flat one: 4 sqrt(3) area / sum of squared edges.
+double triangle_shape(const Points3& X, const PatchTriangle& corners);
+
 /// A part of a surface: its triangles, and edges within it that may not move. Edges of its border may not either.
 struct TrianglePatch {
   Points3 X;

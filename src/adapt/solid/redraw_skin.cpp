@@ -101,7 +101,7 @@ DrawnSkin draw_skin(const mesh::SolidMesh& worn, const std::vector<ScarPart>& pa
     auto made = remeshed(patch, part.length);
     if (!made || made->triangles.empty()) continue;
     place_new_points(worn, control, part, *made);
-    constexpr double good_enough = 0.4;
+    constexpr double good_enough = 0.25;
     if (worst_shape(made->X, made->triangles) < std::min(good_enough, worst_shape(patch.X, patch.triangles))) continue;
     for (int f : part.facets) replaced[f] = 1;
     drawn.push_back({&part, {std::move(*made), node}});

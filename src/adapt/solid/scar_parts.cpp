@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "mesh/solid/solid_measure.hpp"
 
@@ -29,17 +30,69 @@ Vec3 corner_normal(const Points3& X, const PatchTriangle& t) {
 
 PatchEdge patch_edge(const PatchTriangle& t, int k) { return std::minmax(t[k], t[(k + 1) % 3]); }
 
-/// Moved facets by group and names.
-std::vector<std::vector<int>> moved_surfaces(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
-  std::vector<std::vector<std::string>> names(worn.skin.size());
-  for (const auto& [name, facets] : worn.faces)
+/// Facets of the skin by group and names.
+std::vector<std::vector<int>> named_surfaces(const mesh::SolidMesh& mesh) {
+  std::vector<std::vector<std::string>> names(mesh.skin.size());
+  for (const auto& [name, facets] : mesh.faces)
     for (int f : facets) names[f].push_back(name);
-  const auto moved = moved_facets(worn, born);
   std::map<std::pair<int, std::vector<std::string>>, std::vector<int>> surfaces;
-  for (int f = 0; f < static_cast<int>(worn.skin.size()); ++f)
-    if (moved[f]) surfaces[{worn.skin[f].group, names[f]}].push_back(f);
+  for (int f = 0; f < static_cast<int>(mesh.skin.size()); ++f) surfaces[{mesh.skin[f].group, names[f]}].push_back(f);
   std::vector<std::vector<int>> result;
   for (auto& [key, facets] : surfaces) result.push_back(std::move(facets));
+  return result;
+}
+
+/// How often each node is met by facets.
+std::map<int, int> visits(const mesh::SolidMesh& mesh, const std::vector<int>& facets) {
+  std::map<int, int> count;
+  for (int f : facets)
+    for (int node : corners_of(mesh.skin[f])) ++count[node];
+  return count;
+}
+
+/// Whether nodes inside a surface have moved, and not on its edges alone.
+bool moved_inside(const mesh::SolidMesh& worn, const mesh::SolidMesh& born, const std::map<int, int>& in_surface,
+                  const std::map<int, int>& in_skin) {
+  return std::any_of(in_surface.begin(), in_surface.end(), [&](const auto& entry) {
+    return worn.X[entry.first] != born.X[entry.first] && entry.second == in_skin.at(entry.first);
+  });
+}
+
+/// What has moved of a surface; where that is its edge alone, which has slid along a curved face, with the facets that
+/// are in its way.
+std::vector<int> moved_part(const mesh::SolidMesh& worn, const std::vector<char>& moved,
+                            const std::vector<int>& surface, bool inside) {
+  constexpr int rings_in_the_way = 3;
+  std::set<int> chosen;
+  for (int f : surface)
+    if (moved[f]) chosen.insert(f);
+  for (int ring = 0; !inside && !chosen.empty() && ring < rings_in_the_way; ++ring) {
+    const auto nodes = visits(worn, {chosen.begin(), chosen.end()});
+    for (int f : surface)
+      for (int node : corners_of(worn.skin[f]))
+        if (nodes.contains(node)) chosen.insert(f);
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+/// Facets of one group and one set of names; whether only the edge of that surface has moved.
+struct MovedSurface {
+  std::vector<int> facets;
+  bool by_its_edge = false;
+};
+
+/// What of the skin may be drawn again, by group and names.
+std::vector<MovedSurface> moved_surfaces(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
+  const auto moved = moved_facets(worn, born);
+  std::vector<int> all(worn.skin.size());
+  std::iota(all.begin(), all.end(), 0);
+  const auto in_skin = visits(worn, all);
+  std::vector<MovedSurface> result;
+  for (const auto& surface : named_surfaces(worn)) {
+    const bool inside = moved_inside(worn, born, visits(worn, surface), in_skin);
+    auto facets = moved_part(worn, moved, surface, inside);
+    if (!facets.empty()) result.push_back({std::move(facets), !inside});
+  }
   return result;
 }
 
@@ -86,27 +139,56 @@ std::vector<ScarPart> divided_by_size(const std::vector<int>& facets, const std:
   return result;
 }
 
-/// Finds the edges that stay, and leaves out facets at those that are too long, which brings others to the border.
+/// Facets at each edge of a part.
+std::map<PatchEdge, std::vector<int>> facets_at_edges(const mesh::SolidMesh& worn, const std::vector<int>& facets) {
+  std::map<PatchEdge, std::vector<int>> at_edge;
+  for (int f : facets)
+    for (int k = 0; k < 3; ++k) at_edge[patch_edge(corners_of(worn.skin[f]), k)].push_back(f);
+  return at_edge;
+}
+
+/// Whether wear has left a crease between two facets: of flat ones, which are squeezed, the normals say nothing.
+bool is_crease(const mesh::SolidMesh& worn, int f, int g) {
+  constexpr double least_shape = 0.4;
+  const double smooth = std::cos(std::numbers::pi / 9.0);
+  const auto a = corners_of(worn.skin[f]), b = corners_of(worn.skin[g]);
+  return corner_normal(worn.X, a).dot(corner_normal(worn.X, b)) < smooth &&
+         std::min(triangle_shape(worn.X, a), triangle_shape(worn.X, b)) > least_shape;
+}
+
+/// Finds the edges that stay: those of the border, and creases. They set the length where they are longer, up to half
+/// as much again; facets at those that are longer still are left out, which brings others to the border.
 void settle_edges(const mesh::SolidMesh& worn, ScarPart& part) {
-  const double longest = 4.0 / 3.0 * part.length, crease = std::cos(std::numbers::pi / 9.0);
+  constexpr double longest_edge = 4.0 / 3.0, most_growth = 1.5;
+  const double most = most_growth * part.length;
   for (std::size_t before = 0; before != part.facets.size();) {
     before = part.facets.size();
-    std::map<PatchEdge, std::vector<int>> at_edge;
-    for (int f : part.facets)
-      for (int k = 0; k < 3; ++k) at_edge[patch_edge(corners_of(worn.skin[f]), k)].push_back(f);
     part.fixed.clear();
     std::set<int> left;
-    for (const auto& [edge, at] : at_edge) {
-      const bool turns =
-          at.size() == 2 &&
-          corner_normal(worn.X, corners_of(worn.skin[at[0]])).dot(corner_normal(worn.X, corners_of(worn.skin[at[1]]))) <
-              crease;
+    for (const auto& [edge, at] : facets_at_edges(worn, part.facets)) {
+      const bool turns = at.size() == 2 && is_crease(worn, at[0], at[1]);
       if (at.size() == 2 && !turns) continue;
       if (turns) part.fixed.insert(edge);
-      if ((worn.X[edge.first] - worn.X[edge.second]).norm() > longest) left.insert(at.begin(), at.end());
+      const double least = (worn.X[edge.first] - worn.X[edge.second]).norm() / longest_edge;
+      if (least > most)
+        left.insert(at.begin(), at.end());
+      else
+        part.length = std::max(part.length, least);
     }
     std::erase_if(part.facets, [&](int f) { return left.contains(f); });
   }
+}
+
+/// Mean length of the edges of the border.
+double border_edge(const mesh::SolidMesh& worn, const std::vector<int>& facets) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& [edge, at] : facets_at_edges(worn, facets))
+    if (at.size() == 1) {
+      sum += (worn.X[edge.first] - worn.X[edge.second]).norm();
+      ++count;
+    }
+  return count > 0 ? sum / count : 0.0;
 }
 
 bool has_lost(const mesh::SolidMesh& worn, const mesh::SolidMesh& born, const ScarPart& part) {
@@ -121,11 +203,6 @@ bool has_lost(const mesh::SolidMesh& worn, const mesh::SolidMesh& born, const Sc
 }  // namespace
 
 PatchTriangle corners_of(const mesh::Facet& facet) { return {facet.nodes[0], facet.nodes[1], facet.nodes[2]}; }
-
-double triangle_shape(const Points3& X, const PatchTriangle& t) {
-  const Vec3 a = X[t[1]] - X[t[0]], b = X[t[2]] - X[t[0]];
-  return 2.0 * std::sqrt(3.0) * a.cross(b).norm() / (a.squaredNorm() + b.squaredNorm() + (a - b).squaredNorm());
-}
 
 std::vector<char> moved_facets(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
   std::vector<char> moved(worn.skin.size(), 0);
@@ -153,10 +230,13 @@ std::optional<FacetsPlane> plane_of(const mesh::SolidMesh& mesh, const std::vect
 std::vector<ScarPart> scar_parts(const mesh::SolidMesh& worn, const mesh::SolidMesh& born, const cad::SolidSize& wished,
                                  bool all) {
   std::vector<ScarPart> result;
-  for (const auto& facets : moved_surfaces(worn, born))
+  for (const auto& [facets, by_its_edge] : moved_surfaces(worn, born))
     for (ScarPart& part : divided_by_size(facets, edge_lengths(worn, born, facets, wished))) {
+      // What slides is squeezed each time: its edge, which keeps its nodes, is the measure.
+      if (by_its_edge) part.length = std::max(part.length, border_edge(worn, part.facets));
       settle_edges(worn, part);
-      if (part.facets.size() >= fewest_facets && (all || has_lost(worn, born, part))) result.push_back(std::move(part));
+      if (part.facets.size() >= fewest_facets && (all || by_its_edge || has_lost(worn, born, part)))
+        result.push_back(std::move(part));
     }
   return result;
 }

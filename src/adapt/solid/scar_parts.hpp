@@ -19,9 +19,6 @@ struct ScarPart {
 /// Facets that have moved since birth: those of the scar, and those of plane faces that followed.
 std::vector<char> moved_facets(const mesh::SolidMesh& worn, const mesh::SolidMesh& born);
 
-/// The shape of a triangle, 1 of the regular one and 0 of a flat one: 4 sqrt(3) area / sum of squared edges.
-double triangle_shape(const Points3& X, const PatchTriangle& corners);
-
 /// The plane in which facets of a skin lie, to round-off; nothing where they do not lie in one.
 struct FacetsPlane {
   base::Vec3 origin, normal;
@@ -31,10 +28,10 @@ std::optional<FacetsPlane> plane_of(const mesh::SolidMesh& mesh, const std::vect
 /// The corners of a facet that is a triangle.
 PatchTriangle corners_of(const mesh::Facet& facet);
 
-/// Moved facets of one group and one set of names, of about one size; those of which one has lost its shape or size
-/// since birth, or all of them. Edges stay where facets turn by more than 20 degrees. Sizes are those at birth, or
-/// those wished where these are smaller. Facets at an edge that stays and is longer than 4/3 of the length are left
-/// out.
+/// Moved facets of one group and one set of names, of about one size, and where only the edge of a curved face has
+/// moved along it two more rings of facets, which are in its way; those of which one has lost its shape or size since
+/// birth, or all of them. Edges stay where facets turn by more than 20 degrees. Sizes are those at birth, or those
+/// wished where these are smaller. Facets at an edge that stays and is longer than 4/3 of the length are left out.
 std::vector<ScarPart> scar_parts(const mesh::SolidMesh& worn, const mesh::SolidMesh& born, const cad::SolidSize& wished,
                                  bool all);
 

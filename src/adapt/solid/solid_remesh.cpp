@@ -68,22 +68,22 @@ void fill(mesh::SolidMesh& mesh, double far_size, const SolidRemeshOptions& opti
   mesh.cells = std::move(filled.cells);
 }
 
-/// Nodes inside the scar, whose facets are all of one group, like facets that have moved, and not of a plane.
-std::vector<char> scar_nodes(const mesh::SolidMesh& mesh, const DrawnSkin& drawn, const mesh::SolidMesh& worn,
-                             const mesh::SolidMesh& born) {
-  const auto moved = moved_facets(worn, born);
+/// Nodes inside the scar, whose facets are all of one group that is not plane there, and are fresh or have moved.
+std::vector<char> scar_nodes(const mesh::SolidMesh& mesh, const DrawnSkin& drawn, const std::vector<char>& moved) {
+  std::vector<char> in_scar(mesh.skin.size());
   std::map<int, std::vector<int>> by_group;
-  for (int f = 0; f < static_cast<int>(moved.size()); ++f)
-    if (moved[f]) by_group[worn.skin[f].group].push_back(f);
-  std::erase_if(by_group, [&](const auto& entry) { return plane_of(worn, entry.second).has_value(); });
+  for (std::size_t f = 0; f < in_scar.size(); ++f) {
+    in_scar[f] = drawn.facets[f].fresh || moved[drawn.facets[f].like];
+    if (in_scar[f]) by_group[mesh.skin[f].group].push_back(static_cast<int>(f));
+  }
+  std::erase_if(by_group, [&](const auto& entry) { return plane_of(mesh, entry.second).has_value(); });
   constexpr int unseen = -1, beside = -2;
   std::vector<int> group(mesh.X.size(), unseen);
   for (std::size_t f = 0; f < mesh.skin.size(); ++f) {
     const int own = mesh.skin[f].group;
-    const bool in_scar = moved[drawn.facets[f].like] && by_group.contains(own);
     for (int a = 0; a < mesh.skin[f].count(); ++a) {
       int& known = group[mesh.skin[f].nodes[a]];
-      known = in_scar && (known == unseen || known == own) ? own : beside;
+      known = in_scar[f] && by_group.contains(own) && (known == unseen || known == own) ? own : beside;
     }
   }
   std::vector<char> inside(group.size());
@@ -97,7 +97,7 @@ void keep_volume(mesh::SolidMesh& mesh, const DrawnSkin& drawn, const mesh::Soli
   if (result.fresh_facets == 0 && result.straightened == 0) return;
   const long double content = content_of(worn.X, worn.skin);
   result.volume_residue = static_cast<double>(content - content_of(mesh.X, mesh.skin));
-  result.correction_mm = restore_content(mesh.X, mesh.skin, scar_nodes(mesh, drawn, worn, born), content);
+  result.correction_mm = restore_content(mesh.X, mesh.skin, scar_nodes(mesh, drawn, moved_facets(worn, born)), content);
 }
 
 /// A mesh in a drawn skin. Throws base::MeshError.

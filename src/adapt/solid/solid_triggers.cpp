@@ -28,7 +28,9 @@ void measure_cells(const mesh::SolidMesh& now, const mesh::SolidMesh& born, Soli
   const int n = mesh::solid_nodes(now.kind);
   for (int cell = 0; cell < now.cell_count(); ++cell) {
     if (!any_moved(now, born, now.cells[cell].data(), n)) continue;
-    keep_least(state.quality, worn_quality(now, cell), worn_quality(born, cell), now.X[now.cells[cell][0]]);
+    const double quality = worn_quality(now, cell);
+    if (quality < state.quality.value)
+      keep_least(state.quality, quality, worn_quality(born, cell), now.X[now.cells[cell][0]]);
   }
 }
 
@@ -55,7 +57,8 @@ void measure_facets(const mesh::SolidMesh& now, const mesh::SolidMesh& born, Sol
     const mesh::Vec3 at = x.leftCols(mesh::facet_corners(facet.kind)).rowwise().mean();
     keep_least(state.facet_shape, facet_shape(x, facet.kind), facet_shape(before, facet.kind), at);
     const double ratio = mean_side(x, facet.kind) / mean_side(before, facet.kind),
-                 change = std::max(ratio, 1.0 / ratio);
+                 squeeze = smallest_height(facet.kind, before) / smallest_height(facet.kind, x),
+                 change = std::max({ratio, 1.0 / ratio, squeeze});
     if (change > state.size_ratio.value) state.size_ratio = {change, at};
   }
 }

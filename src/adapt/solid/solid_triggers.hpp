@@ -21,9 +21,9 @@ struct MeasuredInSpace {
 
 /// The state of a mesh after wear since it was made.
 struct SolidMeshState {
-  MeasuredInSpace quality{1.0};        ///< smallest shape of cells with less than 0.7 of that at birth; 1: none
-  MeasuredInSpace facet_shape{1.0};    ///< and of facets of the skin
-  MeasuredInSpace size_ratio{1.0};     ///< largest change of the mean edge of a facet, either way
+  MeasuredInSpace quality{1.0};      ///< smallest shape of cells with less than 0.7 of that at birth; 1: none
+  MeasuredInSpace facet_shape{1.0};  ///< and of facets of the skin
+  MeasuredInSpace size_ratio{1.0};   ///< largest change of the mean edge of a facet, either way, or loss of its height
   MeasuredInSpace wear_fraction{0.0};  ///< largest wear over the height of the element below
 };
 
