@@ -1,22 +1,10 @@
 #pragma once
-#include "cad/solid/raw_solid.hpp"
-#include "cad/solid/solid_size.hpp"
+#include "cad/solid/skin_surface.hpp"
 
 namespace reye::cad {
 
-/// A closed surface of triangles, outward, to be filled with tetrahedra of first order: of size min(far, size of each
-/// zone or point + (growth - 1) distance from it).
-struct SkinFilling {
-  Points3 X;
-  std::vector<std::array<int, 3>> triangles;
-  double far_size = 1.0;
-  double growth = 1.3;
-  std::vector<SizeZone> zones;
-  std::vector<SizePoint> points;
-};
-
-/// The points of X, which keep their places, then those inside; and the cells, whose skin is the given triangles. gmsh
-/// runs in a process of its own. Throws base::MeshError with the reason why there is no mesh.
+/// The points of a surface, which keep their places, then those inside; and the cells, whose skin is the given
+/// triangles. gmsh runs in a process of its own. Throws base::MeshError with the reason why there is no mesh.
 RawSolidMesh fill_skin(const SkinFilling& filling);
 
 }  // namespace reye::cad

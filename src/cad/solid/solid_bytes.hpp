@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "cad/solid/raw_solid.hpp"
-#include "cad/solid/skin_filling.hpp"
+#include "cad/solid/skin_surface.hpp"
 
 /// What passes between the importer and the program, as bytes. Those of answers are not trusted: counts within their
 /// size, finite coordinates below 1e9 mm, known kinds and nodes; what fails throws std::runtime_error naming the check.

@@ -1,7 +1,7 @@
 #pragma once
 #include "cad/part/raw.hpp"
 #include "cad/solid/raw_solid.hpp"
-#include "cad/solid/skin_filling.hpp"
+#include "cad/solid/skin_surface.hpp"
 
 namespace reye::cad {
 
