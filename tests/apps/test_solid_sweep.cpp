@@ -69,7 +69,8 @@ TEST(SolidSweep, BadInput) {
   };
   EXPECT_EQ(refused("contact.pad.frction=0.1"),
             "--vary = contact.pad.frction=0.1: unknown key; did you mean friction?\n");
-  EXPECT_EQ(refused("step[1].jump=10"),
-            "member_000: step[1].jump = 10: without wear each cycle is played: cycles alone says how many\n");
+  EXPECT_EQ(refused("accuracy=0.01"),
+            "member_000: accuracy = 0.01: control of the error of solids is not built yet: a fine zone gives its "
+            "size_mm\n");
   EXPECT_EQ(place.files(), before);
 }

@@ -26,6 +26,16 @@ double volume_of_corners(const mesh::Points3& X, mesh::SolidKind kind, const mes
   return (X[cell[1]] - o).cross(X[cell[2]] - o).dot(X[cell[3]] - o) / 6.0;
 }
 
+bool has_straight_edges(const mesh::SolidMesh& mesh, const mesh::SolidCell& cell) {
+  constexpr double straight = 1e-9;
+  for (int e = 0; e < 6; ++e) {
+    const auto [i, j] = mesh::edge_of(mesh.kind, e);
+    const Vec3 &a = mesh.X[cell[i]], &b = mesh.X[cell[j]];
+    if ((mesh.X[cell[4 + e]] - 0.5 * (a + b)).squaredNorm() > straight * straight * (a - b).squaredNorm()) return false;
+  }
+  return true;
+}
+
 /// Per facet of the skin, the height of the cell behind it: its volume over the area of the facet, three times that of
 /// tetrahedra. Of rigid bodies the smallest height of the facet.
 std::vector<double> heights_below(const mesh::SolidMesh& mesh) {
@@ -82,7 +92,8 @@ std::string cause(const mesh::SolidMesh& now, const mesh::SolidMesh& born, const
 
 double worn_quality(const mesh::SolidMesh& mesh, int cell) {
   const double straight = mesh::shape_quality(mesh.X, mesh.kind, mesh.cells[cell]);
-  if (mesh.kind != mesh::SolidKind::tet10 || !(straight > 0.0)) return straight;
+  if (mesh.kind != mesh::SolidKind::tet10 || !(straight > 0.0) || has_straight_edges(mesh, mesh.cells[cell]))
+    return straight;
   return straight * std::min(1.0, cad::least_jacobian(mesh.X, mesh.kind, mesh.cells[cell]));
 }
 

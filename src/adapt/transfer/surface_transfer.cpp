@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "adapt/shape/segment_tree.hpp"
+#include "adapt/transfer/kept_sum.hpp"
 
 namespace reye::adapt {
 
@@ -127,18 +128,6 @@ Values nearest(const Surface& from, const Values& values, const std::vector<Foot
   return result;
 }
 
-long double sum(const Values& values) {
-  long double total = 0.0L;
-  for (double v : values) total += v;
-  return total;
-}
-
-long double magnitude(const Values& values) {
-  long double total = 0.0L;
-  for (double v : values) total += std::abs(v);
-  return total;
-}
-
 /// Each old share given to the new facet it lies on, split by area: for fields that the new nodes do not resolve.
 Values landed(const Surface& from, const Values& values, const Surface& to) {
   const auto places = feet(to, line_of(to), from);
@@ -155,25 +144,13 @@ Values landed(const Surface& from, const Values& values, const Surface& to) {
   return result;
 }
 
-/// Restores the sum in proportion to the magnitude of each share: zero stays zero, and no share becomes negative.
-void keep_sum(Values& values, long double total) {
-  const long double factor = (total - sum(values)) / magnitude(values);
-  for (double& v : values) v = static_cast<double>(v + factor * std::abs(v));
-}
-
 Values summed(const Surface& from, const Values& values, const Surface& to, const std::vector<Foot>& feet) {
-  Values density(values.size(), 0.0);
-  for (std::size_t j = 0; j < values.size(); ++j)
-    if (from.area[j] > 0.0) density[j] = values[j] / from.area[j];
+  const Values density = densities(values, from.area);
   Values result = interpolated(from, density, to, feet);
-  const auto [least, most] = std::minmax_element(density.begin(), density.end());
-  for (double& d : result) {  // the coefficient of a control point may overshoot
-    if (*least >= 0.0) d = std::max(d, 0.0);
-    if (*most <= 0.0) d = std::min(d, 0.0);
-  }
+  keep_sign(result, density);
   for (std::size_t k = 0; k < result.size(); ++k) result[k] *= to.area[k];
-  if (std::abs(sum(values) - sum(result)) > magnitude(result)) result = landed(from, values, to);
-  if (magnitude(result) > 0.0L) keep_sum(result, sum(values));
+  if (std::abs(total_of(values) - total_of(result)) > magnitude_of(result)) result = landed(from, values, to);
+  if (magnitude_of(result) > 0.0L) keep_sum(result, total_of(values));
   return result;
 }
 

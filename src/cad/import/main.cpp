@@ -15,9 +15,10 @@
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
 ///   reye-import guarded|trusted FOLDER solid FILE
+///   reye-import guarded|trusted FOLDER fill -
 /// SECTION: six numbers, point and normal, or "-". Its messages go to descriptor 3, each preceded by its size: first
 /// whether the system keeps it from anything but reading, then an answer for each file; of solids, an answer to each
-/// request on standard input (`solid_server`).
+/// request on standard input (`solid_server`); of surfaces to be filled, which are no files, the mesh of each.
 namespace {
 
 using namespace reye;
@@ -61,21 +62,22 @@ int main(int count, char** words) {
     std::fputs("reye-import is started by reye\n", stderr);
     return 2;
   }
-  if (std::string(words[3]) == "solid") cad::start_with_same_addresses(words);
+  const std::string task = words[3];
+  if (task == "solid" || task == "fill") cad::start_with_same_addresses(words);
   const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
-  const std::vector<std::string> files(words + 4, words + count);
+  const std::vector<std::string> files(words + (task == "fill" ? count : 4), words + count);
   std::vector<std::string> folders{how.folder};
   for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path().string());
   cad::end_with_parent();
   if (!how.trusted) cad::limit_memory();
+  if (task == "fill") cad::kernel();
   for (const std::string& file : files)
     if (needs_gmsh(file)) cad::kernel();  // loaded before the restriction to reading
   const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
   say(guarded ? "guarded" : "open");
-  if (std::string(words[3]) == "solid") {
-    cad::serve_solids(files[0], how);
-    std::_Exit(0);
-  }
+  if (task == "solid") cad::serve_solids(files[0], how);
+  if (task == "fill") cad::serve_fillings(how);
+  if (task == "solid" || task == "fill") std::_Exit(0);
   for (const std::string& file : files) {
     if (!how.trusted) cad::limit_computing(cad::computing_s);
     say(cad::to_bytes(answer_about(file, how)));

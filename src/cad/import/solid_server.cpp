@@ -36,15 +36,27 @@ SolidAnswer answer_to(const SolidQuery& query, const std::string& file, const Re
   }
 }
 
-SolidMeshAnswer answer_to(const SolidOrder& order) {
+/// The mesh that `make` gives, or why there is none.
+template <class Make>
+SolidMeshAnswer mesh_or_failure(Make make) {
   try {
-    return {solid_kernel().mesh(order), {}};
+    return {make(), {}};
   } catch (const std::bad_alloc&) {
     return {{}, "meshing it takes more than " + std::to_string(meshing_GB) + " GB of memory"};
   } catch (const std::exception& error) {
     return {{}, error.what()};
   } catch (...) {
     return {{}, "gmsh fails without a message"};
+  }
+}
+
+/// Limited to what meshing may take.
+template <class Make>
+void answer_each(const Reading& how, Make make) {
+  if (!how.trusted) limit_memory(meshing_GB);
+  while (const auto request = next_request()) {
+    if (!how.trusted) limit_computing(meshing_s);
+    say(bytes_of(mesh_or_failure([&] { return make(*request); })));
   }
 }
 
@@ -55,11 +67,11 @@ void serve_solids(const std::string& file, const Reading& how) {
   if (!query) return;
   if (!how.trusted) limit_computing(computing_s);
   say(bytes_of(answer_to(solid_query_of(*query), file, how)));
-  if (!how.trusted) limit_memory(meshing_GB);
-  while (const auto order = next_request()) {
-    if (!how.trusted) limit_computing(meshing_s);
-    say(bytes_of(answer_to(solid_order_of(*order))));
-  }
+  answer_each(how, [](const std::string& order) { return solid_kernel().mesh(solid_order_of(order)); });
+}
+
+void serve_fillings(const Reading& how) {
+  answer_each(how, [](const std::string& filling) { return solid_kernel().fill(skin_filling_of(filling)); });
 }
 
 }  // namespace reye::cad

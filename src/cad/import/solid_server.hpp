@@ -7,4 +7,7 @@ namespace reye::cad {
 /// Limits computing and memory at each of them.
 void serve_solids(const std::string& file, const Reading& how);
 
+/// Answers to each surface that is to be filled with its mesh.
+void serve_fillings(const Reading& how);
+
 }  // namespace reye::cad

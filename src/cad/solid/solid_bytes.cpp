@@ -41,6 +41,17 @@ void pass(Archive& archive, SolidOrder& order) {
 }
 
 template <class Archive>
+void pass(Archive& archive, SizePoint& point) {
+  archive(point.at), archive(point.size);
+}
+
+template <class Archive>
+void pass(Archive& archive, SkinFilling& filling) {
+  archive(filling.X), archive(filling.triangles), archive(filling.far_size), archive(filling.growth);
+  archive(filling.zones), archive(filling.points);
+}
+
+template <class Archive>
 void pass(Archive& archive, SolidQuery& query) {
   archive(query.probes);
 }
@@ -123,11 +134,13 @@ void check_raw_mesh(const RawSolidMesh& mesh, std::size_t faces) {
 
 std::string bytes_of(const SolidQuery& query) { return solid_written(query); }
 std::string bytes_of(const SolidOrder& order) { return solid_written(order); }
+std::string bytes_of(const SkinFilling& filling) { return solid_written(filling); }
 std::string bytes_of(const SolidAnswer& answer) { return solid_written(answer); }
 std::string bytes_of(const SolidMeshAnswer& answer) { return solid_written(answer); }
 
 SolidQuery solid_query_of(std::string_view bytes) { return solid_read<SolidQuery>(bytes); }
 SolidOrder solid_order_of(std::string_view bytes) { return solid_read<SolidOrder>(bytes); }
+SkinFilling skin_filling_of(std::string_view bytes) { return solid_read<SkinFilling>(bytes); }
 
 SolidAnswer solid_answer_of(std::string_view bytes, std::size_t probes) {
   SolidAnswer answer = solid_read<SolidAnswer>(bytes);

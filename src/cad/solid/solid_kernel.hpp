@@ -1,6 +1,7 @@
 #pragma once
 #include "cad/part/raw.hpp"
 #include "cad/solid/raw_solid.hpp"
+#include "cad/solid/skin_surface.hpp"
 
 namespace reye::cad {
 
@@ -11,6 +12,8 @@ struct SolidKernel {
   std::vector<RawSolid> (*open)(const std::string& path, Format format, const Points3& probes);
   /// The mesh of one of them. Throws base::MeshError.
   RawSolidMesh (*mesh)(const SolidOrder& order);
+  /// Tetrahedra in a closed surface. Throws base::MeshError.
+  RawSolidMesh (*fill)(const SkinFilling& filling);
 };
 
 /// Loads it; throws std::runtime_error when it is not found.
@@ -18,5 +21,6 @@ const SolidKernel& solid_kernel();
 
 std::vector<RawSolid> open_by_gmsh(const std::string& path, Format format, const Points3& probes);
 RawSolidMesh mesh_by_gmsh(const SolidOrder& order);
+RawSolidMesh fill_skin_by_gmsh(const SkinFilling& filling);
 
 }  // namespace reye::cad
