@@ -96,7 +96,7 @@ TEST(BadSolid, KeysOfThePlane) {
       {"limit and remesh",
        {{"[output]", "[limit.life]\ncontact = \"pad\"\n[remesh]\nautomatic = true\n[output]"}},
        "scene.toml:88: limit.life: needs one of depth_mm, volume_mm3\n"
-       "scene.toml:90: remesh: remeshes of solids are not built yet: a body whose elements get poor ends the run"},
+       "scene.toml:90: remesh: bodies of solids are remeshed where their elements ask for it, without keys so far"},
       {"limit of the plane",
        {{"[output]", "[limit.life]\ncontact = \"pat\"\narea_mm2 = 1\ndepth_mm = 1\n[output]"}},
        "scene.toml:89: limit.life.contact = \"pat\": there is no contact \"pat\"; did you mean \"pad\"?\n"
@@ -118,7 +118,7 @@ TEST(BadSolid, KeysOfThePlane) {
        "mesh files bring their elements"},
       {"output of blocks",
        {{"every_increment = true", "every_blocks = 2, at_remeshes = true"}},
-       "scene.toml:89: output.frames.at_remeshes = true: remeshes of solids are not built yet: a body whose elements "
-       "get poor ends the run"},
+       "scene.toml:89: output.frames.at_remeshes = true: bodies of solids are remeshed where their elements ask "
+       "for it, without keys so far"},
   });
 }

@@ -24,7 +24,7 @@ sim::SolidAssembly worn_blocks(mesh::SolidKind kind) {
   problem.contacts[0].options.wear = wear::Law{.kind = wear::LawKind::energy, .secondary = 3e-5, .primary = 2e-5};
   sim::SolidMeshes meshes;
   for (const auto& input : problem.inputs) meshes.push_back(input.mesh);
-  return sim::assemble(problem, meshes, sim::touchable_nodes(problem));
+  return sim::assemble(problem, meshes, sim::touchable_nodes(problem, meshes));
 }
 
 }  // namespace

@@ -65,14 +65,14 @@ void serialize(Archive& archive, SkinPoints& s) {
 
 template <class Archive>
 void serialize(Archive& archive, SolidRunState& s) {
-  auto& [solution, points, meshes, touchable, solved, factors, held, block_wear, step, increment, step_cycles, cycle,
-         step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles, life_error,
-         limit_measure, warnings, counts, cutback_reasons, balance, retained, mortar_s, interface_s, factor_s,
-         shape_s] = s;
+  auto& [solution, points, meshes, born, touchable, solved, factors, held, block_wear, step, increment, step_cycles,
+         cycle, step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles,
+         life_error, limit_measure, warnings, counts, cutback_reasons, balance, retained, mortar_s, interface_s,
+         factor_s, shape_s] = s;
   archive(solution, points, touchable, solved, factors, held, block_wear, step, increment, step_cycles, cycle,
           step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles, life_error,
           limit_measure, warnings, counts, cutback_reasons, balance, retained);
-  static_cast<void>(meshes);  // beside the state, those alone that are not as drawn
+  static_cast<void>(meshes), static_cast<void>(born);  // beside the state, those alone that are not as drawn
   static_cast<void>(mortar_s), static_cast<void>(interface_s), static_cast<void>(factor_s);  // of one process
   static_cast<void>(shape_s);
 }
@@ -112,23 +112,24 @@ sim::SolidMeshes present_meshes(WornMeshes worn, const sim::SolidMeshes& drawn) 
 
 std::string solid_state_to_bytes(const sim::SolidRunState& state, const std::vector<std::uint64_t>& meshes,
                                  const sim::SolidMeshes& drawn) {
-  return to_bytes(meshes, worn_meshes(state.meshes, drawn), state);
+  return to_bytes(meshes, worn_meshes(state.meshes, drawn), worn_meshes(state.born, drawn), state);
 }
 
 sim::SolidRunState solid_state_from_bytes(const std::string& bytes, const std::vector<std::uint64_t>& meshes,
                                           const sim::SolidMeshes& drawn) {
   sim::SolidRunState state;
   std::vector<std::uint64_t> theirs;
-  WornMeshes worn;
+  WornMeshes worn, born;
   try {
     BoundedInput archive(bytes);
     archive(theirs);
     if (theirs != meshes)
       throw std::runtime_error(
           "its bodies have other meshes, and the file of those of the run, checkpoint/meshes.bin, is lost");
-    archive(worn, state);
+    archive(worn, born, state);
     archive.end();
     state.meshes = present_meshes(std::move(worn), drawn);
+    state.born = present_meshes(std::move(born), drawn);
   } catch (const cereal::Exception& error) {
     throw std::runtime_error(std::string("altered: ") + error.what());
   } catch (const base::MeshError& error) {
@@ -139,7 +140,7 @@ sim::SolidRunState solid_state_from_bytes(const std::string& bytes, const std::v
 
 std::uint64_t solid_state_layout() {
   LayoutArchive archive;
-  archive(Counters{}, std::vector<std::uint64_t>{}, WornMeshes{}, sim::SolidRunState{});
+  archive(Counters{}, std::vector<std::uint64_t>{}, WornMeshes{}, WornMeshes{}, sim::SolidRunState{});
   return checksum(archive.text());
 }
 

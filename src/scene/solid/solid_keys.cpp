@@ -11,7 +11,7 @@ namespace solid_rows {
 using namespace rows;
 
 constexpr std::string_view no_remesh =
-    "remeshes of solids are not built yet: a body whose elements get poor ends the run";
+    "bodies of solids are remeshed where their elements ask for it, without keys so far";
 constexpr std::string_view takes_face = "is of plane scenes; solids take face";
 constexpr std::string_view takes_force = "is of plane scenes; solids take force_N";
 constexpr std::string_view takes_spring = "is of plane scenes; solids take spring_N_per_mm";

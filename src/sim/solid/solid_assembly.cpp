@@ -62,12 +62,6 @@ std::vector<SkinPoints> points_of(const solver::SolidSystem& system) {
   return all;
 }
 
-SolidMeshes drawn_meshes(const SolidProblem& problem) {
-  SolidMeshes meshes;
-  for (const auto& input : problem.inputs) meshes.push_back(input.mesh);
-  return meshes;
-}
-
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
                        std::optional<SolidAssembly> old) {
   const double start = cpu_seconds();

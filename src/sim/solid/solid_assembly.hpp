@@ -22,11 +22,6 @@ struct SkinPoints {
 };
 std::vector<SkinPoints> points_of(const solver::SolidSystem& system);
 
-using SolidMeshes = std::vector<std::shared_ptr<const mesh::SolidMesh>>;
-
-/// The meshes of the bodies as they are drawn.
-SolidMeshes drawn_meshes(const SolidProblem& problem);
-
 /// Condenses every body of these shapes onto its touchable nodes; bodies of `old` that are the same are taken from it.
 /// Throws base::SolveError.
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,

@@ -11,14 +11,15 @@ namespace reye::sim {
 namespace {
 
 /// What contact may touch are nodes of its faces, those of the start at least.
-void check_touchable(const SolidProblem& problem, const Touchable& touchable) {
-  const Touchable least = touchable_nodes(problem), most = contact_nodes(problem);
+void check_touchable(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable) {
+  const Touchable most = contact_nodes(problem, meshes);
+  const Touchable least = meshes == drawn_meshes(problem) ? touchable_nodes(problem, meshes) : Touchable(most.size());
   require(touchable.size() == problem.inputs.size(), "it has another number of bodies");
   for (std::size_t b = 0; b < touchable.size(); ++b) {
     const std::string body = "body " + problem.inputs[b].name;
     require(touchable[b].size() == most[b].size(), body + " has a node too many or too few");
     for (std::size_t n = 0; n < most[b].size(); ++n)
-      require(touchable[b][n] >= least[b][n] && touchable[b][n] <= most[b][n],
+      require((least[b].empty() || touchable[b][n] >= least[b][n]) && touchable[b][n] <= most[b][n],
               body + " is prepared for contact where it has none");
   }
 }
@@ -134,10 +135,11 @@ void check_solution(const solver::SolidSolution& solution, const solver::SolidSy
 }  // namespace
 
 std::optional<SolidAssembly> check_state(const SolidProblem& problem, const SolidRunState& state) {
-  check_touchable(problem, state.touchable);
   check_place_in_steps(problem, state);
   check_numbers(problem, state);
   check_meshes(problem, state.meshes);
+  check_meshes(problem, state.born);
+  check_touchable(problem, state.meshes, state.touchable);
   if (!state.solved) {
     require(state.step == 0 && state.step_blocks == 0 && state.increment == 0 && state.cycle == 0.0,
             "it is under way and has not begun");

@@ -126,7 +126,7 @@ class March {
     finish_block(step, before);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
-    if (step.wear && problem_.scene.shape && !move_shapes(last)) return false;
+    if (step.wear && problem_.scene.shape && !move_shapes(step, last)) return false;
     const auto block = played_block(step, before, state_.cycle, state_.step_cycles, state_.step_blocks, last);
     if (observer_.frame && frame_due(problem_.scene.frames, block))
       observer_.frame(solid_frame(problem_, player_->assembly(), state_, step.name,
@@ -143,11 +143,11 @@ class March {
 
   /// Moves the worn faces where the depth that waits in the gaps is no longer small beside the facets, and at the end
   /// of a step. False where a body cannot follow.
-  bool move_shapes(bool last) {
+  bool move_shapes(const scene::Step& step, bool last) {
     constexpr double small = 0.02;
     const double share = pending_share(player_->system(), state_);
     if (!(share > (last ? 0.0 : small))) return true;
-    failure_ = reshape_bodies(problem_, *player_, relocations_, state_);
+    failure_ = reshape_bodies(problem_, *player_, relocations_, step, observer_, state_);
     return failure_.empty();
   }
 

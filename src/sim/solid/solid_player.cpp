@@ -37,10 +37,14 @@ SolidPlayer::SolidPlayer(const SolidProblem& problem, SolidRunState& state, std:
     build(state);
 }
 
-void SolidPlayer::build(SolidRunState& state) {
+void SolidPlayer::assemble_bodies(SolidRunState& state) {
   assembly_.emplace(assemble(problem_, state.meshes, touchable_, std::move(assembly_)));
   state.factor_s += assembly_->seconds;
   state.counts.factorisations += assembly_->factorised;
+}
+
+void SolidPlayer::build(SolidRunState& state) {
+  assemble_bodies(state);
   if (state.solution.traction.empty()) {
     state.solution = solver::initial_state(system());
     state.points = points_of(system());
@@ -73,6 +77,28 @@ void SolidPlayer::reshape(SolidRunState& state, SolidMeshes meshes) {
   state.meshes = std::move(meshes);
   build(state);
   state.solution.u = solver::displacements_of(system(), state.solution);
+}
+
+void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable touchable) {
+  state.meshes = std::move(meshes);
+  touchable_ = state.touchable = std::move(touchable);
+  assemble_bodies(state);
+  state.retained = system().points();
+  state.solved.reset();
+}
+
+std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
+  auto target = target_at(problem_, system(), state.solution, state.factors, step, {state.cycle, 1.0}, 1.0, 1.0);
+  for (auto& wearing : target.wear) wearing.on = false;
+  const solver::SolidOptions options{.max_newton = 2 * problem_.scene.max_newton};
+  auto solution = solver::solve_increment(system(), state.solution, target, options);
+  state.mortar_s += solution.mortar_s;
+  state.interface_s += solution.interface_s;
+  state.counts.newton_iterations += solution.iterations;
+  if (!solution.converged) return "the state cannot be solved on the fresh mesh: " + solution.reason;
+  state.solved = std::move(solution);
+  state.solution = state.solved->state;
+  return {};
 }
 
 SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer) {
@@ -144,7 +170,7 @@ std::string SolidPlayer::solve(Playing& play, const std::map<std::string, double
     state.counts.newton_iterations += solution.iterations;
     if (!solution.converged)
       return solution.loose ? free_bodies_in_words(system()) + " (" + solution.reason + ")" : solution.reason;
-    if (outrun(system(), solution) && grow(problem_, touchable_, rings_of_growth)) {
+    if (outrun(system(), solution) && grow(problem_, state.meshes, touchable_, rings_of_growth)) {
       if (play.observer.log) play.observer.log("contact outruns the nodes it was prepared for: more of them are kept");
       build(state);
       continue;

@@ -24,11 +24,18 @@ class SolidPlayer {
   /// theirs. Throws base::SolveError.
   void reshape(SolidRunState& state, SolidMeshes meshes);
 
+  /// Makes the equations of fresh meshes with these touchable nodes; what the state holds of contacts is to be carried
+  /// onto them.
+  void redraw(SolidRunState& state, SolidMeshes meshes, Touchable touchable);
+  /// Solves the state as it is again, without slip and wear; a reason where that fails.
+  std::string settle(SolidRunState& state, const scene::Step& step) const;
+
   const SolidAssembly& assembly() const { return *assembly_; }
   const solver::SolidSystem& system() const { return assembly_->system; }
 
  private:
   struct Playing;
+  void assemble_bodies(SolidRunState& state);
   void build(SolidRunState& state);
   void bring_up(SolidRunState& state) const;
   std::string play_between(Playing& play, double from, double to, int depth);

@@ -9,6 +9,7 @@
 #include "mesh/solid/solid_measure.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/solid/skin_depth.hpp"
+#include "sim/solid/solid_redraw.hpp"
 
 namespace reye::sim {
 
@@ -116,25 +117,30 @@ double pending_share(const solver::SolidSystem& system, const SolidRunState& sta
 }
 
 std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, SolidRelocations& relocations,
-                           SolidRunState& state) {
+                           const scene::Step& step, const SolidObserver& observer, SolidRunState& state) {
   const double start = cpu_seconds();
-  SolidMeshes meshes = state.meshes;
-  std::vector<double> ratio(meshes.size(), 1.0);
-  for (std::size_t b = 0; b < meshes.size(); ++b) {
+  MovedSolids moved{state.meshes, std::vector<std::string>(state.meshes.size())};
+  std::vector<double> ratio(state.meshes.size(), 1.0);
+  for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
     const auto worn = worn_faces(problem, player.system(), state, static_cast<int>(b));
     if (!(worn.total() > 0.0)) continue;
-    const auto step =
-        adapt::evolve_solid(meshes[b], *problem.inputs[b].mesh, worn.take(), least_quality, &relocations[b]);
-    const std::string name = "body " + problem.inputs[b].name + ": ";
-    if (!step.failure.empty()) return name + step.failure;
-    if (!step.poor.empty()) return name + step.poor;
-    ratio[b] = step.removed / worn.total();
-    meshes[b] = step.mesh;
+    auto result = adapt::evolve_solid(moved.meshes[b], *state.born[b], worn.take(), least_quality, &relocations[b]);
+    if (!result.failure.empty()) return "body " + problem.inputs[b].name + ": " + result.failure;
+    ratio[b] = result.removed / worn.total();
+    moved.meshes[b] = result.mesh;
+    moved.reasons[b] = result.poor.empty() ? why_redraw(*result.mesh, *state.born[b]) : result.poor;
   }
   book_strips(player.system(), ratio, state);
   state.shape_s += cpu_seconds() - start;
-  player.reshape(state, std::move(meshes));
-  return {};
+  const auto asks = [](const std::string& reason) { return !reason.empty(); };
+  if (std::none_of(moved.reasons.begin(), moved.reasons.end(), asks)) {
+    player.reshape(state, std::move(moved.meshes));
+    return {};
+  }
+  for (std::size_t b = 0; b < moved.reasons.size(); ++b)
+    if (observer.log && asks(moved.reasons[b]))
+      observer.log("body " + problem.inputs[b].name + " is remeshed: " + moved.reasons[b]);
+  return redraw_bodies(problem, player, std::move(moved), step, state);
 }
 
 }  // namespace reye::sim

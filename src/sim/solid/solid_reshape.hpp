@@ -14,8 +14,9 @@ using SolidRelocations = std::map<std::size_t, adapt::SolidRelocationCache>;
 double pending_share(const solver::SolidSystem& system, const SolidRunState& state);
 
 /// Moves the worn faces by the volumes that wait in the gaps, exactly, and makes the equations of the new shapes; the
-/// strips are entered in the ledger. A reason where a body cannot follow: the state then stays as it is.
+/// strips are entered in the ledger. Bodies whose elements have lost their shape are remeshed. A reason where a body
+/// cannot follow.
 std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, SolidRelocations& relocations,
-                           SolidRunState& state);
+                           const scene::Step& step, const SolidObserver& observer, SolidRunState& state);
 
 }  // namespace reye::sim

@@ -23,8 +23,8 @@ bool ended_by_limit(const SolidProblem& problem, const SolidRunState& state) {
 
 SolidRunState initial_solid_state(const SolidProblem& problem) {
   SolidRunState state;
-  state.meshes = drawn_meshes(problem);
-  state.touchable = touchable_nodes(problem);
+  state.meshes = state.born = drawn_meshes(problem);
+  state.touchable = touchable_nodes(problem, state.meshes);
   for (const auto& [name, corners] : problem.scene.histories) state.factors[name] = 0.0;
   state.energy_last_cycle_mJ.assign(problem.contacts.size(), 0.0);
   return state;

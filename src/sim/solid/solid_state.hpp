@@ -14,6 +14,7 @@ struct SolidRunState {
   solver::SolidState solution;     ///< empty before the first increment
   std::vector<SkinPoints> points;  ///< per contact: what `solution` is numbered by
   SolidMeshes meshes;              ///< of the bodies, as worn so far
+  SolidMeshes born;                ///< as they were drawn, or remeshed last
   Touchable touchable;             ///< nodes that the condensation keeps
   /// The increment that led here, of which frames and summaries are made; in it `solution` once more.
   std::optional<solver::SolidSolution> solved;

@@ -21,8 +21,8 @@ struct FaceView {
   const std::vector<int>& facets;
 };
 
-FaceView view(const SolidProblem& problem, const contact::FaceRef& ref) {
-  const auto& mesh = *problem.inputs[ref.body].mesh;
+FaceView view(const SolidMeshes& meshes, const contact::FaceRef& ref) {
+  const auto& mesh = *meshes[static_cast<std::size_t>(ref.body)];
   return {mesh, mesh.faces.at(ref.face)};
 }
 
@@ -47,9 +47,9 @@ bool add_ring(const FaceView& face, std::vector<char>& nodes) {
   return nodes != before;
 }
 
-void take_in_zones(const SolidProblem& problem, const std::string& contact, const contact::FaceRef& ref,
-                   std::vector<char>& nodes) {
-  const auto face = view(problem, ref);
+void take_in_zones(const SolidProblem& problem, const SolidMeshes& meshes, const std::string& contact,
+                   const contact::FaceRef& ref, std::vector<char>& nodes) {
+  const auto face = view(meshes, ref);
   for (const int index : face.facets) {
     const auto& facet = face.mesh.skin[index];
     for (const auto& zone : problem.scene.geometry.fine_zones)
@@ -59,13 +59,14 @@ void take_in_zones(const SolidProblem& problem, const std::string& contact, cons
   }
 }
 
-void take_near(const SolidProblem& problem, const PlacedSkins& contact, const contact::FaceRef& ref,
+void take_near(const SolidMeshes& meshes, const PlacedSkins& contact, const contact::FaceRef& ref,
                const std::vector<contact::FaceRef>& others, std::vector<char>& nodes) {
-  const auto face = view(problem, ref);
+  const auto face = view(meshes, ref);
   std::vector<const Vec3*> facing;
-  for (const auto& other : others)
-    for (const int node : mesh::nodes_of(mesh::facets_of(*problem.inputs[other.body].mesh, other.face)))
-      facing.push_back(&problem.inputs[other.body].mesh->X[node]);
+  for (const auto& other : others) {
+    const auto& mesh = *meshes[static_cast<std::size_t>(other.body)];
+    for (const int node : mesh::nodes_of(mesh::facets_of(mesh, other.face))) facing.push_back(&mesh.X[node]);
+  }
   for (const int index : face.facets) {
     const auto& facet = face.mesh.skin[index];
     const double reach = contact.drawn_mm + 2.0 * std::sqrt(mesh::facet_area(face.mesh.X, facet));
@@ -78,9 +79,15 @@ void take_near(const SolidProblem& problem, const PlacedSkins& contact, const co
 
 }  // namespace
 
-Touchable touchable_nodes(const SolidProblem& problem) {
+SolidMeshes drawn_meshes(const SolidProblem& problem) {
+  SolidMeshes meshes;
+  for (const auto& input : problem.inputs) meshes.push_back(input.mesh);
+  return meshes;
+}
+
+Touchable touchable_nodes(const SolidProblem& problem, const SolidMeshes& meshes) {
   Touchable touchable;
-  for (const auto& input : problem.inputs) touchable.emplace_back(input.mesh->X.size(), 0);
+  for (const auto& mesh : meshes) touchable.emplace_back(mesh->X.size(), 0);
   for (const auto& contact : problem.contacts) {
     const auto& zones = problem.scene.geometry.fine_zones;
     const bool zoned =
@@ -88,10 +95,10 @@ Touchable touchable_nodes(const SolidProblem& problem) {
     const auto choose = [&](const contact::FaceRef& ref, const std::vector<contact::FaceRef>& others) {
       auto& nodes = touchable[ref.body];
       if (zoned)
-        take_in_zones(problem, contact.options.name, ref, nodes);
+        take_in_zones(problem, meshes, contact.options.name, ref, nodes);
       else
-        take_near(problem, contact, ref, others, nodes);
-      add_ring(view(problem, ref), nodes);
+        take_near(meshes, contact, ref, others, nodes);
+      add_ring(view(meshes, ref), nodes);
     };
     choose(contact.secondary, contact.primary);
     for (const auto& ref : contact.primary) choose(ref, {contact.secondary});
@@ -99,11 +106,22 @@ Touchable touchable_nodes(const SolidProblem& problem) {
   return touchable;
 }
 
-Touchable contact_nodes(const SolidProblem& problem) {
+void take_beside(const mesh::SolidMesh& mesh, const std::string& face, const Points3& places,
+                 std::vector<char>& nodes) {
+  for (const int index : mesh.faces.at(face)) {
+    const auto& facet = mesh.skin[index];
+    const double reach = mesh::facet_area(mesh.X, facet);  // square of its size
+    const Vec3 centre = centre_of(mesh.X, facet);
+    if (std::any_of(places.begin(), places.end(), [&](const Vec3& x) { return (x - centre).squaredNorm() <= reach; }))
+      take(facet, nodes);
+  }
+}
+
+Touchable contact_nodes(const SolidProblem& problem, const SolidMeshes& meshes) {
   Touchable all;
-  for (const auto& input : problem.inputs) all.emplace_back(input.mesh->X.size(), 0);
+  for (const auto& mesh : meshes) all.emplace_back(mesh->X.size(), 0);
   const auto add = [&](const contact::FaceRef& ref) {
-    const auto face = view(problem, ref);
+    const auto face = view(meshes, ref);
     for (const int index : face.facets) take(face.mesh.skin[index], all[ref.body]);
   };
   for (const auto& contact : problem.contacts) {
@@ -113,12 +131,12 @@ Touchable contact_nodes(const SolidProblem& problem) {
   return all;
 }
 
-bool grow(const SolidProblem& problem, Touchable& touchable, int rings) {
+bool grow(const SolidProblem& problem, const SolidMeshes& meshes, Touchable& touchable, int rings) {
   bool any = false;
   for (int ring = 0; ring < rings; ++ring)
     for (const auto& contact : problem.contacts) {
-      any = add_ring(view(problem, contact.secondary), touchable[contact.secondary.body]) || any;
-      for (const auto& ref : contact.primary) any = add_ring(view(problem, ref), touchable[ref.body]) || any;
+      any = add_ring(view(meshes, contact.secondary), touchable[contact.secondary.body]) || any;
+      for (const auto& ref : contact.primary) any = add_ring(view(meshes, ref), touchable[ref.body]) || any;
     }
   return any;
 }

@@ -1,0 +1,178 @@
+#include "sim/solid/solid_redraw.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "adapt/solid/skin_transfer.hpp"
+#include "adapt/solid/solid_remesh.hpp"
+#include "adapt/solid/solid_triggers.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+using adapt::SurfaceField;
+using adapt::SurfaceKind;
+
+adapt::SolidRemeshOptions remesh_options(const SolidProblem& problem, std::size_t b) {
+  const auto& geometry = problem.scene.geometry;
+  adapt::SolidRemeshOptions options;
+  const std::string& name = problem.inputs[b].name;
+  for (const auto& body : geometry.bodies)
+    if (body.name == name) {
+      options.far_size_mm = body.mesh.far_size_mm;
+      options.growth = body.mesh.growth;
+    }
+  for (const auto& zone : geometry.fine_zones)
+    if (zone.bodies.empty() || std::find(zone.bodies.begin(), zone.bodies.end(), name) != zone.bodies.end())
+      options.zones.push_back({zone.centre_mm, zone.radius_mm, zone.half_widths_mm, zone.size_mm});
+  return options;
+}
+
+/// The sides of a contact.
+struct Sides {
+  contact::SkinSide secondary, primary;
+};
+
+std::vector<Sides> sides_on(const SolidProblem& problem, const SolidMeshes& meshes, const contact::Columns& columns) {
+  std::vector<const mesh::SolidMesh*> shapes;
+  for (const auto& mesh : meshes) shapes.push_back(mesh.get());
+  std::vector<Sides> sides;
+  for (const auto& contact : problem.contacts)
+    sides.push_back({contact::make_side({contact.secondary}, shapes, columns),
+                     contact::make_side(contact.primary, shapes, columns)});
+  return sides;
+}
+
+/// Nodes that contact may touch on the new meshes: those of the zones, and those beside what was kept before.
+Touchable touchable_after(const SolidProblem& problem, const SolidMeshes& meshes, const std::vector<char>& fresh,
+                          const std::vector<Sides>& before, const Touchable& old) {
+  Touchable touchable = touchable_nodes(problem, meshes);
+  const auto add = [&](const contact::SkinSide& side, const contact::FaceRef& face) {
+    const auto b = static_cast<std::size_t>(face.body);
+    if (!fresh[b]) return;
+    Points3 places;
+    for (std::size_t i = 0; i < side.points.size(); ++i)
+      if (side.points[i].body == face.body) places.push_back(side.skin.x[i]);
+    take_beside(*meshes[b], face.face, places, touchable[b]);
+  };
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    add(before[c].secondary, problem.contacts[c].secondary);
+    for (const auto& face : problem.contacts[c].primary) add(before[c].primary, face);
+  }
+  for (std::size_t b = 0; b < fresh.size(); ++b)
+    if (!fresh[b]) touchable[b] = old[b];
+  return touchable;
+}
+
+bool lies_on_any(const contact::SkinSide& side, const std::vector<char>& fresh) {
+  return std::any_of(side.points.begin(), side.points.end(),
+                     [&](const auto& point) { return fresh[static_cast<std::size_t>(point.body)] != 0; });
+}
+
+/// Collects the fields of one side, and puts them back from what was carried, in the same order.
+class SideFields {
+ public:
+  explicit SideFields(contact::Site site) : site_(site) {}
+
+  std::vector<SurfaceField> of(const SolidRunState& state, std::size_t c) const {
+    std::vector<SurfaceField> fields;
+    if (site_ == contact::Site::secondary) {
+      for (int d = 0; d < 3; ++d) {
+        std::vector<double> values;
+        for (const auto& z : state.solution.traction[c]) values.push_back(z[d]);
+        fields.push_back({"traction", SurfaceKind::interpolated, std::move(values)});
+      }
+      std::vector<double> status, slid(state.slid[c].begin(), state.slid[c].end());
+      for (const auto s : state.solution.status[c]) status.push_back(static_cast<double>(s));
+      fields.push_back({"status", SurfaceKind::nearest, std::move(status)});
+      fields.push_back({"slid", SurfaceKind::nearest, std::move(slid)});
+    }
+    contact::for_each_field(state.solution.wear[c], [&](const contact::Field& field, const auto& member) {
+      if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(member)>>)
+        if (is_carried(field)) fields.push_back({std::string(field.name), kind_of(field), member});
+    });
+    return fields;
+  }
+
+  void put(const std::vector<SurfaceField>& fields, std::size_t c, SolidRunState& state) const {
+    std::size_t next = 0;
+    if (site_ == contact::Site::secondary) {
+      for (int d = 0; d < 3; ++d, ++next)
+        for (std::size_t j = 0; j < fields[next].values.size(); ++j)
+          state.solution.traction[c][j][d] = fields[next].values[j];
+      const auto &status = fields[next++].values, &slid = fields[next++].values;
+      for (std::size_t j = 0; j < status.size(); ++j) {
+        state.solution.status[c][j] = static_cast<contact::SkinStatus>(static_cast<char>(status[j]));
+        if (state.solution.status[c][j] == contact::SkinStatus::open) state.solution.traction[c][j].setZero();
+      }
+      state.slid[c].assign(slid.begin(), slid.end());
+    }
+    contact::for_each_field(state.solution.wear[c], [&](const contact::Field& field, auto& member) {
+      if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(member)>>)
+        if (is_carried(field)) member = fields[next++].values;
+    });
+  }
+
+ private:
+  bool is_carried(const contact::Field& field) const {
+    return field.site == site_ && field.on_fresh_mesh != contact::OnFreshMesh::derived;
+  }
+  static SurfaceKind kind_of(const contact::Field& field) {
+    return field.on_fresh_mesh == contact::OnFreshMesh::summed ? SurfaceKind::summed : SurfaceKind::interpolated;
+  }
+  contact::Site site_;
+};
+
+/// The state on the new equations: values of sides that lie on no fresh mesh stay with their nodes, the others are
+/// carried from the old faces, as worn.
+void carry_onto(const solver::SolidSystem& system, const std::vector<Sides>& before, const std::vector<char>& fresh,
+                const SolidRunState& old, SolidRunState& state) {
+  auto points = old.points;
+  for (auto& contact : points)
+    for (auto* side : {&contact.secondary, &contact.primary})
+      for (auto& [body, node] : *side)
+        if (fresh[static_cast<std::size_t>(body)]) node = -1;  // of no mesh
+  state.solution = carried(points, system, old.solution);
+  state.points = points_of(system);
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    state.slid[c].assign(setup.secondary.points.size(), 0);
+    const auto move = [&](contact::Site site, const contact::SkinSide& from, const contact::SkinSide& to) {
+      if (!lies_on_any(from, fresh)) return;
+      const SideFields fields(site);
+      fields.put(adapt::carry(from.skin, fields.of(old, c), to.skin).fields, c, state);
+    };
+    move(contact::Site::secondary, before[c].secondary, setup.secondary);
+    move(contact::Site::primary, before[c].primary, setup.primary);
+  }
+  state.block_wear = state.solution.wear;
+}
+
+}  // namespace
+
+std::string why_redraw(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
+  return adapt::why_remesh(worn, born, adapt::SolidTriggers{});
+}
+
+std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, MovedSolids moved, const scene::Step& step,
+                          SolidRunState& state) {
+  const auto before = sides_on(problem, moved.meshes, player.assembly().columns);
+  const SolidRunState old = state;
+  std::vector<char> fresh(moved.meshes.size(), 0);
+  for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
+    if (moved.reasons[b].empty()) continue;
+    auto result = adapt::remesh_solid(*moved.meshes[b], *state.born[b], remesh_options(problem, b));
+    if (!result.failure.empty())
+      return "body " + problem.inputs[b].name + " cannot be remeshed: " + result.failure + " (" + moved.reasons[b] +
+             ")";
+    moved.meshes[b] = state.born[b] = result.mesh;
+    fresh[b] = 1;
+    ++state.counts.remeshes;
+  }
+  player.redraw(state, moved.meshes, touchable_after(problem, moved.meshes, fresh, before, old.touchable));
+  carry_onto(player.system(), before, fresh, old, state);
+  return player.settle(state, step);
+}
+
+}  // namespace reye::sim
