@@ -1,6 +1,5 @@
 #include "solver/solid/reduced_system.hpp"
 
-#include "algebra/factor.hpp"
 #include "algebra/gathered_product.hpp"
 #include "base/errors.hpp"
 
@@ -61,25 +60,28 @@ void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix&
 
 }  // namespace
 
-ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const Vector& imbalance) {
+void ReducedSystem::factor(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+                           const std::vector<ReducedRow>& rows) {
   const int count = static_cast<int>(rows.size()), size = count + system.free();
-  if (size == 0) return {Vector(), Vector()};
+  count_ = rows.size();
+  if (size == 0) return;
   const Columns columns = columns_of(system, places, rows);
   Matrix J = Matrix::Zero(size, size);
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (system.yields[b]) subtract_compliance(system.bodies[b].C(), columns, 3 * system.first_point[b], J);
   add_free_motions(system, columns, J);
-  Vector right(size);
-  for (int k = 0; k < count; ++k) {
-    J(k, k) += rows[k].diagonal;
-    right[k] = -rows[k].residual;
-  }
-  right.tail(system.free()) = -imbalance;
-  algebra::DenseFactor factor;
-  factor.factor(J);
-  const Vector x = factor.solve(right);
-  return {x.head(count), x.tail(system.free())};
+  for (int k = 0; k < count; ++k) J(k, k) += rows[k].diagonal;
+  factor_.factor(J);
+}
+
+ReducedStep ReducedSystem::solve(const std::vector<ReducedRow>& rows, const Vector& imbalance) const {
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  if (count + imbalance.size() == 0) return {Vector(), Vector()};
+  Vector right(count + imbalance.size());
+  for (Eigen::Index k = 0; k < count; ++k) right[k] = -rows[static_cast<std::size_t>(k)].residual;
+  right.tail(imbalance.size()) = -imbalance;
+  const Vector x = factor_.solve(right);
+  return {x.head(count), x.tail(imbalance.size())};
 }
 
 }  // namespace reye::solver

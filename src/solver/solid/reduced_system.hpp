@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "algebra/factor.hpp"
 #include "contact/solid/cone.hpp"
 #include "solver/solid/solid_system.hpp"
 
@@ -23,10 +24,21 @@ struct ReducedStep {
   Vector a;  ///< free motions
 };
 
-/// Solves the rows together with the balance of free motions, by dense LU. Only points in contact are unknown, and in
-/// slip the shear along the slip is eliminated. Throws base::SolveError where the matrix is singular: then nothing
-/// holds a body.
-ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const Vector& imbalance);
+/// The matrix of the rows together with the balance of free motions, as dense LU. Only points in contact are unknown,
+/// and in slip the shear along the slip is eliminated. It may serve for later steps with rows of the same unknowns.
+class ReducedSystem {
+ public:
+  /// Throws base::SolveError where the matrix is singular: then nothing holds a body.
+  void factor(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+              const std::vector<ReducedRow>& rows);
+  /// The step for the residuals of these rows. Throws base::SolveError where it is not finite.
+  ReducedStep solve(const std::vector<ReducedRow>& rows, const Vector& imbalance) const;
+  /// Rows of the matrix that is held.
+  std::size_t count() const { return count_; }
+
+ private:
+  algebra::DenseFactor factor_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace reye::solver

@@ -5,6 +5,9 @@
 #include <ctime>
 #include <limits>
 
+#include "solver/solid/most_due.hpp"
+#include "solver/solid/point_rows.hpp"
+
 namespace reye::solver {
 
 namespace {
@@ -74,18 +77,30 @@ void SolidIterate::integrate() {
   pairs_.resize(system_.contacts.size());
   for (std::size_t c = 0; c < system_.contacts.size(); ++c)
     place_.push_back(contact::place_skins(system_.contacts[c], now_.u, system_.held, system_.points(), pairs_[c]));
-  for (std::size_t c = 0; c < place_.size(); ++c)
-    for (int j = 0; j < place_[c].count(); ++j) {
-      Vec3& z = now_.traction[c][j];
-      const auto& frame = place_[c].frame[j];
-      const auto& known = before.empty() ? frame : before[c].frame[j];  // pressure stays pressure as normals turn
-      if (!place_[c].carries[j])
-        z.setZero();
-      else if (target_.friction[c] == 0.0)
-        z = z.dot(known.normal) * frame.normal;
-      else
-        z = z.dot(known.normal) * frame.normal + frame.across(known.across(z));
-    }
+  for (std::size_t c = 0; c < place_.size(); ++c) turn_tractions(c, before.empty() ? place_[c].frame : before[c].frame);
+  evaluate();
+}
+
+/// Pressure stays pressure as normals turn.
+void SolidIterate::turn_tractions(std::size_t c, const std::vector<contact::SkinFrame>& before) {
+  for (int j = 0; j < place_[c].count(); ++j) {
+    Vec3& z = now_.traction[c][j];
+    const auto &frame = place_[c].frame[j], &known = before[j];
+    if (!place_[c].carries[j])
+      z.setZero();
+    else if (target_.friction[c] == 0.0)
+      z = z.dot(known.normal) * frame.normal;
+    else
+      z = z.dot(known.normal) * frame.normal + frame.across(known.across(z));
+  }
+}
+
+void SolidIterate::turn_normals() {
+  for (std::size_t c = 0; c < place_.size(); ++c) {
+    const auto before = place_[c].frame;
+    contact::turn_frames(system_.contacts[c], now_.u, system_.held, place_[c]);
+    turn_tractions(c, before);
+  }
   evaluate();
 }
 
@@ -135,8 +150,9 @@ SolidIterate::Status SolidIterate::decide(int c, int j) const {
   if (!place.carries[j] || !closed) return Status::open;
   if (stick_all_ || friction(c) == 0.0) return Status::stick;
   const Status status = contact::tangential_status(node, place.frame[j], friction(c), stiffness);
-  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro.
-  const bool back = now_.status[c][j] == Status::slip &&
+  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro. Where the pressure has
+  // become a pull, as of a point that is about to open, the shear points against the slip and says nothing.
+  const bool back = now_.status[c][j] == Status::slip && contact::pressure(node, place.frame[j]) > 0.0 &&
                     contact::trial(node, place.frame[j], stiffness).dot(contact::shear(node, place.frame[j])) < 0.0;
   return back ? Status::stick : status;
 }
@@ -161,7 +177,13 @@ bool SolidIterate::project() {
   return any;
 }
 
-bool SolidIterate::classify() {
+std::vector<double> SolidIterate::present_friction() const {
+  std::vector<double> mu;
+  for (std::size_t c = 0; c < place_.size(); ++c) mu.push_back(friction(static_cast<int>(c)));
+  return mu;
+}
+
+bool SolidIterate::classify(bool with_care) {
   bool changed = false;
   std::vector<std::vector<Status>> fresh = now_.status;
   int closed = 0;
@@ -179,6 +201,7 @@ bool SolidIterate::classify() {
   }
   stick_all_ = as_before_ = false;
   changed = changed || fresh != now_.status;
+  if (with_care) keep_the_most_due(system_, place_, nodes_, present_friction(), now_.status, fresh);
   now_.status = std::move(fresh);
   if (project()) evaluate();
   return changed;
@@ -201,28 +224,13 @@ SolidIterate::Error SolidIterate::error() const {
   return error;
 }
 
-void SolidIterate::add_rows(int c, int j, std::vector<ReducedRow>& rows) const {
-  const auto& frame = place_[c].frame[j];
-  const auto& node = nodes_[c][j];
-  const double stiffness = system_.contacts[c].stiffness[j], mu = friction(c);
-  const bool slips = now_.status[c][j] == Status::slip;
-  const auto slip = slips ? contact::slip_step(node, frame, mu, stiffness) : contact::SlipStep{};
-  const bool pressed = node.traction.dot(frame.normal) > 0.0;
-  rows.push_back({c, j, frame.normal, stiffness * frame.normal, 0.0, -stiffness * node.gap});
-  if (slips && (pressed || mu > 0.0)) rows.back().along += mu * slip.d;
-  if (slips && frame.free == 2)
-    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e)});
-  if (!slips && mu > 0.0)
-    for (int k = 0; k < frame.free; ++k)
-      rows.push_back(
-          {c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0, stiffness * frame.tangent[k].dot(node.slip)});
-}
-
 std::vector<ReducedRow> SolidIterate::rows() const {
   std::vector<ReducedRow> rows;
   for (std::size_t c = 0; c < place_.size(); ++c)
     for (const int j : system_.contacts[c].order)
-      if (now_.status[c][j] != Status::open) add_rows(static_cast<int>(c), j, rows);
+      if (now_.status[c][j] != Status::open)
+        add_rows({static_cast<int>(c), j, system_.contacts[c].stiffness[j], friction(static_cast<int>(c))},
+                 place_[c].frame[j], nodes_[c][j], now_.status[c][j], rows);
   return rows;
 }
 
@@ -247,10 +255,18 @@ double SolidIterate::step_share(const Vector& moved) const {
   return share;
 }
 
-void SolidIterate::step() {
+void SolidIterate::step(bool same_matrix, bool near) {
   const Account account(interface_s);
   const auto rows = this->rows();
-  const ReducedStep step = solve_reduced(system_, place_, rows, imbalance(system_, force_, now_.s));
+  if (!same_matrix || reduced_.count() != rows.size()) reduced_.factor(system_, place_, rows);
+  apply(rows);
+  if (!near) return;
+  turn_normals();
+  apply(this->rows());
+}
+
+void SolidIterate::apply(const std::vector<ReducedRow>& rows) {
+  const ReducedStep step = reduced_.solve(rows, imbalance(system_, force_, now_.s));
   const Vector moved = moved_by(rows, step);
   const double share = step_share(moved);
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -259,7 +275,18 @@ void SolidIterate::step() {
   now_.u += share * moved;
 }
 
-void SolidIterate::let_shear_go() { keep_shear_ = false; }
+void SolidIterate::let_shear_go() {
+  keep_shear_ = false;
+  stick_all_ = true;
+}
+
+void SolidIterate::finish() {
+  const Account account(interface_s);
+  const auto rows = this->rows();
+  if (rows.empty() || reduced_.count() != rows.size()) return;
+  apply(rows);
+  evaluate();
+}
 
 SolidSolution SolidIterate::take() {
   SolidSolution solution;
