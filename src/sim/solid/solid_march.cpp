@@ -146,7 +146,10 @@ class March {
     state_.solution = solution_->state;
     state_.factors = factors;
     ++state_.counts.increments;
-    state_.balance = std::max(state_.balance, imbalance_of_bodies(problem_, assembly_->system, *solution_));
+    const auto forces = balance_of_bodies(problem_, assembly_->system, *solution_);
+    state_.imbalance_N = std::max(state_.imbalance_N, forces.left_N);
+    state_.largest_force_N = std::max(state_.largest_force_N, forces.largest_N);
+    if (state_.largest_force_N > 0.0) state_.balance = state_.imbalance_N / state_.largest_force_N;
     watch_solid(problem_, assembly_->system, *solution_, warnings_);
     record(step, to);
   }
@@ -154,6 +157,7 @@ class March {
   void record(const scene::Step& step, double to) {
     if (observer_.increment) {
       SolidIncrement row{step.name, state_.cycle + (step.cycles > 0.0 ? to : 0.0), to, solution_->iterations, {}, {}};
+      row.errors = solution_->errors;
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
         row.contacts.push_back(contact_row(*solution_, c, problem_.contacts[c].options.friction, state_.energy_mJ[c]));
       row.supports = support_rows(problem_, assembly_->system, *solution_);

@@ -18,7 +18,8 @@ struct SolidRunState {
   std::vector<double> energy_before_cycle_mJ, energy_last_cycle_mJ;
   Counts counts;
   std::vector<std::string> cutback_reasons;
-  double balance = 0.0;
+  double balance = 0.0;                             ///< `imbalance_N` over the largest force
+  double imbalance_N = 0.0, largest_force_N = 0.0;  ///< the largest so far
   double mortar_s = 0.0, interface_s = 0.0, factor_s = 0.0;
   int retained = 0;
 };
