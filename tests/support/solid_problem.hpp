@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -60,7 +62,7 @@ inline sim::SolidProblem problem_of(std::vector<body::SolidInput> inputs, contac
                                     contact::FaceRef primary, double friction, double search_mm) {
   sim::SolidProblem problem;
   problem.inputs = std::move(inputs);
-  problem.load_force = sim::load_resultants(problem.inputs);
+  problem.load_resultant = sim::load_resultants(problem.inputs);
   for (int b = 0; b < problem.body_count(); ++b)
     for (int k = 0; k < static_cast<int>(problem.inputs[b].supports.size()); ++k) {
       problem.support_of.push_back({b, k});
@@ -73,7 +75,10 @@ inline sim::SolidProblem problem_of(std::vector<body::SolidInput> inputs, contac
   contact.options.friction = friction;
   contact.secondary = secondary;
   contact.primary = {primary};
-  contact.modulus_MPa = material::young(problem.inputs[secondary.body].material);
+  contact.modulus_MPa = std::numeric_limits<double>::infinity();
+  for (const int body : {secondary.body, primary.body})
+    if (const auto& input = problem.inputs[body]; !input.rigid)
+      contact.modulus_MPa = std::min(contact.modulus_MPa, material::young(input.material));
   contact.search_mm = search_mm;
   problem.inputs[secondary.body].contact_faces.push_back(secondary.face);
   problem.inputs[primary.body].contact_faces.push_back(primary.face);

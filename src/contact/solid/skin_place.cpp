@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "mortar/solid/facet_geometry.hpp"
+
 namespace reye::contact {
 
 namespace {
@@ -85,6 +87,15 @@ SkinFrame frame_of(const SkinPlace& place, int j, int own, const Vec3& normal,
   return directions.empty() ? free_frame(normal) : held_frame(normal, directions);
 }
 
+std::vector<SkinFrame> frames_of(const SkinSetup& setup, const SkinPlace& place, const Points3& normals,
+                                 const std::vector<HeldDirections>& held) {
+  std::vector<SkinFrame> frames;
+  for (int j = 0; j < setup.count(); ++j)
+    frames.push_back(place.carries[j] ? frame_of(place, j, setup.secondary.points[j].column, normals[j], held)
+                                      : free_frame(normals[j]));
+  return frames;
+}
+
 }  // namespace
 
 Vec3 SkinFrame::across(const Vec3& v) const {
@@ -107,11 +118,15 @@ SkinPlace place_skins(const SkinSetup& setup, const Vector& displacement, const 
   place.covered = integrals.covered;
   place.area = integrals.area;
   place.carries = integrals.carries;
-  for (int j = 0; j < setup.count(); ++j)
-    place.frame.push_back(place.carries[j]
-                              ? frame_of(place, j, setup.secondary.points[j].column, integrals.normal[j], held)
-                              : free_frame(integrals.normal[j]));
+  place.covers = integrals.covers;
+  place.frame = frames_of(setup, place, integrals.normal, held);
   return place;
+}
+
+void turn_frames(const SkinSetup& setup, const Vector& displacement, const std::vector<HeldDirections>& held,
+                 SkinPlace& place) {
+  place.frame =
+      frames_of(setup, place, mortar::nodal_normals(moved(setup.secondary, displacement), place.covers), held);
 }
 
 Points3 relative(const SkinPlace& place, const Vector& x) {

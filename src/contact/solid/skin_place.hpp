@@ -40,6 +40,7 @@ struct SkinPlace {
   base::Vector area;     ///< with the uncovered part
   std::vector<SkinFrame> frame;
   std::vector<char> carries;
+  std::vector<char> covers;  ///< per secondary facet: the primary side covers a part of it
 
   int count() const { return static_cast<int>(frame.size()); }
 };
@@ -48,6 +49,10 @@ struct SkinPlace {
 /// kept from call to call.
 SkinPlace place_skins(const SkinSetup& setup, const base::Vector& displacement, const std::vector<HeldDirections>& held,
                       int points, mortar::SkinPairs& pairs);
+
+/// Puts the frames where the points are at these displacements, and leaves the integrals.
+void turn_frames(const SkinSetup& setup, const base::Vector& displacement, const std::vector<HeldDirections>& held,
+                 SkinPlace& place);
 
 /// sum_k Q_jk x_k / covered_j per secondary point; zero where nothing is covered.
 base::Points3 relative(const SkinPlace& place, const base::Vector& x);

@@ -44,6 +44,7 @@ struct SkinIntegrals {
   base::Vector area;          ///< int N_j over all facets of the secondary side, covered or not [mm^2]
   Points3 normal;             ///< unit, outward of the secondary side, per secondary point
   std::vector<char> carries;  ///< per secondary point: it has a multiplier (covered by at least 1e-3 of its area)
+  std::vector<char> covers;   ///< per secondary facet: the primary side covers a part of it
 };
 
 struct SkinPairs;

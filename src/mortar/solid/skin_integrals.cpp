@@ -180,9 +180,9 @@ SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOp
   }
   renew(sides, pairs, before, out.carries, w, all);
   assemble(sides, all, out);
-  std::vector<char> faces(secondary.facets.size(), 0);
-  for (const auto& block : all.blocks) faces[block.facet] = 1;
-  out.normal = nodal_normals(secondary, faces);
+  out.covers.assign(secondary.facets.size(), 0);
+  for (const auto& block : all.blocks) out.covers[block.facet] = 1;
+  out.normal = nodal_normals(secondary, out.covers);
   return out;
 }
 

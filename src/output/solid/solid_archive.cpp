@@ -21,8 +21,8 @@ void serialize(Archive& archive, SkinFrame& s) {
 
 template <class Archive>
 void serialize(Archive& archive, SkinPlace& s) {
-  auto& [Q, D, M, T, covered, area, frame, carries] = s;
-  archive(Q, D, M, T, covered, area, frame, carries);
+  auto& [Q, D, M, T, covered, area, frame, carries, covers] = s;
+  archive(Q, D, M, T, covered, area, frame, carries, covers);
 }
 
 template <class Archive>
@@ -67,11 +67,11 @@ template <class Archive>
 void serialize(Archive& archive, SolidRunState& s) {
   auto& [solution, points, meshes, born, touchable, solved, factors, held, block_wear, step, increment, step_cycles,
          cycle, step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles,
-         life_error, limit_measure, warnings, counts, cutback_reasons, balance, retained, mortar_s, interface_s,
-         factor_s, shape_s] = s;
+         life_error, limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained,
+         mortar_s, interface_s, factor_s, shape_s] = s;
   archive(solution, points, touchable, solved, factors, held, block_wear, step, increment, step_cycles, cycle,
           step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles, life_error,
-          limit_measure, warnings, counts, cutback_reasons, balance, retained);
+          limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained);
   static_cast<void>(meshes), static_cast<void>(born);  // beside the state, those alone that are not as drawn
   static_cast<void>(mortar_s), static_cast<void>(interface_s), static_cast<void>(factor_s);  // of one process
   static_cast<void>(shape_s);

@@ -14,6 +14,10 @@ namespace reye::sim {
 
 namespace {
 
+/// Share of a block's cycles that level it; less than in the plane, for no shape step comes between the halves and what
+/// is to be levelled is small, and the cycles that level have the error of their length.
+constexpr double share_to_level = 0.06;
+
 /// Counts of the work done continue where the state itself begins again.
 void keep_work(SolidRunState& start, const SolidRunState& played) {
   start.counts = played.counts;
@@ -105,7 +109,7 @@ struct SolidTrial {
   SolidIncrement uncorrected, corrected;
 };
 
-double block_without_levelling(const SolidSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
+double block_without_levelling(const SolidSpan& span) { return span.level ? span.jump / (1.0 + share_to_level) : span.jump; }
 
 void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& start,
                       const SolidSpan& span, const SolidObserver& observer, SolidTrial& trial) {
@@ -136,7 +140,7 @@ void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const So
   trial.outcome.middle = std::move(attempt.middle);
   if (!trial.too_long && span.level)
     trial.outcome =
-        level_block(player, std::move(trial.outcome), span, levelling * block.jump, trial.later.observer(observer));
+        level_block(player, std::move(trial.outcome), span, share_to_level * block.jump, trial.later.observer(observer));
 }
 
 void accept_solid_trial(const SolidProblem& problem, const SolidRunState& state, const SolidSpan& span,

@@ -1,8 +1,11 @@
 #include "sim/solid/solid_measure.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "body/solid/solid_place.hpp"
+#include "mesh/solid/solid_measure.hpp"
 
 #include "sim/solid/skin_depth.hpp"
 
@@ -25,6 +28,38 @@ int status_number(SkinStatus status, double friction) {
 Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& state, std::size_t b) {
   return state.s.segment(system.first_driven[b], system.first_driven[b + 1] - system.first_driven[b]);
 }
+
+/// The places of all points, on X; of points that no contact has, zero: no force acts there.
+Points3 places(const solver::SolidSystem& system) {
+  Points3 x(static_cast<std::size_t>(system.points()), Vec3::Zero());
+  for (const auto& contact : system.contacts)
+    for (const auto* side : {&contact.secondary, &contact.primary})
+      for (std::size_t i = 0; i < side->points.size(); ++i) x[side->points[i].column] = side->skin.x[i];
+  return x;
+}
+
+/// What acts on a body: forces, and moments about its centre.
+class Balance {
+ public:
+  Balance(const Vec3& centre, double size) : centre_(centre), size_(size) {}
+
+  body::Mode about_centre(const Vec3& force, const Vec3& moment, const Vec3& at) const {
+    body::Mode resultant;
+    resultant << force, moment + (at - centre_).cross(force);
+    return resultant;
+  }
+  void add(const body::Mode& resultant) {
+    sum_ += resultant;
+    largest_ = std::max({largest_, resultant.head<3>().norm(), resultant.tail<3>().norm() / size_});
+  }
+  double left_N() const { return std::max(sum_.head<3>().norm(), sum_.tail<3>().norm() / size_); }
+  double largest_N() const { return largest_; }
+
+ private:
+  Vec3 centre_;
+  double size_, largest_ = 0.0;
+  body::Mode sum_ = body::Mode::Zero();
+};
 
 }  // namespace
 
@@ -75,30 +110,33 @@ std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::
   return rows;
 }
 
-double imbalance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
-                           const solver::SolidSolution& solution) {
-  double worst = 0.0;
+BalanceOfBodies balance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
+                                  const solver::SolidSolution& solution) {
+  BalanceOfBodies all;
   const auto supports = support_rows(problem, system, solution);
+  const Points3 x = places(system);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto& body = system.bodies[b];
+    Balance balance(body.centre(), mesh::box_diagonal(body.input().mesh->X));
+    body::Mode contact = body::Mode::Zero();
     const auto forces = forces_on(system, solution, b);
-    Vec3 sum = Vec3::Zero();
-    double largest = 0.0;
-    const auto add = [&](const Vec3& force) {
-      sum += force;
-      largest = std::max(largest, force.norm());
-    };
-    Vec3 contact = Vec3::Zero();
-    for (Eigen::Index i = 0; i < forces.size(); i += 3) contact += forces.segment<3>(i);
-    add(contact);
-    for (std::size_t k = 0; k < supports.size(); ++k)
-      if (problem.support_of[k][0] == static_cast<int>(b)) add(supports[k].force_N);
-    const auto& driven = system.bodies[b].driven();
+    for (Eigen::Index i = 0; i < forces.size(); i += 3)
+      contact += balance.about_centre(forces.segment<3>(i), Vec3::Zero(), x[system.first_point[b] + i / 3]);
+    balance.add(contact);
+    for (std::size_t k = 0; k < supports.size(); ++k) {
+      const auto& [of_body, place] = problem.support_of[k];
+      if (of_body == static_cast<int>(b))
+        balance.add(balance.about_centre(supports[k].force_N, supports[k].moment_N_mm,
+                                         body::place_support(*body.input().mesh, body.input().supports[place]).centre));
+    }
+    const auto& driven = body.driven();
     const auto s = driven_of(system, solution.state, b);
     for (std::size_t k = 0; k < driven.size(); ++k)
-      if (driven[k].load >= 0) add(s[static_cast<int>(k)] * problem.load_force[b][driven[k].load]);
-    if (largest > 0.0) worst = std::max(worst, sum.norm() / largest);
+      if (driven[k].load >= 0) balance.add(s[static_cast<int>(k)] * problem.load_resultant[b][driven[k].load]);
+    all.left_N = std::max(all.left_N, balance.left_N());
+    all.largest_N = std::max(all.largest_N, balance.largest_N());
   }
-  return worst;
+  return all;
 }
 
 }  // namespace reye::sim

@@ -15,9 +15,13 @@ base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSol
 std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::SolidSystem& system,
                                      const solver::SolidSolution& solution);
 
-/// Largest sum over a body of the forces of contacts, supports and loads, over the largest of them.
-double imbalance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
-                           const solver::SolidSolution& solution);
+/// Of all bodies the largest sum of the forces of contacts, supports and loads, and the largest of these forces;
+/// moments about the middle of a body's box count over its size [N].
+struct BalanceOfBodies {
+  double left_N = 0.0, largest_N = 0.0;
+};
+BalanceOfBodies balance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
+                                  const solver::SolidSolution& solution);
 
 /// The moment of a frame, and whether it shows the bodies.
 struct FrameMoment {

@@ -185,7 +185,10 @@ void SolidPlayer::accept(Playing& play, const std::map<std::string, double>& fac
   state.solution = state.solved->state;
   state.factors = factors;
   ++state.counts.increments;
-  state.balance = std::max(state.balance, imbalance_of_bodies(problem_, system(), *state.solved));
+  const auto forces = balance_of_bodies(problem_, system(), *state.solved);
+  state.imbalance_N = std::max(state.imbalance_N, forces.left_N);
+  state.largest_force_N = std::max(state.largest_force_N, forces.largest_N);
+  if (state.largest_force_N > 0.0) state.balance = state.imbalance_N / state.largest_force_N;
   watch_solid(problem_, system(), *state.solved, state.warnings);
   record(play, to);
 }
@@ -217,6 +220,7 @@ void SolidPlayer::record(const Playing& play, double to) const {
 SolidIncrement row_of(const SolidProblem& problem, const solver::SolidSystem& system, const SolidRunState& state) {
   SolidIncrement row;
   row.newton = state.solved->iterations;
+  row.errors = state.solved->errors;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) row.contacts.push_back(contact_row(system, state, c));
   row.supports = support_rows(problem, system, *state.solved);
   return row;

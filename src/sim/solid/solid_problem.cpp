@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "body/solid/solid_conflicts.hpp"
+#include "body/solid/solid_matrices.hpp"
 #include "material/parameters.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "scene/solid/solid_located.hpp"
@@ -35,7 +36,7 @@ class Preparation {
     for (const auto& load : scene.loads) add_load(load);
     for (const auto& contact : scene.contacts) add_contact(contact);
     if (issues_.empty()) find_conflicts();
-    problem_.load_force = load_resultants(problem_.inputs);
+    problem_.load_resultant = load_resultants(problem_.inputs);
     if (!issues_.empty()) throw scene::located(scene, issues_);
     return std::move(problem_);
   }
@@ -163,23 +164,15 @@ class Preparation {
 
 }  // namespace
 
-std::vector<std::vector<Vec3>> load_resultants(const std::vector<body::SolidInput>& inputs) {
-  std::vector<std::vector<Vec3>> forces;
+std::vector<std::vector<body::Mode>> load_resultants(const std::vector<body::SolidInput>& inputs) {
+  std::vector<std::vector<body::Mode>> resultants;
   for (const auto& input : inputs) {
-    auto& own = forces.emplace_back();
-    for (const auto& load : input.loads) {
-      const double content = load.face.empty() ? mesh::volume(*input.mesh) : 0.0;
-      Vec3 sum = content * load.force_N_per_mm3;
-      if (!load.face.empty()) {
-        sum += load.force_N;
-        for (const auto& facet : mesh::facets_of(*input.mesh, load.face))
-          sum += mesh::facet_area(input.mesh->X, facet) * load.traction_MPa -
-                 load.pressure_MPa * mesh::area_vector(input.mesh->X, facet);
-      }
-      own.push_back(sum);
-    }
+    auto& own = resultants.emplace_back();
+    const Vec3 centre = mesh::box_centre(input.mesh->X);
+    for (const auto& load : input.loads)
+      own.push_back(body::resultant_about(*input.mesh, body::nodal_forces(*input.mesh, load), centre));
   }
-  return forces;
+  return resultants;
 }
 
 SolidProblem prepare_solid(scene::SolidScene scene) {

@@ -39,6 +39,7 @@ struct SolidIncrement {
   int newton = 0;
   std::vector<SkinContactRow> contacts;  ///< one per contact of the scene
   std::vector<SupportRow> supports;      ///< one per support of the scene
+  std::vector<double> errors{};          ///< largest violation over largest traction, per iteration
 };
 
 /// One side of a contact: nodes that contact was prepared for, and the facets between them.
@@ -105,7 +106,9 @@ struct SolidSummary {
   std::optional<double> error_cycle_jump;
   std::vector<Warning> warnings;
   Counts counts;
-  double balance = 0.0;  ///< largest sum of forces on a body over the largest force, at any end of an increment
+  /// Largest sum of forces on a body over the largest force of the run, or of moments about the middle of its box over
+  /// that force times its size, at any end of an increment.
+  double balance = 0.0;
   SolidSize size;
   double wall_s = 0.0, cpu_s = 0.0, peak_rss_MB = 0.0;
   std::map<std::string, double> phase_seconds;  ///< "mesh", "stiffness", "factor", "mortar", "interface", "output"

@@ -36,7 +36,8 @@ struct SolidRunState {
   std::vector<Warning> warnings;                                         ///< found in the run
   Counts counts;
   std::vector<std::string> cutback_reasons;
-  double balance = 0.0;
+  double balance = 0.0;                             ///< `imbalance_N` over the largest force
+  double imbalance_N = 0.0, largest_force_N = 0.0;  ///< the largest so far
   int retained = 0;
   double mortar_s = 0.0, interface_s = 0.0, factor_s = 0.0, shape_s = 0.0;  ///< CPU of this process; in no checkpoint
 };

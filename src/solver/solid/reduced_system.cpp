@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "algebra/factor.hpp"
 #include "algebra/gathered_product.hpp"
 #include "base/errors.hpp"
 
@@ -95,11 +94,11 @@ Matrix worn_into(const Matrix& J, const std::vector<WearRow>& wear, int count, i
 
 }  // namespace
 
-ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear,
-                          const Vector& imbalance) {
+void ReducedSystem::factor(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+                           const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear) {
   const int count = static_cast<int>(rows.size()), size = count + system.free();
-  if (size == 0) return {Vector(), Vector()};
+  count_ = rows.size();
+  if (size == 0) return;
   const int balance = count + static_cast<int>(wear.size());
   const Columns columns = columns_of(system, places, rows, wear);
   Matrix J = Matrix::Zero(balance + system.free(), size);
@@ -108,16 +107,18 @@ ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::Sk
   add_free_motions(system, columns, balance, J);
   add_wear_of_traction(rows, wear, J);
   if (!wear.empty()) J = worn_into(J, wear, count, system.free());
-  Vector right(size);
-  for (int k = 0; k < count; ++k) {
-    J(k, k) += rows[k].diagonal;
-    right[k] = -rows[k].residual;
-  }
-  right.tail(system.free()) = -imbalance;
-  algebra::DenseFactor factor;
-  factor.factor(J);
-  const Vector x = factor.solve(right);
-  return {x.head(count), x.tail(system.free())};
+  for (int k = 0; k < count; ++k) J(k, k) += rows[k].diagonal;
+  factor_.factor(J);
+}
+
+ReducedStep ReducedSystem::solve(const std::vector<ReducedRow>& rows, const Vector& imbalance) const {
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  if (count + imbalance.size() == 0) return {Vector(), Vector()};
+  Vector right(count + imbalance.size());
+  for (Eigen::Index k = 0; k < count; ++k) right[k] = -rows[static_cast<std::size_t>(k)].residual;
+  right.tail(imbalance.size()) = -imbalance;
+  const Vector x = factor_.solve(right);
+  return {x.head(count), x.tail(imbalance.size())};
 }
 
 }  // namespace reye::solver

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/factor.hpp"
 #include "contact/solid/cone.hpp"
 #include "solver/solid/solid_system.hpp"
 
@@ -33,11 +34,22 @@ struct ReducedStep {
   Vector a;  ///< free motions
 };
 
-/// Solves the rows together with the balance of free motions, by dense LU. Only points in contact are unknown, and in
-/// slip the shear along the slip is eliminated. Throws base::SolveError where the matrix is singular: then nothing
-/// holds a body.
-ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear,
-                          const Vector& imbalance);
+/// The matrix of the rows together with the balance of free motions, as dense LU. Only points in contact are unknown,
+/// and in slip the shear along the slip is eliminated; what slides wears. It may serve for later steps with rows of the
+/// same unknowns.
+class ReducedSystem {
+ public:
+  /// Throws base::SolveError where the matrix is singular: then nothing holds a body.
+  void factor(const SolidSystem& system, std::span<const contact::SkinPlace> places,
+              const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear);
+  /// The step for the residuals of these rows. Throws base::SolveError where it is not finite.
+  ReducedStep solve(const std::vector<ReducedRow>& rows, const Vector& imbalance) const;
+  /// Rows of the matrix that is held.
+  std::size_t count() const { return count_; }
+
+ private:
+  algebra::DenseFactor factor_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace reye::solver

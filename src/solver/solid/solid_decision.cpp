@@ -2,6 +2,7 @@
 #include <limits>
 #include <numeric>
 
+#include "solver/solid/most_due.hpp"
 #include "solver/solid/solid_iterate.hpp"
 
 /// Which points are open, stick or slip.
@@ -71,8 +72,9 @@ SolidIterate::Status SolidIterate::decide(int c, int j) const {
   if (!place.carries[j] || !is_closed(c, j)) return Status::open;
   if (stick_all_ || friction(c) == 0.0) return Status::stick;
   const Status status = contact::tangential_status(node, place.frame[j], friction(c), stiffness);
-  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro.
-  const bool back = now_.status[c][j] == Status::slip &&
+  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro. Where the pressure has
+  // become a pull, as of a point that is about to open, the shear points against the slip and says nothing.
+  const bool back = now_.status[c][j] == Status::slip && contact::pressure(node, place.frame[j]) > 0.0 &&
                     contact::trial(node, place.frame[j], stiffness).dot(contact::shear(node, place.frame[j])) < 0.0;
   return back ? Status::stick : status;
 }
@@ -97,7 +99,13 @@ bool SolidIterate::project() {
   return any;
 }
 
-bool SolidIterate::classify() {
+std::vector<double> SolidIterate::present_friction() const {
+  std::vector<double> mu;
+  for (std::size_t c = 0; c < place_.size(); ++c) mu.push_back(friction(static_cast<int>(c)));
+  return mu;
+}
+
+bool SolidIterate::classify(bool with_care) {
   ++decisions_;
   bool changed = false;
   std::vector<std::vector<Status>> fresh = now_.status;
@@ -116,8 +124,9 @@ bool SolidIterate::classify() {
     changed = true;
   }
   stick_all_ = as_before_ = false;
+  changed = changed || fresh != now_.status;
+  if (with_care) keep_the_most_due(system_, place_, nodes_, present_friction(), now_.status, fresh);
   const bool differs = fresh != now_.status;
-  changed = changed || differs;
   now_.status = std::move(fresh);
   if (project() || (differs && wears())) evaluate();
   return changed;

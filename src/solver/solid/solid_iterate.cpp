@@ -5,6 +5,9 @@
 #include <ctime>
 #include <limits>
 
+#include "solver/solid/most_due.hpp"
+#include "solver/solid/point_rows.hpp"
+
 namespace reye::solver {
 
 namespace {
@@ -52,21 +55,33 @@ void SolidIterate::integrate() {
   pairs_.resize(system_.contacts.size());
   for (std::size_t c = 0; c < system_.contacts.size(); ++c)
     place_.push_back(contact::place_skins(system_.contacts[c], now_.u, system_.held, system_.points(), pairs_[c]));
-  for (std::size_t c = 0; c < place_.size(); ++c)
-    for (int j = 0; j < place_[c].count(); ++j) {
-      Vec3& z = now_.traction[c][j];
-      const auto& frame = place_[c].frame[j];
-      const auto& known = before.empty() ? frame : before[c].frame[j];  // pressure stays pressure as normals turn
-      if (!place_[c].carries[j])
-        z.setZero();
-      else if (target_.friction[c] == 0.0)
-        z = z.dot(known.normal) * frame.normal;
-      else
-        z = z.dot(known.normal) * frame.normal + frame.across(known.across(z));
-    }
+  for (std::size_t c = 0; c < place_.size(); ++c) turn_tractions(c, before.empty() ? place_[c].frame : before[c].frame);
   worn_.assign(place_.size(), {});
   for (std::size_t c = 0; c < place_.size(); ++c)
     if (system_.contacts[c].options.wear.wears()) worn_[c] = worn_contact(system_.contacts[c], place_[c], old_.wear[c]);
+  evaluate();
+}
+
+/// Pressure stays pressure as normals turn.
+void SolidIterate::turn_tractions(std::size_t c, const std::vector<contact::SkinFrame>& before) {
+  for (int j = 0; j < place_[c].count(); ++j) {
+    Vec3& z = now_.traction[c][j];
+    const auto &frame = place_[c].frame[j], &known = before[j];
+    if (!place_[c].carries[j])
+      z.setZero();
+    else if (target_.friction[c] == 0.0)
+      z = z.dot(known.normal) * frame.normal;
+    else
+      z = z.dot(known.normal) * frame.normal + frame.across(known.across(z));
+  }
+}
+
+void SolidIterate::turn_normals() {
+  for (std::size_t c = 0; c < place_.size(); ++c) {
+    const auto before = place_[c].frame;
+    contact::turn_frames(system_.contacts[c], now_.u, system_.held, place_[c]);
+    turn_tractions(c, before);
+  }
   evaluate();
 }
 
@@ -122,28 +137,13 @@ SolidIterate::Error SolidIterate::error() const {
   return error;
 }
 
-void SolidIterate::add_rows(int c, int j, std::vector<ReducedRow>& rows) const {
-  const auto& frame = place_[c].frame[j];
-  const auto& node = nodes_[c][j];
-  const double stiffness = system_.contacts[c].stiffness[j], mu = friction(c);
-  const bool slips = now_.status[c][j] == Status::slip;
-  const auto slip = slips ? contact::slip_step(node, frame, mu, stiffness) : contact::SlipStep{};
-  const bool pressed = node.traction.dot(frame.normal) > 0.0;
-  rows.push_back({c, j, frame.normal, stiffness * frame.normal, 0.0, -stiffness * node.gap});
-  if (slips && (pressed || mu > 0.0)) rows.back().along += mu * slip.d;
-  if (slips && frame.free == 2)
-    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e)});
-  if (!slips && mu > 0.0)
-    for (int k = 0; k < frame.free; ++k)
-      rows.push_back(
-          {c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0, stiffness * frame.tangent[k].dot(node.slip)});
-}
-
 std::vector<ReducedRow> SolidIterate::rows() const {
   std::vector<ReducedRow> rows;
   for (std::size_t c = 0; c < place_.size(); ++c)
     for (const int j : system_.contacts[c].order)
-      if (now_.status[c][j] != Status::open) add_rows(static_cast<int>(c), j, rows);
+      if (now_.status[c][j] != Status::open)
+        add_rows({static_cast<int>(c), j, system_.contacts[c].stiffness[j], friction(static_cast<int>(c))},
+                 place_[c].frame[j], nodes_[c][j], now_.status[c][j], rows);
   return rows;
 }
 
@@ -180,10 +180,18 @@ double SolidIterate::step_share(const Vector& moved) const {
   return share;
 }
 
-void SolidIterate::step() {
+void SolidIterate::step(bool same_matrix, bool near) {
   const Account account(interface_s);
   const auto rows = this->rows();
-  const ReducedStep step = solve_reduced(system_, place_, rows, wear_rows(rows), imbalance(system_, force_, now_.s));
+  if (!same_matrix || reduced_.count() != rows.size()) reduced_.factor(system_, place_, rows, wear_rows(rows));
+  apply(rows);
+  if (!near) return;
+  turn_normals();
+  apply(this->rows());
+}
+
+void SolidIterate::apply(const std::vector<ReducedRow>& rows) {
+  const ReducedStep step = reduced_.solve(rows, imbalance(system_, force_, now_.s));
   const Vector moved = moved_by(rows, step);
   const double share = step_share(moved);
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -192,7 +200,18 @@ void SolidIterate::step() {
   now_.u += share * moved;
 }
 
-void SolidIterate::let_shear_go() { keep_shear_ = false; }
+void SolidIterate::let_shear_go() {
+  keep_shear_ = false;
+  stick_all_ = true;
+}
+
+void SolidIterate::finish() {
+  const Account account(interface_s);
+  const auto rows = this->rows();
+  if (rows.empty() || reduced_.count() != rows.size()) return;
+  apply(rows);
+  evaluate();
+}
 
 SolidSolution SolidIterate::take() {
   for (std::size_t c = 0; c < place_.size(); ++c) {

@@ -1,0 +1,179 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <stdexcept>
+
+#include "algebra/factor.hpp"
+#include "factorisations.hpp"
+#include "fem/solid/solid_stiffness.hpp"
+#include "scene/solid/solid_scene.hpp"
+#include "support/solid_mindlin.hpp"
+
+/// What solids cost: condensing in plain factorisations, and cycles of gross slip; and how Cattaneo's and Mindlin's
+/// balls come out. CPU time.
+namespace {
+
+using namespace reye;
+
+double seconds_of_cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// A block of hexahedra, its rigid motions held by a millionth of the diagonal, with a patch of `side` x `side` nodes
+/// of its top in the last rows.
+base::SparseMatrix patch_last(std::array<int, 3> parts, int side) {
+  const auto mesh = support::block(mesh::SolidKind::hex8, parts, {1.0, 1.0, 1.0});
+  base::SparseMatrix K =
+      fem::upper_stiffness(mesh, material::LinearElastic{2.1e5, 0.3}, fem::plain_dofs(mesh.node_count()));
+  const double mean = K.diagonal().mean();
+  for (Eigen::Index i = 0; i < K.rows(); ++i) K.coeffRef(i, i) += 1e-6 * mean;
+  const auto kept = [&](int node) {
+    const int i = node % (parts[0] + 1), j = node / (parts[0] + 1) % (parts[1] + 1);
+    const int k = node / ((parts[0] + 1) * (parts[1] + 1));
+    const int first_i = (parts[0] + 1 - side) / 2, first_j = (parts[1] + 1 - side) / 2;
+    return k == parts[2] && i >= first_i && i < first_i + side && j >= first_j && j < first_j + side;
+  };
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to(K.rows());
+  int place = 0;
+  for (const bool last : {false, true})
+    for (int node = 0; node < mesh.node_count(); ++node)
+      if (kept(node) == last)
+        for (int c = 0; c < 3; ++c) to.indices()[3 * node + c] = place++;
+  base::SparseMatrix ordered(K.rows(), K.cols());
+  ordered.selfadjointView<Eigen::Upper>() = K.selfadjointView<Eigen::Upper>().twistedBy(to);
+  return ordered;
+}
+
+/// CPU seconds of a factor that keeps so many rows; one node alone is a plain factorisation.
+double factorising(const base::SparseMatrix& K, int retained) {
+  const double start = seconds_of_cpu();
+  const algebra::SchurFactor factor(K, retained, {}, algebra::Ordering::nested_dissection);
+  benchmark::DoNotOptimize(factor);
+  return seconds_of_cpu() - start;
+}
+
+void condensing_solid(benchmark::State& run) {
+  const auto K =
+      patch_last({static_cast<int>(run.range(0)), static_cast<int>(run.range(0)), static_cast<int>(run.range(1))},
+                 static_cast<int>(run.range(2)));
+  const int retained = 3 * static_cast<int>(run.range(2) * run.range(2));
+  std::vector<double> plain, condensed;
+  for (auto _ : run) {
+    plain.push_back(factorising(K, 3));
+    condensed.push_back(factorising(K, retained));
+  }
+  run.counters["dofs"] = static_cast<double>(K.rows());
+  run.counters["retained"] = static_cast<double>(retained / 3);
+  run.counters["factorisation_s"] = bench::median(plain);
+  run.counters["condensing_in_factorisations"] = bench::median(condensed) / bench::median(plain);
+}
+
+/// Median factor by which an error falls in an iteration, where it is below 1e-3 and above round-off.
+double median_fall(const std::vector<sim::SolidIncrement>& rows) {
+  std::vector<double> falls;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i + 1 < row.errors.size(); ++i)
+      if (row.errors[i] < 1e-3 && row.errors[i + 1] > 1e-12) falls.push_back(row.errors[i + 1] / row.errors[i]);
+  return falls.empty() ? 0.0 : bench::median(falls);
+}
+
+void tell_phases(benchmark::State& run, const support::PlayedSolids& played, double cycle_s) {
+  const auto& s = played.summary;
+  const auto cycles = static_cast<double>(
+      std::count_if(played.rows.begin(), played.rows.end(), [](const auto& row) { return row.cycle > 0.0; }));
+  double iterations = 0.0;
+  for (const auto& row : played.rows)
+    if (row.cycle > 0.0) iterations += row.newton;
+  run.counters["dofs"] = s.size.dofs;
+  run.counters["kept_nodes"] = s.size.retained;
+  run.counters["increments"] = cycles;
+  run.counters["iterations_an_increment"] = iterations / cycles;
+  run.counters["cutbacks"] = static_cast<double>(s.counts.cutbacks);
+  run.counters["fall_of_errors"] = median_fall(played.rows);
+  run.counters["balance"] = s.balance;
+  run.counters["cycle_s"] = cycle_s;
+  run.counters["factors_s"] = s.phase_seconds.at("stiffness and factors");
+  run.counters["mortar_s"] = s.phase_seconds.at("mortar");
+  run.counters["interface_s"] = s.phase_seconds.at("interface");
+}
+
+/// geo/sliding_ball with facets of range(0) micrometres: a cycle of 40 increments in gross slip. range(1): 0 as it is,
+/// 1 its flat secondary, 2 its ball rigid as well.
+void sliding_ball(benchmark::State& run) {
+  auto scene = scene::read_solid(std::string(REYE_SOURCE_DIR) + "/geo/sliding_ball/scene.toml");
+  for (auto& zone : scene.geometry.fine_zones) zone.size_mm = 1e-3 * static_cast<double>(run.range(0));
+  if (run.range(1) > 0) {
+    auto& contact = scene.contacts.front();
+    std::swap(contact.secondary, contact.primary.front());
+    for (auto& body : scene.geometry.bodies) body.rigid = run.range(1) == 2 && body.name == "ball";
+  }
+  const auto problem = sim::prepare_solid(std::move(scene));
+  for (auto _ : run) {
+    support::PlayedSolids played;
+    double start = 0.0;
+    sim::SolidObserver observer;
+    observer.increment = [&](const sim::SolidIncrement& row) {
+      if (row.cycle == 0.0) start = seconds_of_cpu();
+      played.rows.push_back(row);
+    };
+    played.summary = sim::run_solid(problem, observer);
+    if (played.summary.status != sim::RunStatus::done) throw std::runtime_error(played.summary.reason);
+    tell_phases(run, played, seconds_of_cpu() - start);
+  }
+}
+
+/// range(0): q = Q / (mu P) in per cent; range(1): hexahedra per radius.
+void two_balls(benchmark::State& run) {
+  support::HertzCase c;
+  c.nu = 0.0;
+  c.mu = 0.5;
+  c.half = c.two_balls = true;
+  c.elements = static_cast<double>(run.range(1));
+  c.fine = 1.1;
+  c.fine_depth = 0.3;
+  c.growth = 1.6;
+  for (auto _ : run) {
+    const auto mindlin = support::play_mindlin(0.01 * static_cast<double>(run.range(0)), c, 40);
+    if (mindlin.played.summary.status != sim::RunStatus::done) throw std::runtime_error(mindlin.played.summary.reason);
+    run.counters["stick_radius_over_exact"] = mindlin.stick_radius / mindlin.exact.stick_radius();
+    run.counters["stick_radius_error_in_elements"] =
+        (mindlin.stick_radius - mindlin.exact.stick_radius()) / (c.a_mm / c.elements);
+    run.counters["loop_over_exact"] = mindlin.loop / mindlin.exact.loop();
+    tell_phases(run, mindlin.played, mindlin.played.summary.cpu_s);
+  }
+}
+
+/// A run that fails is not a measurement: reported, and the other benchmarks continue.
+template <void (*measure)(benchmark::State&)>
+void reported(benchmark::State& run) {
+  try {
+    measure(run);
+  } catch (const std::exception& error) {
+    run.SkipWithError(error.what());
+  }
+}
+
+BENCHMARK(reported<condensing_solid>)
+    ->Name("condensing_solid")
+    ->Args({31, 31, 20})
+    ->Args({45, 44, 20})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK(reported<sliding_ball>)
+    ->Name("sliding_ball")
+    ->Args({190, 0})
+    ->Args({190, 1})
+    ->Args({94, 0})
+    ->Args({94, 2})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK(reported<two_balls>)
+    ->Name("two_balls")
+    ->Args({25, 10})
+    ->Args({50, 10})
+    ->Args({75, 10})
+    ->Args({25, 20})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+
+}  // namespace
