@@ -23,7 +23,7 @@ TEST(Turning, FullTurnsWearAsARigidShaftDoes) {
                      {"centre_mm = [0, -5.5], half_width_mm = 11, depth_mm = 6, size_mm = 0.4",
                       "centre_mm = [0, -10], half_width_mm = 5, depth_mm = 2, size_mm = 0.3"}};
   const auto turned = played(hinge(turns));
-  turns.insert(turns.end(), rigid.begin(), rigid.end());
+  turns.insert(turns.end(), verification::rigid.begin(), verification::rigid.end());
   const auto stiff = played(hinge(turns));
   EXPECT_NEAR(turned.contact().secondary.worn_area / stiff.contact().secondary.worn_area, 1.0, 0.002);
   EXPECT_NEAR(turned.contact().secondary.max_depth_mm / stiff.contact().secondary.max_depth_mm, 1.0, 0.01);

@@ -14,10 +14,6 @@ namespace reye::sim {
 
 namespace {
 
-/// Share of a block's cycles that level it; less than in the plane, for no shape step comes between the halves and what
-/// is to be levelled is small, and the cycles that level have the error of their length.
-constexpr double share_to_level = 0.06;
-
 /// Counts of the work done continue where the state itself begins again.
 void keep_work(SolidRunState& start, const SolidRunState& played) {
   start.counts = played.counts;
@@ -36,9 +32,12 @@ void tell_block(const SolidObserver& observer, const SolidSpan& span, double cyc
         what);
 }
 
+/// Of the tolerance, for errors of blocks of one sign add up where pressures fade as bodies wear apart.
+constexpr double caution = 0.7;
+
 /// The error that a block from `start` to `end` of its step may have.
 double allowed_error(const SolidProblem& problem, const scene::Step& step, const SolidRunState& start, double end) {
-  return allowed(problem.scene.limits, start.limit_measure, start.life_cycles, step, start.step_cycles, end);
+  return caution * allowed(problem.scene.limits, start.limit_measure, start.life_cycles, step, start.step_cycles, end);
 }
 
 /// A block played twice, to the ends of both plays; none where one failed or was interrupted.
@@ -109,7 +108,7 @@ struct SolidTrial {
   SolidIncrement uncorrected, corrected;
 };
 
-double block_without_levelling(const SolidSpan& span) { return span.level ? span.jump / (1.0 + share_to_level) : span.jump; }
+double block_without_levelling(const SolidSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& start,
                       const SolidSpan& span, const SolidObserver& observer, SolidTrial& trial) {
@@ -140,7 +139,7 @@ void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const So
   trial.outcome.middle = std::move(attempt.middle);
   if (!trial.too_long && span.level)
     trial.outcome =
-        level_block(player, std::move(trial.outcome), span, share_to_level * block.jump, trial.later.observer(observer));
+        level_block(player, std::move(trial.outcome), span, levelling * block.jump, trial.later.observer(observer));
 }
 
 void accept_solid_trial(const SolidProblem& problem, const SolidRunState& state, const SolidSpan& span,
