@@ -166,3 +166,20 @@ TEST(SolidWear, ABallWornFlatLosesTheCapOfItsPath) {
   EXPECT_GT(contact.secondary.max_depth_mm, 0.0);
   EXPECT_LE(played.summary.counts.newton_iterations, 8 * played.summary.counts.increments);
 }
+
+TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
+  // A block that wears by more than half of its elements is remeshed on its way: it loses exactly what the law asks for, and the
+  // even pressure of its load stays what it was.
+  SlidingBlocks blocks;
+  blocks.lower = mesh::SolidKind::tet4;
+  blocks.alpha_primary = 0.0;
+  const double per_mm = blocks.mu * blocks.alpha_secondary * blocks.p, depth = 0.6;
+  const auto played = support::play(blocks.problem(depth / per_mm / 12.0, 1, 12.0, 1.0));
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  EXPECT_GE(played.summary.counts.remeshes, 1);
+  const auto& contact = played.summary.contacts[0];
+  EXPECT_NEAR(contact.secondary.worn_volume_mm3, depth, 1e-9 * depth);
+  EXPECT_LE(*contact.ledger_relative_error, 1e-9);
+  for (const double p : played.frames.back().surfaces.front().pressure_MPa) EXPECT_NEAR(p, blocks.p, 1e-6 * blocks.p);
+  EXPECT_LE(played.summary.balance, 1e-10);
+}
