@@ -98,7 +98,7 @@ mesh::SolidMesh before_wear_above(mesh::SolidMesh m, double z) {
 
 /// A ball with a cap worn by a third of its height, its skin alone.
 mesh::SolidMesh worn_ball(SolidKind kind, int n) {
-  const auto m = rigid(ball(kind, n, 1.0));
+  const auto m = skin_alone(ball(kind, n, 1.0));
   const auto cap = [](const Vec3& X) { return 0.3 * std::max(0.0, X.z() - 0.8); };
   return *adapt::evolve_solid(shared(m), m, {worn_by(m, "ball", cap)}, 1e-3).mesh;
 }

@@ -86,7 +86,7 @@ inline mesh::SolidMesh ball(mesh::SolidKind kind, int n, double r) {
 }
 
 /// The skin of a mesh alone, its nodes numbered again.
-inline mesh::SolidMesh rigid(mesh::SolidMesh m) {
+inline mesh::SolidMesh skin_alone(mesh::SolidMesh m) {
   const auto nodes = mesh::nodes_of(m.skin);
   std::vector<int> number(m.X.size(), -1);
   base::Points3 X;

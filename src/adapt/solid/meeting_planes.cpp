@@ -1,6 +1,7 @@
 #include "adapt/solid/meeting_planes.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace reye::adapt {
 
@@ -17,7 +18,7 @@ Vec3 beside_all(Vec3 v, const std::vector<Vec3>& directions) {
 
 void add_direction(const Vec3& v, std::vector<Vec3>& directions) {
   const Vec3 rest = beside_all(v, directions);
-  if (rest.norm() > least_sine) directions.push_back(rest.normalized());
+  if (rest.norm() > least_sine) directions.push_back(unit_on_axis(rest));
 }
 
 /// The shortest d with p_k . d = -depth_k in the sense of least squares: a sum of the rows p_k, so that a component
@@ -34,10 +35,20 @@ Vec3 shortest(const Eigen::Matrix3Xd& rows, const Eigen::VectorXd& depths) {
 
 }  // namespace
 
+Vec3 unit_on_axis(const Vec3& v) {
+  constexpr double round_off = 1e-12;
+  const Vec3 n = v.normalized();
+  for (int c = 0; c < 3; ++c)
+    if ((n - n[c] * Vec3::Unit(c)).norm() < round_off) return std::copysign(1.0, n[c]) * Vec3::Unit(c);
+  return n;
+}
+
 Vec3 where_planes_meet(const std::vector<RecedingPlane>& planes, const Vec3& along) {
   std::vector<Vec3> held;
-  for (const RecedingPlane& plane : planes)
-    if (plane.depth == 0.0) add_direction(plane.normal, held);
+  const auto is_axis = [](const Vec3& n) { return unit_on_axis(n).cwiseAbs().maxCoeff() == 1.0; };
+  for (bool on_axis : {true, false})  // those along axes first: what is exact in them stays exact
+    for (const RecedingPlane& plane : planes)
+      if (plane.depth == 0.0 && is_axis(plane.normal) == on_axis) add_direction(plane.normal, held);
   Eigen::Matrix3Xd rows(3, static_cast<int>(planes.size()));
   Eigen::VectorXd depths(static_cast<int>(planes.size()));
   int count = 0;

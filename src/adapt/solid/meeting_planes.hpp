@@ -7,6 +7,9 @@ namespace reye::adapt {
 
 using base::Vec3;
 
+/// A vector over its length; along a coordinate axis exactly where it is so to round-off.
+Vec3 unit_on_axis(const Vec3& v);
+
 /// The tangent plane of a smooth part of the skin at a node: its outward unit normal, and the depth that it recedes by
 /// [mm]. Zero: an unworn face, along which the node slides.
 struct RecedingPlane {

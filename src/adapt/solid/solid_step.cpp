@@ -1,5 +1,7 @@
 #include "adapt/solid/solid_step.hpp"
 
+#include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -55,6 +57,27 @@ void judge_cells(SolidStepResult& result, const mesh::SolidMesh& now, const mesh
   if (cells.unfit.cell >= 0) result.poor = poor_cell_report(now, born, cells.unfit, least_quality);
 }
 
+/// Faces beside the worn ones follow. Where they sweep volume of their own, at the straight edge of a curved face, the
+/// motion of worn nodes is scaled until the strip is exact again. Returns the strip.
+double let_faces_follow(mesh::SolidMesh& now, const mesh::SolidMesh& before, const mesh::SolidMesh& born,
+                        const WornSkin& worn) {
+  constexpr int most_passes = 8;
+  const std::set<int> groups = worn_groups(before, worn);
+  double removed = 0.0, last = std::numeric_limits<double>::infinity();
+  for (int pass = 0; pass < most_passes; ++pass) {
+    slide_plane_faces(now, born, groups);
+    removed = strip_of(before, now, changed_facets(before, now));
+    const double missing = worn.volume - removed;
+    if (std::abs(missing) <= 1e-14 * worn.volume || !(std::abs(missing) < 0.5 * last)) break;
+    last = std::abs(missing);
+    const auto scale = [&](int node) { now.X[node] += missing / worn.volume * (now.X[node] - before.X[node]); };
+    for (const WornSkinNode& node : worn.nodes)
+      if (!node.middle) scale(node.node);
+    for (const MovingMiddle& middle : worn.middles) scale(middle.node);
+  }
+  return removed;
+}
+
 void let_inside_follow(mesh::SolidMesh& mesh, const mesh::SolidMesh& born, SolidRelocationCache* cache) {
   if (mesh.cells.empty()) return;
   SolidRelocationCache own;
@@ -80,9 +103,8 @@ SolidStepResult evolve_solid(const std::shared_ptr<const mesh::SolidMesh>& mesh,
   if (result.failure = moved.failure; !result.failure.empty()) return result;
   auto next = std::make_shared<mesh::SolidMesh>(*mesh);
   next->X = std::move(moved.X);
-  slide_plane_faces(*next, born, worn_groups(*mesh, skin));
+  result.removed = let_faces_follow(*next, *mesh, born, skin);
   const std::vector<int> changed = changed_facets(*mesh, *next);
-  result.removed = strip_of(*mesh, *next, changed);
   auto crossing = find_fold(mesh->X, *next, changed);
   if (!crossing) crossing = find_crossing(*next, changed);
   if (crossing) {
