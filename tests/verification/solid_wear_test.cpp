@@ -168,8 +168,8 @@ TEST(SolidWear, ABallWornFlatLosesTheCapOfItsPath) {
 }
 
 TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
-  // A block that wears by more than half of its elements is remeshed on its way: it loses exactly what the law asks for, and the
-  // even pressure of its load stays what it was.
+  // A block that wears by more than half of its elements is remeshed on its way: it loses exactly what the law asks
+  // for, and the even pressure of its load stays what it was.
   SlidingBlocks blocks;
   blocks.lower = mesh::SolidKind::tet4;
   blocks.alpha_primary = 0.0;
