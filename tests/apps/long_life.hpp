@@ -60,7 +60,8 @@ inline void expect_bounded(long count) {
   const Life early = lived(place, 1000), late = lived(place, count);
   EXPECT_EQ(late.summary.at("cycles"), count);
   EXPECT_EQ(late.summary.at("counts").at("blocks"), count + 1);
-  EXPECT_LT(late.told.peak_MB, early.told.peak_MB + 4.0);
+  constexpr double scatter_MB = 8.0;  // the peaks of one and the same run were 74.2 to 78.6 MB
+  EXPECT_LT(late.told.peak_MB, early.told.peak_MB + scatter_MB);
   const double frames =
       4.0 * std::log10(static_cast<double>(count)) + 4.0;  // 4 a decade, start, load step, first block, end
   const double rows = 1.0 + 2.0 * 102.0;                   // load step, every hundredth, first and last
