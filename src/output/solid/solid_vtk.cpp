@@ -14,6 +14,7 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include "base/rotation.hpp"
 #include "output/folder/vtk_pieces.hpp"
 #include "output/report/vtk_reading.hpp"
 
@@ -125,6 +126,7 @@ struct SkinPolygons {
   vtkNew<vtkDoubleArray> shear = make_array<vtkDoubleArray>("shear_MPa", xyz_names);
   vtkNew<vtkDoubleArray> slip = make_array<vtkDoubleArray>("slip_mm", xyz_names);
   vtkNew<vtkDoubleArray> normal = make_array<vtkDoubleArray>("normal", xyz_names);
+  vtkNew<vtkDoubleArray> turn = make_array<vtkDoubleArray>("turn_rad", xyz_names);
   vtkNew<vtkDoubleArray> area = make_array<vtkDoubleArray>("area_mm2");
   vtkNew<vtkIntArray> status = make_array<vtkIntArray>("status"), surface = make_array<vtkIntArray>("surface"),
                       side = make_array<vtkIntArray>("side"), body = make_array<vtkIntArray>("body");
@@ -141,6 +143,7 @@ struct SkinPolygons {
       insert(*shear, skin.shear_MPa.at(i));
       insert(*slip, skin.slip_mm.at(i));
       insert(*normal, skin.normal.at(i));
+      insert(*turn, skin.turn_rad.empty() ? base::Vec3(base::Vec3::Zero()) : skin.turn_rad.at(i));
       area->InsertNextValue(skin.area_mm2.at(i));
       status->InsertNextValue(skin.status.at(i));
     }
@@ -185,8 +188,8 @@ std::string skins_vtp(const sim::SolidFrame& frame) {
   for (std::size_t i = 0; i < frame.surfaces.size(); ++i) all.add(frame.surfaces[i], frame.bodies, static_cast<int>(i));
   all.data->SetPoints(all.points);
   all.data->SetPolys(all.cells);
-  for (vtkDoubleArray* array :
-       {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(), all.normal.Get(), all.area.Get()})
+  for (vtkDoubleArray* array : {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(),
+                                all.normal.Get(), all.turn.Get(), all.area.Get()})
     all.data->GetPointData()->AddArray(array);
   all.data->GetPointData()->AddArray(all.status);
   for (vtkIntArray* array : {all.surface.Get(), all.side.Get(), all.body.Get()})
@@ -201,7 +204,7 @@ namespace {
 
 /// The arrays of a file of surfaces, each whole.
 struct SkinArrays {
-  vtkDataArray &X, &pressure, &shear, &slip, &normal, &area, &status;
+  vtkDataArray &X, &pressure, &shear, &slip, &normal, &turn, &area, &status;
 
   SkinArrays(vtkPolyData& data, const std::string& path)
       : X(three(data, "reference_position", path)),
@@ -209,6 +212,7 @@ struct SkinArrays {
         shear(three(data, "shear_MPa", path)),
         slip(three(data, "slip_mm", path)),
         normal(three(data, "normal", path)),
+        turn(three(data, "turn_rad", path)),
         area(whole(data, "area_mm2", path)),
         status(whole(data, "status", path)) {}
 
@@ -229,9 +233,10 @@ base::Vec3 row_of(vtkDataArray& array, vtkIdType i) {
 void read_rows(SkinArrays& arrays, vtkIdType first, vtkIdType count, DrawnSkin& skin) {
   for (vtkIdType i = first; i < first + count; ++i) {
     skin.X.push_back(row_of(arrays.X, i));
-    skin.shear_MPa.push_back(row_of(arrays.shear, i));
-    skin.slip_mm.push_back(row_of(arrays.slip, i));
-    skin.normal.push_back(row_of(arrays.normal, i));
+    const base::Turn back = base::turn_by(-row_of(arrays.turn, i));
+    skin.shear_MPa.push_back(back * row_of(arrays.shear, i));
+    skin.slip_mm.push_back(back * row_of(arrays.slip, i));
+    skin.normal.push_back(back * row_of(arrays.normal, i));
     skin.pressure_MPa.push_back(arrays.pressure.GetComponent(i, 0));
     skin.area_mm2.push_back(arrays.area.GetComponent(i, 0));
     skin.status.push_back(static_cast<int>(arrays.status.GetComponent(i, 0)));

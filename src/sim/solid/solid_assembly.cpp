@@ -26,13 +26,18 @@ SolidAssembly assemble(const SolidProblem& problem, const Touchable& touchable) 
   const double start = cpu_seconds();
   SolidAssembly assembly;
   std::vector<body::SolidBody> bodies;
+  std::vector<std::optional<body::SolidTurning>> turning;
   int next = 0;
   for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
-    bodies.emplace_back(problem.inputs[b], chosen(touchable[b]));
+    const auto& input = problem.inputs[b];
+    const auto retained = chosen(touchable[b]);
+    const auto pivot = body::solid_pivot(input);
+    bodies.emplace_back(pivot ? body::in_frame(input, *pivot) : input, retained);
+    turning.push_back(pivot ? std::optional(body::make_turning(input, *pivot, retained)) : std::nullopt);
     auto& columns = assembly.columns.emplace_back(touchable[b].size(), -1);
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
-  assembly.system = solver::make_system(std::move(bodies));
+  assembly.system = solver::make_system(std::move(bodies), std::move(turning));
   std::vector<const mesh::SolidMesh*> meshes;
   for (const auto& input : problem.inputs) meshes.push_back(input.mesh.get());
   for (const auto& contact : problem.contacts)
@@ -47,6 +52,7 @@ solver::SolidState carried(const SolidAssembly& from, const SolidAssembly& to, c
   solver::SolidState fresh = solver::initial_state(to.system);
   fresh.a = state.a;
   fresh.s = state.s;
+  fresh.turn = state.turn;
   for (std::size_t c = 0; c < from.system.contacts.size(); ++c) {
     std::map<std::array<int, 2>, std::size_t> places;
     const auto& old_points = from.system.contacts[c].secondary.points;

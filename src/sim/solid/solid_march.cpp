@@ -75,7 +75,7 @@ class March {
     const auto held = state_.factors;
     state_.energy_before_cycle_mJ = state_.energy_mJ;
     double from = 0.0;
-    for (const double to : step_corners(problem_.scene.histories, step)) {
+    for (const double to : solid_increment_ends(problem_.scene, step)) {
       if (auto failure = play_between(step, held, from, to, problem_.scene.max_cutbacks); !failure.empty())
         return failure;
       if (observer_.interrupted && observer_.interrupted()) {

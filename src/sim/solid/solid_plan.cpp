@@ -7,7 +7,7 @@
 
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
-#include "sim/problem/drive.hpp"
+#include "sim/solid/solid_drive.hpp"
 
 namespace reye::sim {
 
@@ -26,8 +26,8 @@ std::string kind_of(const mesh::SolidMesh& mesh) {
 double solid_increments(const SolidProblem& problem) {
   double count = 0.0;
   for (const auto& step : problem.scene.steps)
-    count += static_cast<double>(step_corners(problem.scene.histories, step).size()) *
-             std::max(1.0, std::round(step.cycles));
+    count +=
+        static_cast<double>(solid_increment_ends(problem.scene, step).size()) * std::max(1.0, std::round(step.cycles));
   return count;
 }
 

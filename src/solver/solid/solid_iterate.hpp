@@ -42,8 +42,11 @@ class SolidIterate {
   bool project();
   std::vector<ReducedRow> rows() const;
   void add_rows(int contact, int point, std::vector<ReducedRow>& rows) const;
-  double step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
+  double step_share(const std::vector<ReducedRow>& rows, const ReducedStep& step, const TurningTangent& tangent) const;
   void apply(const std::vector<ReducedRow>& rows, const ReducedStep& step, double share);
+  void drive();
+  void stand();
+  SolidMotion motion() const { return {force_, now_.s, now_.a, standing_.poses}; }
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
 
@@ -54,6 +57,7 @@ class SolidIterate {
   std::vector<mortar::SkinPairs> pairs_;
   std::vector<contact::SkinPlace> place_;
   std::vector<std::vector<contact::SkinNode>> nodes_;
+  Standing standing_;
   Vector force_;
   bool keep_shear_ = false, stick_all_ = false;
   int came_apart_ = 0;

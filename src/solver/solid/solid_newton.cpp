@@ -22,12 +22,6 @@ double faint_traction(const SolidSystem& system) {
   return faint * largest;
 }
 
-bool touched(const SolidState& state) {
-  return std::any_of(state.status.begin(), state.status.end(), [](const auto& contact) {
-    return std::any_of(contact.begin(), contact.end(), [](auto s) { return s != contact::SkinStatus::open; });
-  });
-}
-
 SolidSolution failed(std::string reason, int iterations, std::vector<double> errors) {
   SolidSolution solution;
   solution.reason = std::move(reason);
@@ -81,7 +75,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
     try {
       iterate.step();
     } catch (const base::SolveError& singular) {
-      return system.free() > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
+      return system.unheld > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
     }
     iterate.integrate();
   }
