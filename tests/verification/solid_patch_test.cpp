@@ -52,8 +52,8 @@ sim::SolidProblem sheared_blocks(const PatchCase& c) {
   lower.supports = {
       support::by_node("bottom", "z0", {support::fixed_motion(), support::fixed_motion(), support::fixed_motion()}, R)};
   upper.supports = {support::by_node("top", "z1",
-                                     {support::moved(2.0 * patch_shear / (0.5 * patch_E)), support::fixed_motion(),
-                                      support::moved(-2.0 * patch_p / patch_E)},
+                                     {support::moved(2.0 * patch_shear / (0.5 * patch_E), ""), support::fixed_motion(),
+                                      support::moved(-2.0 * patch_p / patch_E, "")},
                                      R)};
   for (auto* body : {&lower, &upper})
     body->loads = {traction("left", "x0", R * Vec3(0, 0, -patch_shear)),

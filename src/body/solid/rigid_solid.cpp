@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "body/solid/solid_matrices.hpp"
-#include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::body {
@@ -76,23 +75,13 @@ class RigidSolid {
   }
 
   void add_loads() {
-    for (int k = 0; k < static_cast<int>(out_.driven.size()); ++k) {
-      if (out_.driven[k].load < 0) continue;
-      const SolidLoad& load = input_.loads[out_.driven[k].load];
-      if (!load.face.empty()) {
-        P_.col(k) += resultant_about(*input_.mesh, nodal_forces(*input_.mesh, load), out_.centre);
-        continue;
-      }
-      const Vec3 force = mesh::volume(*input_.mesh) * load.force_N_per_mm3;
-      P_.col(k) += modes_at(mesh::volume_centroid(*input_.mesh), out_.centre).transpose() * force;
-    }
+    for (int k = 0; k < static_cast<int>(out_.driven.size()); ++k)
+      if (out_.driven[k].load >= 0)
+        P_.col(k) += load_resultant(*input_.mesh, input_.loads[out_.driven[k].load], out_.centre);
   }
 
   Matrix motion_of_points(const std::vector<int>& retained) const {
-    std::vector<mesh::Facet> facets;
-    for (const auto& face : input_.contact_faces)
-      for (const auto& facet : mesh::facets_of(*input_.mesh, face)) facets.push_back(facet);
-    const Points3 points = mesh::control_points(facets, input_.mesh->X);
+    const Points3 points = contact_points(input_);
     Matrix R(3 * static_cast<Eigen::Index>(retained.size()), 6);
     for (size_t k = 0; k < retained.size(); ++k)
       R.middleRows<3>(3 * static_cast<Eigen::Index>(k)) = modes_at(points[retained[k]], out_.centre);

@@ -37,4 +37,9 @@ Mode resultant_about(const mesh::SolidMesh& mesh, const Vector& forces, const Ve
   return sum;
 }
 
+Mode load_resultant(const mesh::SolidMesh& mesh, const SolidLoad& load, const Vec3& c) {
+  if (!load.face.empty()) return resultant_about(mesh, nodal_forces(mesh, load), c);
+  return modes_at(mesh::volume_centroid(mesh), c).transpose() * (mesh::volume(mesh) * load.force_N_per_mm3);
+}
+
 }  // namespace reye::body

@@ -27,6 +27,9 @@ Vector nodal_forces(const mesh::SolidMesh& mesh, const SolidLoad& load);
 /// Force, and moment about c, of nodal forces.
 Mode resultant_about(const mesh::SolidMesh& mesh, const Vector& forces, const Vec3& c);
 
+/// Force, and moment about c, of a load at factor 1; of a force per volume without cells, too.
+Mode load_resultant(const mesh::SolidMesh& mesh, const SolidLoad& load, const Vec3& c);
+
 /// A rigid body: its motion in six numbers z about `centre`, z = of_f f + of_s s + modes a.
 struct RigidMotion {
   Matrix of_f, of_s;

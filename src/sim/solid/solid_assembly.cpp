@@ -24,13 +24,30 @@ bool faces_rim(const contact::SkinPlace& place, int point, const std::vector<cha
   return false;
 }
 
+/// A body beside how it turns.
+struct CondensedBody {
+  body::SolidBody body;
+  std::optional<body::SolidTurning> turning;
+};
+
 /// A body of the old equations that serves the new ones, too; its nodes must be the same.
-std::optional<body::SolidBody> kept(std::optional<SolidAssembly>& old, std::size_t b, const mesh::SolidMesh* mesh,
-                                    const std::vector<int>& nodes) {
+std::optional<CondensedBody> kept_body(std::optional<SolidAssembly>& old, std::size_t b, const mesh::SolidMesh* mesh,
+                                       const std::vector<int>& nodes) {
   if (!old) return {};
   auto& body = old->system.bodies[b];
   if (body.input().mesh.get() != mesh || body.retained() != nodes) return {};
-  return std::move(body);
+  return CondensedBody{std::move(body), std::move(old->system.turning[b])};
+}
+
+/// A body condensed in its present shape. One that turns does so about centres as they were drawn.
+CondensedBody make_body(const body::SolidInput& drawn, const std::shared_ptr<const mesh::SolidMesh>& mesh,
+                        const std::vector<int>& nodes) {
+  auto input = drawn;
+  input.mesh = mesh;
+  const auto pivot = body::solid_pivot(drawn);
+  if (!pivot) return {{std::move(input), nodes}, {}};
+  for (auto& support : input.supports) support.centre_mm = body::place_support(*drawn.mesh, support).centre;
+  return {{body::in_frame(input, *pivot), nodes}, body::make_turning(input, *pivot, nodes)};
 }
 
 using Places = std::map<std::array<int, 2>, std::size_t>;
@@ -73,21 +90,23 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
   const double start = cpu_seconds();
   SolidAssembly assembly;
   std::vector<body::SolidBody> bodies;
+  std::vector<std::optional<body::SolidTurning>> turning;
   int next = 0;
   for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
     const auto nodes = chosen(touchable[b]);
-    if (auto body = kept(old, b, meshes[b].get(), nodes)) {
-      bodies.push_back(std::move(*body));
+    if (auto kept = kept_body(old, b, meshes[b].get(), nodes)) {
+      bodies.push_back(std::move(kept->body));
+      turning.push_back(std::move(kept->turning));
     } else {
-      auto input = problem.inputs[b];
-      input.mesh = meshes[b];
-      bodies.emplace_back(std::move(input), nodes);
+      auto made = make_body(problem.inputs[b], meshes[b], nodes);
+      bodies.push_back(std::move(made.body));
+      turning.push_back(std::move(made.turning));
       ++assembly.factorised;
     }
     auto& columns = assembly.columns.emplace_back(touchable[b].size(), -1);
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
-  assembly.system = solver::make_system(std::move(bodies));
+  assembly.system = solver::make_system(std::move(bodies), std::move(turning));
   std::vector<const mesh::SolidMesh*> shapes;
   for (const auto& mesh : meshes) shapes.push_back(mesh.get());
   for (const auto& contact : problem.contacts)
@@ -122,6 +141,7 @@ solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::So
   solver::SolidState fresh = solver::initial_state(to);
   fresh.a = state.a;
   fresh.s = state.s;
+  fresh.turn = state.turn;
   const auto points = points_of(to);
   for (std::size_t c = 0; c < points.size(); ++c) {
     const auto secondary = places_of(from[c].secondary);

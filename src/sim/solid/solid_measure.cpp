@@ -22,8 +22,28 @@ int status_number(SkinStatus status, double friction) {
   return status == SkinStatus::stick && friction > 0.0 ? 1 : 2;
 }
 
-Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& state, std::size_t b) {
-  return state.s.segment(system.first_driven[b], system.first_driven[b + 1] - system.first_driven[b]);
+/// Resultants of all supports of a body, in space.
+base::Vector resultants_of(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t b) {
+  const auto& body = system.bodies[b];
+  const base::Vector force = forces_on(system, solution, b), s = system.of_driven(solution.state.s, b);
+  const auto& turning = system.turning[b];
+  if (!turning) return body.F() * force + body.G() * s;
+  const auto pose = solver::poses_of(system, solution.state)[b];
+  return body::to_space(pose,
+                        body.F() * body::to_frame(pose, force) + body.G() * body::frame_values(*turning, pose, s));
+}
+
+/// Forces of the loads on a body, in space.
+Points3 load_forces(const SolidProblem& problem, const solver::SolidSystem& system,
+                    const solver::SolidSolution& solution, std::size_t b) {
+  const base::Vector s = system.of_driven(solution.state.s, b);
+  if (const auto& turning = system.turning[b])
+    return {body::load_wrench(*turning, solver::poses_of(system, solution.state)[b], s).head<3>()};
+  Points3 forces;
+  const auto& driven = system.bodies[b].driven();
+  for (std::size_t k = 0; k < driven.size(); ++k)
+    if (driven[k].load >= 0) forces.push_back(s[static_cast<int>(k)] * problem.load_force[b][driven[k].load]);
+  return forces;
 }
 
 }  // namespace
@@ -65,10 +85,7 @@ base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSol
 std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::SolidSystem& system,
                                      const solver::SolidSolution& solution) {
   std::vector<base::Vector> resultants;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const auto& body = system.bodies[b];
-    resultants.push_back(body.F() * forces_on(system, solution, b) + body.G() * driven_of(system, solution.state, b));
-  }
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) resultants.push_back(resultants_of(system, solution, b));
   std::vector<SupportRow> rows;
   for (const auto& [body, place] : problem.support_of)
     rows.push_back({resultants[body].segment<3>(6 * place), resultants[body].segment<3>(6 * place + 3)});
@@ -92,10 +109,7 @@ double imbalance_of_bodies(const SolidProblem& problem, const solver::SolidSyste
     add(contact);
     for (std::size_t k = 0; k < supports.size(); ++k)
       if (problem.support_of[k][0] == static_cast<int>(b)) add(supports[k].force_N);
-    const auto& driven = system.bodies[b].driven();
-    const auto s = driven_of(system, solution.state, b);
-    for (std::size_t k = 0; k < driven.size(); ++k)
-      if (driven[k].load >= 0) add(s[static_cast<int>(k)] * problem.load_force[b][driven[k].load]);
+    for (const Vec3& force : load_forces(problem, system, solution, b)) add(force);
     if (largest > 0.0) worst = std::max(worst, sum.norm() / largest);
   }
   return worst;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/solid/cone.hpp"
-#include "solver/solid/solid_system.hpp"
+#include "solver/solid/turning_motion.hpp"
 
 namespace reye::solver {
 
@@ -16,6 +16,16 @@ struct ReducedRow {
   Vec3 row = Vec3::Zero();    ///< direction in which the relative motion counts, c included [MPa/mm]
   double diagonal = 0.0;
   double residual = 0.0;
+  bool slides = false;  ///< w is the slip of the increment, else the gap
+};
+
+/// What a step starts from.
+struct ReducedState {
+  std::span<const contact::SkinPlace> places;
+  const Standing& standing;
+  const TurningTangent& tangent;
+  const Vector& imbalance;  ///< of the free motions
+  double forces = 0.0;      ///< their sum
 };
 
 /// The volume V that a sliding point wears off one side in the increment, beside the rows:
@@ -29,15 +39,16 @@ struct WearRow {
 
 /// The change of all unknowns in one Newton step.
 struct ReducedStep {
-  Vector z;  ///< per row
-  Vector a;  ///< free motions
+  Vector z;              ///< per row
+  Vector a;              ///< free motions
+  bool neutral = false;  ///< a motion of a body that turns costs no force at present and was left as it is
 };
 
 /// Solves the rows together with the balance of free motions, by dense LU. Only points in contact are unknown, and in
 /// slip the shear along the slip is eliminated. Throws base::SolveError where the matrix is singular: then nothing
-/// holds a body.
-ReducedStep solve_reduced(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-                          const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear,
-                          const Vector& imbalance);
+/// holds a body. Motions of bodies that turn which cost no force, as those of a ball on one point, are left as they are
+/// while nothing drives them.
+ReducedStep solve_reduced(const SolidSystem& system, const ReducedState& state, const std::vector<ReducedRow>& rows,
+                          const std::vector<WearRow>& wear);
 
 }  // namespace reye::solver

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <limits>
+
+#include "solver/solid/carry_along.hpp"
 
 namespace reye::solver {
 
@@ -35,21 +36,39 @@ SolidIterate::SolidIterate(const SolidSystem& system, const SolidState& old, con
       keep_shear_(start == SolidStart::settled),
       stick_all_(start == SolidStart::sticking),
       as_before_(start == SolidStart::natural && touched(old)) {
-  now_.s = target.s;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {  // what is driven moves at once, the rest follows by Newton
-    const auto& U = system.bodies[b].U();
-    now_.u.segment(3 * system.first_point[b], U.rows()) +=
-        U * (target.s - old.s).segment(system.first_driven[b], U.cols());
-  }
+  standing_.old_poses = poses_of(system, old);
+  standing_.x_old = positions(system, old.u);
+  drive();
   integrate();
   seed();
+}
+
+/// What is driven moves at once, and carries along what sticks to it; the rest follows by Newton.
+void SolidIterate::drive() {
+  now_.s = target_.s;
+  pairs_.resize(system_.contacts.size());
+  stand();
+  now_.u = carried_displacements(system_, old_, now_.s, standing_);
+  if (system_.turns() && system_.free() > 0 && touched(old_)) {
+    std::vector<contact::SkinPlace> places;
+    for (std::size_t c = 0; c < system_.contacts.size(); ++c)
+      places.push_back(contact::place_skins(system_.contacts[c], old_.u, system_.held, system_.points(), pairs_[c]));
+    now_.a = carried_along_motions(system_, old_, target_, standing_.poses, now_.u, places);
+    stand();
+    now_.u = carried_displacements(system_, old_, now_.s, standing_);
+  }
+  now_.traction = carried_tractions(system_, old_, standing_);
+}
+
+void SolidIterate::stand() {
+  standing_.poses = poses_between(system_, old_, now_.a, now_.s);
+  standing_.twist = relative_twists(system_, standing_.old_poses, standing_.poses);
 }
 
 void SolidIterate::integrate() {
   const Account account(mortar_s);
   const auto before = std::move(place_);
   place_.clear();
-  pairs_.resize(system_.contacts.size());
   for (std::size_t c = 0; c < system_.contacts.size(); ++c)
     place_.push_back(contact::place_skins(system_.contacts[c], now_.u, system_.held, system_.points(), pairs_[c]));
   for (std::size_t c = 0; c < place_.size(); ++c)
@@ -72,12 +91,16 @@ void SolidIterate::integrate() {
 
 void SolidIterate::evaluate() {
   force_ = contact_forces(system_, place_, now_.traction);
-  now_.u = displacement(system_, force_, now_.s, now_.a);
-  const Vector x = positions(system_, now_.u), moved = now_.u - old_.u;
+  stand();
+  now_.u = displacement(system_, motion());
+  standing_.x = positions(system_, now_.u);
+  const Vector moved = now_.u - old_.u;
   nodes_.resize(place_.size());
   for (std::size_t c = 0; c < place_.size(); ++c) {
     const auto& place = place_[c];
-    const Points3 w = contact::relative(place, x), slip = contact::relative(place, moved);
+    const bool turns = !standing_.twist[c].empty();
+    const Points3 w = contact::relative(place, standing_.x),
+                  slip = contact::relative(place, turns ? seen_motion(system_, standing_, c) : moved);
     nodes_[c].resize(w.size());
     for (std::size_t j = 0; j < w.size(); ++j) {
       const auto& frame = place.frame[j];
@@ -116,8 +139,8 @@ SolidIterate::Error SolidIterate::error() const {
           error.traction_MPa, contact::violation(node, place_[c].frame[j], now_.status[c][j],
                                                  friction(static_cast<int>(c)), system_.contacts[c].stiffness[j]));
     }
-  const double forces = force_.lpNorm<1>();
-  const Vector left = imbalance(system_, force_, now_.s);
+  const double forces = force_scale(system_, motion());
+  const Vector left = motion_scale(system_).cwiseProduct(imbalance(system_, motion()));
   if (left.size() > 0) error.balance = left.lpNorm<Eigen::Infinity>() / std::max(forces, 1e-300);
   return error;
 }
@@ -132,11 +155,11 @@ void SolidIterate::add_rows(int c, int j, std::vector<ReducedRow>& rows) const {
   rows.push_back({c, j, frame.normal, stiffness * frame.normal, 0.0, -stiffness * node.gap});
   if (slips && (pressed || mu > 0.0)) rows.back().along += mu * slip.d;
   if (slips && frame.free == 2)
-    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e)});
+    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e), true});
   if (!slips && mu > 0.0)
     for (int k = 0; k < frame.free; ++k)
-      rows.push_back(
-          {c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0, stiffness * frame.tangent[k].dot(node.slip)});
+      rows.push_back({c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0,
+                      stiffness * frame.tangent[k].dot(node.slip), true});
 }
 
 std::vector<ReducedRow> SolidIterate::rows() const {
@@ -159,12 +182,13 @@ std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows
   return wear;
 }
 
-/// The change of displacements that a step brings.
-Vector SolidIterate::moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
+/// The change of displacements that a step brings, of turns to first order.
+Vector SolidIterate::moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step,
+                              const TurningTangent& tangent) const {
   std::vector<Points3> change;
   for (const auto& traction : now_.traction) change.emplace_back(traction.size(), Vec3::Zero());
   for (std::size_t k = 0; k < rows.size(); ++k) change[rows[k].contact][rows[k].point] += step.z[k] * rows[k].along;
-  return displacement(system_, contact_forces(system_, place_, change), Vector::Zero(system_.driven()), step.a);
+  return change_of_places(system_, standing_, contact_forces(system_, place_, change), step.a, tangent);
 }
 
 /// No step may carry the sides past each other: at most a quarter of the reach of the search.
@@ -183,13 +207,22 @@ double SolidIterate::step_share(const Vector& moved) const {
 void SolidIterate::step() {
   const Account account(interface_s);
   const auto rows = this->rows();
-  const ReducedStep step = solve_reduced(system_, place_, rows, wear_rows(rows), imbalance(system_, force_, now_.s));
-  const Vector moved = moved_by(rows, step);
+  const auto tangent = turning_tangent(system_, standing_, force_, now_.s, now_.a - old_.a);
+  const Vector left = imbalance(system_, motion());
+  const ReducedStep step =
+      solve_reduced(system_, {place_, standing_, tangent, left, force_scale(system_, motion())}, rows, wear_rows(rows));
+  const Vector moved = moved_by(rows, step, tangent);
   const double share = step_share(moved);
   for (std::size_t k = 0; k < rows.size(); ++k)
     now_.traction[rows[k].contact][rows[k].point] += share * step.z[k] * rows[k].along;
   now_.a += share * step.a;
-  now_.u += share * moved;
+  if (!system_.turns()) {  // displacements are linear in the step
+    now_.u += share * moved;
+    return;
+  }
+  force_ = contact_forces(system_, place_, now_.traction);
+  stand();
+  now_.u = displacement(system_, motion());
 }
 
 void SolidIterate::let_shear_go() { keep_shear_ = false; }
@@ -202,6 +235,9 @@ SolidSolution SolidIterate::take() {
   }
   SolidSolution solution;
   solution.converged = true;
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b)
+    if (system_.turning[b])
+      now_.turn[b] = body::turned(*system_.turning[b], old_.turn[b], system_.of_free(now_.a - old_.a, b));
   solution.state = std::move(now_);
   solution.place = std::move(place_);
   solution.nodes = std::move(nodes_);

@@ -46,8 +46,11 @@ class SolidIterate {
   std::vector<WearRow> wear_rows(const std::vector<ReducedRow>& rows) const;
   bool wears() const;
   void add_rows(int contact, int point, std::vector<ReducedRow>& rows) const;
-  Vector moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
+  Vector moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step, const TurningTangent& tangent) const;
   double step_share(const Vector& moved) const;
+  void drive();
+  void stand();
+  SolidMotion motion() const { return {force_, now_.s, now_.a, standing_.poses}; }
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
   bool is_closed(int contact, int point) const;
@@ -61,6 +64,7 @@ class SolidIterate {
   std::vector<contact::SkinPlace> place_;
   std::vector<std::vector<contact::SkinNode>> nodes_;
   std::vector<WornContact> worn_;  ///< per contact
+  Standing standing_;
   Vector force_;
   bool keep_shear_ = false, stick_all_ = false;
   bool as_before_ = false;  ///< what was closed stays closed until a step was made
