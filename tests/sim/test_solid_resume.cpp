@@ -2,7 +2,6 @@
 
 #include "sim/solid/solid_intact.hpp"
 #include "solid_runs.hpp"
-#include "support/solid_turning.hpp"
 
 using namespace reye;
 
@@ -81,29 +80,4 @@ TEST(SolidResume, Interrupted) {
       test::play_and_keep(problem, first.states.back(), sim::check_state(problem, first.states.back()), 2);
   EXPECT_EQ(rest.states.size(), 2u);
   EXPECT_EQ(rest.played.summary.status, sim::RunStatus::done);
-}
-
-// A pin that a moment turns against a spring and friction, and whose shell wears and moves its face, must continue from
-// every state to the rows of the unbroken run, bit by bit: with its pose, its scar and its shape.
-TEST(SolidResume, TurnedAndWorn) {
-  support::PinInShell scene{.friction = 0.02, .facets = 24};
-  scene.turn = {body::Drive::loaded, {{400.0, "turn"}}, 800.0};
-  auto problem = scene.problem();
-  problem.contacts[0].options.wear = {wear::LawKind::energy, 5e-4, 5e-4};
-  for (int play = 0; play < 2; ++play) {  // the faces move after the first
-    problem.scene.steps.push_back(support::step_of(2, {"turn"}));
-    problem.scene.steps.back().wear = true;
-  }
-  const auto whole = test::play_and_keep(problem);
-  ASSERT_EQ(whole.played.summary.status, sim::RunStatus::done) << whole.played.summary.reason;
-  ASSERT_EQ(whole.states.size(), 7u);
-  EXPECT_GT(base::rotation_vector(whole.states[4].solution.turn[1]).norm(), 0.2);
-  EXPECT_NE(whole.states[5].meshes[1], problem.inputs[1].mesh) << "its face was to move";
-  for (std::size_t k = 0; k < whole.states.size(); ++k) {
-    const auto rest = test::play_and_keep(problem, whole.states[k], sim::check_state(problem, whole.states[k]));
-    const auto &rows = whole.played.rows, &later = rest.played.rows;
-    ASSERT_EQ(whole.rows[k] + later.size(), rows.size()) << k;
-    for (std::size_t i = 0; i < later.size(); ++i)
-      EXPECT_EQ(numbers(later[i]), numbers(rows[whole.rows[k] + i])) << "from " << k << ", row " << i;
-  }
 }
