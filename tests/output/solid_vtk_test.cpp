@@ -1,4 +1,5 @@
 #include "output/solid/solid_vtk.hpp"
+#include "base/rotation.hpp"
 
 #include <gtest/gtest.h>
 #include <vtk-9.1/vtkCellData.h>
@@ -110,6 +111,24 @@ TEST(SolidVtk, SurfacesReadBack) {
       for (std::size_t k = 2; k < f.size(); ++k)
         area += 0.5 * (read.X[f[k - 1]] - read.X[f[0]]).cross(read.X[f[k]] - read.X[f[0]]).norm();
     EXPECT_NEAR(area, 2.0, 1e-12);
+  }
+}
+
+// Vectors of a body that has turned are written in space, and read back as they are on X.
+TEST(SolidVtk, VectorsOfATurnedBodyAreTurnedBack) {
+  const reye::support::TemporaryFolder dir;
+  auto frame = solid_sample::frame(2.0);
+  const reye::base::Vec3 turn(0.3, -1.2, 0.7);
+  const auto straight = frame.surfaces[0];
+  frame.surfaces[0].turn_rad.assign(straight.x_mm.size(), turn);
+  for (auto* vectors : {&frame.surfaces[0].shear_MPa, &frame.surfaces[0].slip_mm, &frame.surfaces[0].normal})
+    for (auto& v : *vectors) v = reye::base::turn_by(turn) * v;
+  atomic_write(dir / "surface.vtp", skins_vtp(frame));
+  const auto read = read_drawn_skins(dir / "surface.vtp").all[0];
+  for (std::size_t i = 0; i < straight.x_mm.size(); ++i) {
+    EXPECT_LT((read.shear_MPa[i] - straight.shear_MPa[i]).norm(), 1e-14 * (1.0 + straight.shear_MPa[i].norm()));
+    EXPECT_LT((read.slip_mm[i] - straight.slip_mm[i]).norm(), 1e-15);
+    EXPECT_LT((read.normal[i] - straight.normal[i]).norm(), 1e-15);
   }
 }
 

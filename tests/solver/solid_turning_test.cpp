@@ -15,7 +15,7 @@ Vector waves(Eigen::Index n, double size) {
 }
 
 /// Two blocks that turn: the lower one on a holder with a free and a driven rotation, the upper one held by contact.
-solver::SolidSystem turning_blocks() {
+solver::SolidSystem turning_solids() {
   auto lower = support::solid("lower", support::block(mesh::SolidKind::hex8, {2, 2, 1}, Vec3::Ones()), 1000.0, 0.3);
   auto holder = support::by_node("holder", "z0", {support::fixed_motion(), support::loaded(1.0), support::moved(1.0)});
   holder.rigid = true;
@@ -76,7 +76,7 @@ struct Moment {
 TEST(SolidTurningTangent, DerivativesByFreeMotionsAreExact) {
   // Places, the motion that slip is made of, and the balance change with the free motions of both bodies as central
   // differences say, far from the start and under loads.
-  const auto system = turning_blocks();
+  const auto system = turning_solids();
   ASSERT_EQ(system.free(), 2 + 6);
   Moment m{system, solver::initial_state(system), waves(3 * system.points(), 2.0), waves(system.driven(), 0.3)};
   m.old.a = waves(system.free(), 0.5);

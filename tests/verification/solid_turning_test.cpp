@@ -19,7 +19,7 @@ using support::moved;
 namespace {
 
 constexpr double turning_E = 2.0e5;
-const Vec3 skew = Vec3(0.3, -0.5, 0.81).normalized(), about(0.7, -0.4, 0.2);
+const Vec3 skew = Vec3(0.3, -0.5, 0.81).normalized(), turn_centre(0.7, -0.4, 0.2);
 
 body::SolidSupport rigid_face(const std::string& name, const std::string& face, std::array<body::Motion, 3> along,
                               std::array<body::Motion, 3> turn) {
@@ -47,7 +47,7 @@ body::SolidInput lower_block() {
   auto lower =
       support::solid("lower", support::block(mesh::SolidKind::hex8, {4, 4, 2}, Vec3(1, 1, 0.5)), turning_E, 0.3);
   lower.supports = {rigid_face("holder", "z0", {fixed_motion(), fixed_motion(), fixed_motion()}, quarter_turn())};
-  lower.supports[0].centre_mm = about;
+  lower.supports[0].centre_mm = turn_centre;
   return lower;
 }
 
@@ -82,12 +82,12 @@ std::vector<solver::SolidSolution> solved_closely(const sim::SolidProblem& probl
 }
 
 /// The largest difference of two contacts, one of which is turned as a whole, over the largest pressure; of slip in mm.
-struct Difference {
+struct TurnedDifference {
   double traction = 0.0, slip = 0.0;
 };
-Difference difference(const solver::SolidSolution& straight, const solver::SolidSolution& turned, const Mat3& R,
-                      double slides = 1.0) {
-  Difference d;
+TurnedDifference turned_difference(const solver::SolidSolution& straight, const solver::SolidSolution& turned,
+                                   const Mat3& R, double slides = 1.0) {
+  TurnedDifference d;
   double largest = 0.0;
   for (std::size_t j = 0; j < straight.nodes[0].size(); ++j) {
     const auto &own = straight.nodes[0][j], &other = turned.nodes[0][j];
@@ -100,7 +100,7 @@ Difference difference(const solver::SolidSolution& straight, const solver::Solid
   return d;
 }
 
-Mat3 turned_by(double share) { return base::turn_by(0.5 * std::numbers::pi * share * skew).toRotationMatrix(); }
+Mat3 quarter_part(double share) { return base::turn_by(0.5 * std::numbers::pi * share * skew).toRotationMatrix(); }
 
 }  // namespace
 
@@ -122,7 +122,7 @@ TEST(SolidTurning, AQuarterTurnOfALoadedSceneChangesNothing) {
   const auto solved = solved_closely(problem);
   ASSERT_EQ(solved.size(), 14u) << solved.back().reason;
   for (int k = 1; k <= 10; ++k) {
-    const auto d = difference(solved[3], solved[3 + k], turned_by(0.1 * k), 0.0);
+    const auto d = turned_difference(solved[3], solved[3 + k], quarter_part(0.1 * k), 0.0);
     EXPECT_LT(d.traction, 1e-10) << k;
     EXPECT_LT(d.slip, 1e-12) << k;
     EXPECT_LE(solved[3 + k].errors[2], 1e-11) << k << ": the second step ends but for points that rest on the cone";
@@ -138,13 +138,13 @@ TEST(SolidTurning, SlidingWhileTheSceneTurnsIsSlidingAtRest) {
     std::array<body::Motion, 3> along;
     for (int k = 0; k < 3; ++k) along[k] = moved(1.0, std::string("to_") + "xyz"[k]);
     upper.supports = {rigid_face("top", "z1", along, quarter_turn())};
-    upper.supports[0].centre_mm = about;
+    upper.supports[0].centre_mm = turn_centre;
     auto problem = two_blocks(lower_block(), upper, 0.4);
     for (int k = 0; k < 3; ++k) {
       auto& history = problem.scene.histories[std::string("to_") + "xyz"[k]];
       for (int i = 0; i <= 10; ++i) {
         const Vec3 own(i < 2 ? 0.0 : way * (i - 2) / 8.0, 0.5 * way * i / 10.0, -deep * std::min(1.0, 0.5 * i));
-        history.push_back({0.1 * i, Vec3((turns ? turned_by(0.1 * i) : Mat3(Mat3::Identity())) * own)[k]});
+        history.push_back({0.1 * i, Vec3((turns ? quarter_part(0.1 * i) : Mat3(Mat3::Identity())) * own)[k]});
       }
     }
     if (!turns) problem.scene.histories["turn"] = {{0.0, 0.0}, {1.0, 0.0}};
@@ -155,7 +155,7 @@ TEST(SolidTurning, SlidingWhileTheSceneTurnsIsSlidingAtRest) {
   ASSERT_EQ(straight.size(), 10u) << straight.back().reason;
   ASSERT_EQ(turned.size(), 10u) << turned.back().reason;
   for (int k = 0; k < 10; ++k) {
-    const auto d = difference(straight[k], turned[k], turned_by(0.1 * (k + 1)));
+    const auto d = turned_difference(straight[k], turned[k], quarter_part(0.1 * (k + 1)));
     EXPECT_LT(d.traction, 1e-10) << k;
     EXPECT_LT(d.slip, 1e-12) << k;
     EXPECT_LE(turned[k].iterations, straight[k].iterations + 1) << k;
@@ -169,7 +169,7 @@ namespace {
 constexpr double pin_R = 5.0, bush_R = 5.02;
 
 /// A ring or a part of one from its unit cube: angle from the first coordinate, radius from the third.
-std::function<Vec3(const Vec3&)> ring(double from, double to, double inside, double outside, double length) {
+std::function<Vec3(const Vec3&)> ring_part(double from, double to, double inside, double outside, double length) {
   return [=](const Vec3& t) {
     const double angle = from + (to - from) * t.x(), r = inside + (outside - inside) * t.z();
     return Vec3(r * std::cos(angle), r * std::sin(angle), length * t.y());
@@ -180,7 +180,7 @@ std::function<Vec3(const Vec3&)> ring(double from, double to, double inside, dou
 sim::SolidProblem pin_in_shell(double friction, int facets, int turns, int increments) {
   auto pin = support::solid("pin",
                             support::block(mesh::SolidKind::hex8, {facets, 1, 1}, Vec3::Ones(),
-                                           ring(0.0, 2.0 * std::numbers::pi, 2.0, pin_R, 2.0)),
+                                           ring_part(0.0, 2.0 * std::numbers::pi, 2.0, pin_R, 2.0)),
                             turning_E, 0.3);
   pin.rigid = true;
   auto guide = rigid_face("drive", "", {fixed_motion(), loaded(-400.0, "press"), fixed_motion()},
@@ -189,11 +189,11 @@ sim::SolidProblem pin_in_shell(double friction, int facets, int turns, int incre
   guide.centre_mm = Vec3(0, 0, 1.0);
   pin.supports = {guide};
   const double half = 0.35;
-  auto shell = support::solid(
-      "shell",
-      support::block(mesh::SolidKind::hex8, {10, 2, 3}, Vec3::Ones(),
-                     ring(-0.5 * std::numbers::pi - half, -0.5 * std::numbers::pi + half, bush_R, bush_R + 2.0, 2.0)),
-      turning_E / 50.0, 0.3);
+  auto shell = support::solid("shell",
+                              support::block(mesh::SolidKind::hex8, {10, 2, 3}, Vec3::Ones(),
+                                             ring_part(-0.5 * std::numbers::pi - half, -0.5 * std::numbers::pi + half,
+                                                       bush_R, bush_R + 2.0, 2.0)),
+                              turning_E / 50.0, 0.3);
   shell.supports = {support::by_node("outside", "z1", {fixed_motion(), fixed_motion(), fixed_motion()})};
   auto problem = support::problem_of({shell, pin}, {0, "z0"}, {1, "z1"}, friction, 0.3);
   problem.scene.histories["press"] = problem.scene.histories["turn"] = {{0.0, 0.0}, {1.0, 1.0}};
