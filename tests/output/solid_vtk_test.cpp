@@ -1,5 +1,4 @@
 #include "output/solid/solid_vtk.hpp"
-#include "base/rotation.hpp"
 
 #include <gtest/gtest.h>
 #include <vtk-9.1/vtkCellData.h>
@@ -17,6 +16,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/rotation.hpp"
 #include "solid_sample.hpp"
 
 using namespace reye::output;

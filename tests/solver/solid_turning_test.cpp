@@ -17,9 +17,10 @@ Vector waves(Eigen::Index n, double size) {
 /// Two blocks that turn: the lower one on a holder with a free and a driven rotation, the upper one held by contact.
 solver::SolidSystem turning_solids() {
   auto lower = support::solid("lower", support::block(mesh::SolidKind::hex8, {2, 2, 1}, Vec3::Ones()), 1000.0, 0.3);
-  auto holder = support::by_node("holder", "z0", {support::fixed_motion(), support::loaded(1.0), support::moved(1.0)});
+  auto holder = support::by_node("holder", "z0",
+                                 {support::fixed_motion(), support::loaded(1.0, "push"), support::moved(1.0, "move")});
   holder.rigid = true;
-  holder.about = {support::fixed_motion(), {}, support::moved(1.0)};
+  holder.about = {support::fixed_motion(), {}, support::moved(1.0, "turn")};
   lower.supports = {holder};
   auto upper = support::solid(
       "upper", support::block(mesh::SolidKind::hex8, {2, 1, 1}, Vec3::Ones(), support::box({0, 0, 1}, {1, 1, 2})),

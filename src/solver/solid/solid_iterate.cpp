@@ -143,13 +143,13 @@ SolidIterate::Status SolidIterate::decide(int c, int j) const {
   if (!place.carries[j] || !contact::closed(node, place.frame[j], stiffness)) return Status::open;
   if (stick_all_ || friction(c) == 0.0) return Status::stick;
   const Status status = contact::tangential_status(node, place.frame[j], friction(c), stiffness);
-  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro. Where it goes much
-  // farther back than elasticity can take, it slips on, and its direction is beyond doubt.
+  // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro. A body that turns far
+  // back, more than elasticity can take, slips on at once: its direction is beyond doubt.
   constexpr double far = 100.0;
   const Vec3 y = contact::trial(node, place.frame[j], stiffness);
   const double most = far * friction(c) * std::max(0.0, contact::pressure(node, place.frame[j]));
-  const bool back =
-      now_.status[c][j] == Status::slip && y.norm() <= most && y.dot(contact::shear(node, place.frame[j])) < 0.0;
+  const bool beyond = !standing_.twist[c].empty() && y.norm() > most;
+  const bool back = now_.status[c][j] == Status::slip && !beyond && y.dot(contact::shear(node, place.frame[j])) < 0.0;
   return back ? Status::stick : status;
 }
 
