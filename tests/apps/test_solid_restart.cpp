@@ -120,5 +120,5 @@ TEST(SolidRestart, DamagedCheckpoints) {
   EXPECT_EQ(resumed.code, 0);
   EXPECT_TRUE(holds(resumed.err, "checkpoint: o/checkpoint/current.bin: altered: wrong checksum")) << resumed.err;
   test::expect_same(place, "whole", "o");
-  test::expect_sentences(test::rubbing_interrupted(), 10);
+  test::expect_sentences(test::rubbing_interrupted(), 30);
 }

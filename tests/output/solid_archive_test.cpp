@@ -45,7 +45,7 @@ sim::SolidRunState made_up_state() {
   place.frame = {{base::Vec3::UnitZ(), {base::Vec3::UnitX(), base::Vec3::UnitY()}, 1}, {}};
   place.carries = {1, 0};
   solved.place = {place};
-  solved.nodes = {{{{1.0, 2.0, 3.0}, 0.125, {4.0, 5.0, 6.0}, 0.25, 0.5}, {}}};
+  solved.nodes = {{{{1.0, 2.0, 3.0}, 0.125, {4.0, 5.0, 6.0}}, {}}};
   s.solved = solved;
   s.factors = {{"press", 1.0}, {"slide", -0.5}};
   s.held = {{"press", 0.75}};

@@ -62,7 +62,6 @@ inline sim::SolidProblem problem_of(std::vector<body::SolidInput> inputs, contac
                                     contact::FaceRef primary, double friction, double search_mm) {
   sim::SolidProblem problem;
   problem.inputs = std::move(inputs);
-  problem.load_resultant = sim::load_resultants(problem.inputs);
   for (int b = 0; b < problem.body_count(); ++b)
     for (int k = 0; k < static_cast<int>(problem.inputs[b].supports.size()); ++k) {
       problem.support_of.push_back({b, k});

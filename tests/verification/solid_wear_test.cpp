@@ -183,3 +183,50 @@ TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
   for (const double p : played.frames.back().surfaces.front().pressure_MPa) EXPECT_NEAR(p, blocks.p, 1e-6 * blocks.p);
   EXPECT_LE(played.summary.balance, 1e-10);
 }
+
+TEST(SolidWear, StrongWearNeedsFewIterations) {
+  // Where an increment wears tens of times what bodies approach by their compliance, points that close wear at once:
+  // Newton needs few iterations and no cut-back.
+  support::HertzCase c;
+  c.elements = 5.0;
+  auto problem = support::hertz_problem(c);
+  auto& options = problem.contacts[0].options;
+  options.wear.kind = wear::LawKind::archard;
+  options.wear.secondary = 1e-7;
+  options.sliding = {{.direction = Vec3::UnitX(), .parts = {{50.0, ""}}}};
+  problem.scene.geometry.fine_zones[0].radius_mm = 1.6 * c.a_mm;
+  problem.scene.steps.push_back(support::step_of(1, {}, 8.0));
+  problem.scene.steps[1].wear = true;
+  const auto played = support::play(problem);
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  EXPECT_EQ(played.summary.counts.cutbacks, 0);
+  EXPECT_LE(played.summary.counts.newton_iterations, 7 * played.summary.counts.increments);
+}
+
+TEST(SolidWear, HexahedraWearUntilTheyArePoor) {
+  // Hexahedra are not remeshed: they wear beyond the depth at which tetrahedra would be, to the law's volume. One that
+  // is worn through ends its run with the cause, and what is shown last is the last good state; progress tells its
+  // depth.
+  SlidingBlocks blocks;
+  blocks.alpha_primary = 0.0;
+  const double per_mm = blocks.mu * blocks.alpha_secondary * blocks.p;
+  const auto deep = support::play(blocks.problem(0.7 / per_mm / 14.0, 1, 14.0, 1.0));
+  ASSERT_EQ(deep.summary.status, sim::RunStatus::done) << deep.summary.reason;
+  EXPECT_EQ(deep.summary.counts.remeshes, 0);
+  EXPECT_NEAR(deep.summary.contacts[0].secondary.worn_volume_mm3, 0.7, 1e-9);
+
+  const auto problem = blocks.problem(1.5 / per_mm / 30.0, 1, 30.0, 1.0);
+  std::vector<sim::SolidFrame> frames;
+  double told_mm = 0.0, row_mm = 0.0;
+  sim::SolidObserver observer;
+  observer.frame = [&](const sim::SolidFrame& frame) { frames.push_back(frame); };
+  observer.progress = [&](const sim::Progress& progress) { told_mm = progress.depth_max_mm; };
+  observer.increment = [&](const sim::SolidIncrement& row) { row_mm = row.contacts[0].depth_secondary_mm; };
+  const auto summary = sim::run_solid(problem, observer);
+  EXPECT_EQ(summary.status, sim::RunStatus::failed);
+  EXPECT_NE(summary.reason.find("body below"), std::string::npos) << summary.reason;
+  ASSERT_FALSE(frames.empty());
+  EXPECT_EQ(frames.back().step, "last good state");
+  EXPECT_GT(told_mm, 0.7);
+  EXPECT_EQ(told_mm, row_mm);
+}

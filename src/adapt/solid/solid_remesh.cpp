@@ -134,11 +134,15 @@ SolidRemeshResult meshed_or_failure(const std::vector<ScarPart>& parts, const me
 
 }  // namespace
 
+bool can_be_remeshed(const mesh::SolidMesh& mesh) {
+  return std::none_of(mesh.skin.begin(), mesh.skin.end(),
+                      [](const mesh::Facet& facet) { return facet.kind == mesh::FacetKind::quad4; });
+}
+
 SolidRemeshResult remesh_solid(const mesh::SolidMesh& worn, const mesh::SolidMesh& born,
                                const SolidRemeshOptions& options) {
   SolidRemeshResult result;
-  if (std::any_of(worn.skin.begin(), worn.skin.end(),
-                  [](const mesh::Facet& facet) { return facet.kind == mesh::FacetKind::quad4; })) {
+  if (!can_be_remeshed(worn)) {
     result.failure = "hexahedra are not remeshed; mesh the body with tetrahedra";
     return result;
   }

@@ -29,6 +29,9 @@ struct SolidRemeshResult {
   std::string failure;  ///< empty; else why there is no mesh
 };
 
+/// Whether `remesh_solid` takes such a mesh.
+bool can_be_remeshed(const mesh::SolidMesh& mesh);
+
 /// A fresh mesh of tetrahedra inside the worn skin, with the same faces and groups and, to round-off, the same volume.
 /// Facets that have not moved since `born` stay node by node, and so do those of the scar unless they are poor: then
 /// they are drawn again between their borders and creases, and where that cannot be filled they stay after all. A rigid

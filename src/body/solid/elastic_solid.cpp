@@ -49,7 +49,7 @@ ElasticSolid::ElasticSolid(const SolidInput& input, const std::vector<SolidPlace
   factor_.emplace(fem::upper_stiffness(*input.mesh, input.material, columns_.dofs),
                   columns_.dofs.size() - columns_.interior, algebra::SchurAnalysisPtr{},
                   algebra::Ordering::nested_dissection);
-  set_driven(input, out);
+  set_driven(out);
   condense(input, split(input), out);
 }
 
@@ -97,7 +97,7 @@ void ElasticSolid::set_loads(const SolidInput& input, const SolidMatrices& out) 
     if (out.driven[k].load >= 0) loads_[k] = T.transpose() * nodal_forces(*input.mesh, input.loads[out.driven[k].load]);
 }
 
-void ElasticSolid::set_driven(const SolidInput& input, SolidMatrices& out) {
+void ElasticSolid::set_driven(SolidMatrices& out) {
   const auto driven = static_cast<Eigen::Index>(out.driven.size());
   const int unknown = columns_.unknown(), own = columns_.dofs.own - columns_.interior;
   condensed_loads_ = Matrix::Zero(columns_.dofs.size() - columns_.interior, driven);
@@ -114,8 +114,7 @@ void ElasticSolid::set_driven(const SolidInput& input, SolidMatrices& out) {
   for (size_t k = 0; k < loads_.size(); ++k)
     if (loads_[k].size() > 0)
       out.B.col(static_cast<Eigen::Index>(k)) =
-          out.modes.transpose() *
-          resultant_about(*input.mesh, nodal_forces(*input.mesh, input.loads[out.driven[k].load]), out.centre);
+          out.modes.transpose() * out.load_resultant[static_cast<size_t>(out.driven[k].load)];
   for (int k = 0; k < static_cast<int>(columns_.active.size()); ++k) {
     const int value = driven_motion(out.driven, columns_.active[k].support, columns_.active[k].motion);
     if (value < 0) continue;

@@ -22,7 +22,7 @@ class ElasticSolid {
   void set_retained_motion(const std::vector<int>& retained);
   void set_free_modes(const SolidInput& input, const std::vector<SolidPlace>& places, SolidMatrices& out);
   void set_loads(const SolidInput& input, const SolidMatrices& out);
-  void set_driven(const SolidInput& input, SolidMatrices& out);
+  void set_driven(SolidMatrices& out);
   Split split(const SolidInput& input);
   void hold_free_modes(Matrix& S) const;
   void condense(const SolidInput& input, Split S, SolidMatrices& out);

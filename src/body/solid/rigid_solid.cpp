@@ -76,16 +76,8 @@ class RigidSolid {
   }
 
   void add_loads() {
-    for (int k = 0; k < static_cast<int>(out_.driven.size()); ++k) {
-      if (out_.driven[k].load < 0) continue;
-      const SolidLoad& load = input_.loads[out_.driven[k].load];
-      if (!load.face.empty()) {
-        P_.col(k) += resultant_about(*input_.mesh, nodal_forces(*input_.mesh, load), out_.centre);
-        continue;
-      }
-      const Vec3 force = mesh::volume(*input_.mesh) * load.force_N_per_mm3;
-      P_.col(k) += modes_at(mesh::volume_centroid(*input_.mesh), out_.centre).transpose() * force;
-    }
+    for (int k = 0; k < static_cast<int>(out_.driven.size()); ++k)
+      if (const int load = out_.driven[k].load; load >= 0) P_.col(k) += out_.load_resultant[load];
   }
 
   Matrix motion_of_points(const std::vector<int>& retained) const {

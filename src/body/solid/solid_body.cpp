@@ -28,16 +28,17 @@ void refuse_conflicts(const SolidInput& input) {
 struct SolidBody::Impl {
   SolidInput input;
   std::vector<int> retained;
+  std::vector<SolidPlace> places;  ///< of the supports
   SolidMatrices matrices;
   std::optional<ElasticSolid> elastic;
   RigidMotion rigid;
 
   Impl(SolidInput given, std::vector<int> nodes) : input(std::move(given)), retained(std::move(nodes)) {
     refuse_conflicts(input);
-    std::vector<SolidPlace> places;
     for (const auto& support : input.supports) places.push_back(place_support(*input.mesh, support));
     matrices.driven = driven_of(input);
     matrices.centre = mesh::box_centre(input.mesh->X);
+    for (const auto& load : input.loads) matrices.load_resultant.push_back(resultant_of(input, load, matrices.centre));
     if (input.rigid)
       rigid = condense_rigid(input, places, retained, matrices);
     else
@@ -69,6 +70,8 @@ const Matrix& SolidBody::B() const { return impl_->matrices.B; }
 const Matrix& SolidBody::F() const { return impl_->matrices.F; }
 const Matrix& SolidBody::G() const { return impl_->matrices.G; }
 const Vec3& SolidBody::centre() const { return impl_->matrices.centre; }
+const std::vector<Mode>& SolidBody::load_resultant() const { return impl_->matrices.load_resultant; }
+Vec3 SolidBody::support_centre(int support) const { return impl_->places[static_cast<std::size_t>(support)].centre; }
 
 std::vector<std::string> SolidBody::free_motions() const {
   std::vector<std::string> names;

@@ -5,7 +5,7 @@
 
 #include "base/linalg.hpp"
 #include "base/space.hpp"
-#include "body/solid/solid_input.hpp"
+#include "body/solid/rigid_modes.hpp"
 
 namespace reye::body {
 
@@ -36,6 +36,9 @@ class SolidBody {
   const Matrix& F() const;     ///< 6 supports x 3n
   const Matrix& G() const;     ///< 6 supports x driven
   const Vec3& centre() const;  ///< about which the free rotations turn
+  /// Force, and moment about `centre`, of each load of the input at factor 1 [N; N mm].
+  const std::vector<Mode>& load_resultant() const;
+  Vec3 support_centre(int support) const;  ///< about which it turns, and its moments are taken
   std::vector<std::string> free_motions()
       const;  ///< "x", "rotation about z" ... or a direction in numbers, for messages
 

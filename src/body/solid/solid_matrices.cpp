@@ -31,7 +31,11 @@ Vector nodal_forces(const mesh::SolidMesh& mesh, const SolidLoad& load) {
          fem::face_force(mesh, facets, load.force_N);
 }
 
-Mode resultant_about(const mesh::SolidMesh& mesh, const Vector& forces, const Vec3& c) {
+Mode resultant_of(const SolidInput& input, const SolidLoad& load, const Vec3& c) {
+  const auto& mesh = *input.mesh;
+  if (input.rigid && load.face.empty())  // its mesh may have no cells
+    return modes_at(mesh::volume_centroid(mesh), c).transpose() * Vec3(mesh::volume(mesh) * load.force_N_per_mm3);
+  const Vector forces = nodal_forces(mesh, load);
   Mode sum = Mode::Zero();
   for (int k = 0; k < mesh.node_count(); ++k) sum += modes_at(mesh.X[k], c).transpose() * forces.segment<3>(3 * k);
   return sum;

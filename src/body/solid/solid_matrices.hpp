@@ -11,8 +11,9 @@ namespace reye::body {
 struct SolidMatrices {
   std::vector<Driven> driven;
   Matrix C, U, A, B, F, G;
-  Vec3 centre = Vec3::Zero();  ///< of the modes
-  Modes modes;                 ///< the free ones
+  Vec3 centre = Vec3::Zero();        ///< of the modes
+  Modes modes;                       ///< the free ones
+  std::vector<Mode> load_resultant;  ///< per load at factor 1, about `centre`
 };
 
 /// Imposed motions and loads of supports, then loads.
@@ -24,8 +25,8 @@ int driven_motion(const std::vector<Driven>& driven, int support, int motion);
 /// Nodal forces of a load, 3 per node. The mesh has cells where the load is one per volume.
 Vector nodal_forces(const mesh::SolidMesh& mesh, const SolidLoad& load);
 
-/// Force, and moment about c, of nodal forces.
-Mode resultant_about(const mesh::SolidMesh& mesh, const Vector& forces, const Vec3& c);
+/// Force, and moment about c, of a load at factor 1.
+Mode resultant_of(const SolidInput& input, const SolidLoad& load, const Vec3& c);
 
 /// A rigid body: its motion in six numbers z about `centre`, z = of_f f + of_s s + modes a.
 struct RigidMotion {

@@ -14,18 +14,16 @@ enum class SkinStatus : char { open, stick, slip };
 /// The traction z of a secondary point (z.n = pressure; its shear points along the slip it resists) and its motion.
 struct SkinNode {
   base::Vec3 traction = base::Vec3::Zero();  ///< [MPa]
-  double gap = 0.0;                          ///< -n.w, opened by wear [mm]
+  double gap = 0.0;                          ///< -n.w, opened by wear, this increment's included [mm]
   base::Vec3 slip = base::Vec3::Zero();      ///< of this increment, across the normal [mm]
-  double worn = 0.0, own_worn = 0.0;         ///< what this increment has worn of it, and the point itself [mm]
 };
 
 inline double pressure(const SkinNode& node, const SkinFrame& frame) { return node.traction.dot(frame.normal); }
 inline base::Vec3 shear(const SkinNode& node, const SkinFrame& frame) { return frame.across(node.traction); }
 
-/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where p - c g > 0. Wear of the increment itself
-/// stays out of the decision: it acts where there is pressure, and would open what it has just closed.
-inline bool closed(const SkinNode& node, const SkinFrame& frame, double c) {
-  return pressure(node, frame) - c * (node.gap - node.worn) > 0.0;
+/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where the trial value p - c g > 0.
+inline double trial_pressure(const SkinNode& node, const SkinFrame& frame, double c) {
+  return pressure(node, frame) - c * node.gap;
 }
 
 /// y = z_t + c u_t: what the shear would be without slip.

@@ -27,8 +27,8 @@ void serialize(Archive& archive, SkinPlace& s) {
 
 template <class Archive>
 void serialize(Archive& archive, SkinNode& s) {
-  auto& [traction, gap, slip, worn, own_worn] = s;
-  archive(traction, gap, slip, worn, own_worn);
+  auto& [traction, gap, slip] = s;
+  archive(traction, gap, slip);
 }
 
 template <class Archive>

@@ -126,9 +126,8 @@ void check_solution(const solver::SolidSolution& solution, const solver::SolidSy
     require(solution.nodes[c].size() == static_cast<std::size_t>(system.contacts[c].count()),
             "contact " + system.contacts[c].options.name + " has a value too many or too few");
     for (const auto& node : solution.nodes[c])
-      require(
-          finite(node.traction) && finite(node.gap) && finite(node.slip) && finite(node.worn) && finite(node.own_worn),
-          "contact " + system.contacts[c].options.name + " has a value that is not a number");
+      require(finite(node.traction) && finite(node.gap) && finite(node.slip),
+              "contact " + system.contacts[c].options.name + " has a value that is not a number");
   }
 }
 

@@ -20,6 +20,8 @@ void keep_work(SolidRunState& start, const SolidRunState& played) {
   start.warnings = played.warnings;
   start.cutback_reasons = played.cutback_reasons;
   start.balance = played.balance;
+  start.imbalance_N = played.imbalance_N;
+  start.largest_force_N = played.largest_force_N;
   start.mortar_s = played.mortar_s;
   start.interface_s = played.interface_s;
   start.factor_s = played.factor_s;

@@ -43,6 +43,7 @@ class March {
     } catch (const base::SolveError& error) {
       failure_ = error.what();
     }
+    end();
     return summary();
   }
 
@@ -60,6 +61,28 @@ class March {
     }
   }
 
+  /// A state from before contact got more nodes has values of fewer; where there are no equations nothing more is said
+  /// of contacts. A run that does not come to its end shows the last good state.
+  void end() {
+    if (player_ && player_->has_equations())
+      state_ = player_->brought_up(std::move(state_));
+    else
+      state_.solved.reset();
+    if (!failure_.empty() && observer_.log) observer_.log("failed: " + failure_);
+    if (!failure_.empty()) show("last good state", within_.value_or(Within{state_.cycle, 1.0}));
+  }
+
+  /// A moment of a play.
+  struct Within {
+    double cycle, progress;
+  };
+
+  void show(const std::string& step, const Within& at) {
+    if (observer_.frame && state_.solved)
+      observer_.frame(solid_frame(problem_, player_->assembly(), state_, step,
+                                  {at.cycle, at.progress, problem_.scene.frames.paraview}));
+  }
+
   /// The span with which the next block is tried.
   SolidSpan next_span(const scene::Step& step) const {
     SolidSpan span{.step = &step, .jump = 1.0, .cycles = step.cycles > 0.0, .last = true};
@@ -73,17 +96,22 @@ class March {
     span.last = left - span.jump <= round_off * step.cycles;
     span.recorded = history_due(problem_.scene.history_every_blocks, state_.step_blocks + 1, span.last);
     span.level = frame_due(problem_.scene.frames,
-                           played_block(step, state_, state_.cycle + span.jump, state_.step_cycles + span.jump,
-                                        state_.step_blocks + 1, span.last));
+                           block_of(step, now(), {state_.cycle + span.jump, state_.step_cycles + span.jump},
+                                    state_.step_blocks + 1, span.last));
     return span;
   }
 
-  static PlayedBlock played_block(const scene::Step& step, const SolidRunState& before, double cycle,
-                                  double step_cycles, long number, bool last) {
-    PlayedBlock block{before.cycle, cycle, number, last, false};
+  /// Cycles of the run, and of its present step.
+  struct Reached {
+    double cycle, of_step;
+  };
+  Reached now() const { return {state_.cycle, state_.step_cycles}; }
+
+  static PlayedBlock block_of(const scene::Step& step, Reached before, Reached after, long number, bool last) {
+    PlayedBlock block{before.cycle, after.cycle, number, last, false};
     if (step.cycles > 0.0) {
-      block.share_before = before.step_cycles / step.cycles;
-      block.share = step_cycles / step.cycles;
+      block.share_before = before.of_step / step.cycles;
+      block.share = after.of_step / step.cycles;
     }
     return block;
   }
@@ -117,20 +145,19 @@ class March {
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
     if (state_.increment == 0) state_.block_wear = state_.solution.wear;
-    const SolidRunState before = state_;
+    const Reached before = now();
     SolidOutcome outcome = play_to_limit(next_span(step));
     state_ = std::move(outcome.state);
     failure_ = outcome.failure;
+    if (!failure_.empty()) within_ = {outcome.cycle, outcome.progress};
     interrupted_ = outcome.interrupted;
     if (!failure_.empty() || interrupted_) return false;
-    finish_block(step, before);
+    finish_block(step, before.cycle);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
     if (step.wear && problem_.scene.shape && !move_shapes(step, last)) return false;
-    const auto block = played_block(step, before, state_.cycle, state_.step_cycles, state_.step_blocks, last);
-    if (observer_.frame && frame_due(problem_.scene.frames, block))
-      observer_.frame(solid_frame(problem_, player_->assembly(), state_, step.name,
-                                  {state_.cycle, 1.0, problem_.scene.frames.paraview}));
+    if (frame_due(problem_.scene.frames, block_of(step, before, now(), state_.step_blocks, last)))
+      show(step.name, {state_.cycle, 1.0});
     return keep();
   }
 
@@ -151,8 +178,8 @@ class March {
     return failure_.empty();
   }
 
-  void finish_block(const scene::Step& step, const SolidRunState& before) {
-    const double cycles = state_.cycle - before.cycle;
+  void finish_block(const scene::Step& step, double cycle_before) {
+    const double cycles = state_.cycle - cycle_before;
     state_.step_cycles += cycles;
     if (step.cycles > 0.0 && is_over(step, state_)) {
       state_.cycle += cycles_left(step, state_);
@@ -221,6 +248,7 @@ class March {
   std::optional<SolidPlayer> player_;
   SolidRelocations relocations_;
   std::string failure_;
+  std::optional<Within> within_;  ///< where a play has failed
   bool interrupted_ = false;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/solid/solid_place.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 #include "sim/solid/skin_depth.hpp"
@@ -126,13 +125,12 @@ BalanceOfBodies balance_of_bodies(const SolidProblem& problem, const solver::Sol
     for (std::size_t k = 0; k < supports.size(); ++k) {
       const auto& [of_body, place] = problem.support_of[k];
       if (of_body == static_cast<int>(b))
-        balance.add(balance.about_centre(supports[k].force_N, supports[k].moment_N_mm,
-                                         body::place_support(*body.input().mesh, body.input().supports[place]).centre));
+        balance.add(balance.about_centre(supports[k].force_N, supports[k].moment_N_mm, body.support_centre(place)));
     }
     const auto& driven = body.driven();
     const auto s = driven_of(system, solution.state, b);
     for (std::size_t k = 0; k < driven.size(); ++k)
-      if (driven[k].load >= 0) balance.add(s[static_cast<int>(k)] * problem.load_resultant[b][driven[k].load]);
+      if (driven[k].load >= 0) balance.add(s[static_cast<int>(k)] * body.load_resultant()[driven[k].load]);
     all.left_N = std::max(all.left_N, balance.left_N());
     all.largest_N = std::max(all.largest_N, balance.largest_N());
   }

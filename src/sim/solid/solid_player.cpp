@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/formatted.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/solid/free_bodies.hpp"
+#include "sim/solid/skin_depth.hpp"
 #include "sim/solid/solid_drive.hpp"
 #include "sim/solid/solid_plan.hpp"
 #include "sim/solid/warn_solid.hpp"
@@ -17,6 +19,19 @@ namespace {
 
 constexpr std::size_t most_cutback_reasons = 20;
 constexpr int rings_of_growth = 4;
+
+/// Largest worn depth of all contacts [mm].
+double deepest(const solver::SolidSystem& system, const SolidRunState& state) {
+  double depth = 0.0;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto& wear = state.solution.wear[c];
+    if (setup.options.wear.wears())
+      depth = std::max({depth, deepest_of(setup.secondary, wear.removed_secondary),
+                        deepest_of(setup.primary, wear.removed_primary)});
+  }
+  return depth;
+}
 
 }  // namespace
 
@@ -30,7 +45,10 @@ struct SolidPlayer::Playing {
 };
 
 SolidPlayer::SolidPlayer(const SolidProblem& problem, SolidRunState& state, std::optional<SolidAssembly> assembly)
-    : problem_(problem), touchable_(state.touchable), assembly_(std::move(assembly)) {
+    : problem_(problem),
+      increments_(solid_increments(problem)),
+      touchable_(state.touchable),
+      assembly_(std::move(assembly)) {
   if (assembly_)
     state.factor_s += assembly_->seconds;
   else
@@ -38,7 +56,8 @@ SolidPlayer::SolidPlayer(const SolidProblem& problem, SolidRunState& state, std:
 }
 
 void SolidPlayer::assemble_bodies(SolidRunState& state) {
-  assembly_.emplace(assemble(problem_, state.meshes, touchable_, std::move(assembly_)));
+  auto before = std::exchange(assembly_, std::nullopt);  // there are none where a body cannot be factorised
+  assembly_.emplace(assemble(problem_, state.meshes, touchable_, std::move(before)));
   state.factor_s += assembly_->seconds;
   state.counts.factorisations += assembly_->factorised;
 }
@@ -106,6 +125,7 @@ SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const
   if (state.increment == 0) state.held = state.factors;
   Playing play{span, observer, {std::move(state), {}, false}};
   auto& now = play.outcome.state;
+  play.outcome.cycle = now.cycle;
   const auto corners = step_corners(problem_.scene.histories, *span.step);
   const auto count = static_cast<int>(corners.size());
   while (now.increment < count) {
@@ -154,6 +174,8 @@ std::string SolidPlayer::play_between(Playing& play, double from, double to, int
     return play_between(play, middle, to, depth - 1);
   }
   accept(play, factors, to);
+  play.outcome.cycle = play.cycle_at(to);
+  play.outcome.progress = to;
   return {};
 }
 
@@ -211,9 +233,10 @@ void SolidPlayer::record(const Playing& play, double to) const {
   p.newton = state.solved->iterations;
   p.increments = std::max(1, step.increments);
   p.increment = static_cast<int>(std::lround(to * p.increments));
+  p.depth_max_mm = deepest(system(), state);
   p.fraction = play.span.cycles ? (state.step_cycles + play.span.jump * to) / step.cycles : to;
   p.solved = static_cast<double>(state.counts.increments);
-  p.to_be_solved = std::max(0.0, solid_increments(problem_) - p.solved);
+  p.to_be_solved = std::max(0.0, increments_ - p.solved);
   play.observer.progress(p);
 }
 

@@ -30,6 +30,8 @@ class SolidPlayer {
   /// Solves the state as it is again, without slip and wear; a reason where that fails.
   std::string settle(SolidRunState& state, const scene::Step& step) const;
 
+  /// False where the last ones that were asked for could not be made.
+  bool has_equations() const { return assembly_.has_value(); }
   const SolidAssembly& assembly() const { return *assembly_; }
   const solver::SolidSystem& system() const { return assembly_->system; }
 
@@ -45,6 +47,7 @@ class SolidPlayer {
   void show_inside(const Playing& play, double to) const;
 
   const SolidProblem& problem_;
+  double increments_;  ///< of all steps and cycles
   Touchable touchable_;
   std::optional<SolidAssembly> assembly_;
 };

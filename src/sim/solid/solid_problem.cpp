@@ -8,11 +8,12 @@
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "body/solid/solid_conflicts.hpp"
-#include "body/solid/solid_matrices.hpp"
+#include "body/solid/solid_place.hpp"
 #include "material/parameters.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "scene/solid/solid_located.hpp"
 #include "sim/problem/timer.hpp"
+#include "sim/solid/refused_contacts.hpp"
 
 namespace reye::sim {
 
@@ -36,8 +37,9 @@ class Preparation {
     for (const auto& load : scene.loads) add_load(load);
     for (const auto& contact : scene.contacts) add_contact(contact);
     if (issues_.empty()) find_conflicts();
-    problem_.load_resultant = load_resultants(problem_.inputs);
+    if (issues_.empty()) issues_ = refused_contacts(problem_);
     if (!issues_.empty()) throw scene::located(scene, issues_);
+    fix_centres();
     return std::move(problem_);
   }
 
@@ -79,6 +81,12 @@ class Preparation {
     if (b < 0) return;
     problem_.support_of.back()[1] = static_cast<int>(problem_.inputs[b].supports.size());
     problem_.inputs[b].supports.push_back(support);
+  }
+
+  /// Supports turn about the middle of their faces as drawn, whatever wears off them.
+  void fix_centres() {
+    for (auto& input : problem_.inputs)
+      for (auto& support : input.supports) support.centre_mm = body::place_support(*input.mesh, support).centre;
   }
 
   void add_load(const body::SolidLoad& load) {
@@ -163,17 +171,6 @@ class Preparation {
 };
 
 }  // namespace
-
-std::vector<std::vector<body::Mode>> load_resultants(const std::vector<body::SolidInput>& inputs) {
-  std::vector<std::vector<body::Mode>> resultants;
-  for (const auto& input : inputs) {
-    auto& own = resultants.emplace_back();
-    const Vec3 centre = mesh::box_centre(input.mesh->X);
-    for (const auto& load : input.loads)
-      own.push_back(body::resultant_about(*input.mesh, body::nodal_forces(*input.mesh, load), centre));
-  }
-  return resultants;
-}
 
 SolidProblem prepare_solid(scene::SolidScene scene) {
   const double start = cpu_seconds();

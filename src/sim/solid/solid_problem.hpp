@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "body/solid/rigid_modes.hpp"
 #include "body/solid/solid_body.hpp"
 #include "cad/solid/solid_geometry.hpp"
 #include "contact/solid/skin_setup.hpp"
@@ -29,15 +28,10 @@ struct SolidProblem {
   std::vector<std::array<int, 2>> support_of;  ///< per support of the scene: its body, and its place there
   std::vector<PlacedSkins> contacts;
   std::vector<Warning> warnings;  ///< known before the run
-  /// Per body and load: force [N] and moment about the middle of the body's box [N mm] at factor 1.
-  std::vector<std::vector<body::Mode>> load_resultant;
   double mesh_seconds = 0.0;
 
   int body_count() const { return static_cast<int>(inputs.size()); }
 };
-
-/// Resultants of all loads, as `load_resultant` holds them.
-std::vector<std::vector<body::Mode>> load_resultants(const std::vector<body::SolidInput>& inputs);
 
 /// The kind of warnings that the geometry gave.
 inline constexpr const char* geometry_warning = "geometry";

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "adapt/solid/solid_remesh.hpp"
 #include "adapt/solid/solid_step.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "sim/problem/timer.hpp"
@@ -128,7 +129,9 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
     if (!result.failure.empty()) return "body " + problem.inputs[b].name + ": " + result.failure;
     ratio[b] = result.removed / worn.total();
     moved.meshes[b] = result.mesh;
-    moved.reasons[b] = result.poor.empty() ? why_redraw(*result.mesh, *state.born[b]) : result.poor;
+    moved.reasons[b] = result.poor;
+    if (result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
+      moved.reasons[b] = why_redraw(*result.mesh, *state.born[b]);
   }
   book_strips(player.system(), ratio, state);
   state.shape_s += cpu_seconds() - start;

@@ -21,6 +21,7 @@ struct SolidOutcome {
   SolidRunState state;
   std::string failure;  ///< empty when the state is accepted
   bool interrupted = false;
+  double cycle = 0.0, progress = 1.0;      ///< that a failed play has come to
   std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
 };
 

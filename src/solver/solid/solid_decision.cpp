@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -7,12 +8,6 @@
 
 /// Which points are open, stick or slip.
 namespace reye::solver {
-
-namespace {
-
-constexpr int early_decisions = 5;  ///< as many as find the region of contact
-
-}  // namespace
 
 /// Where a body is free to move and touches nothing, the points nearest to the other side begin in contact.
 void SolidIterate::seed() {
@@ -36,40 +31,24 @@ void SolidIterate::seed() {
   }
 }
 
-/// Whether a point is in contact. In late iterations a closed point of a contact that wears stays closed for its
-/// pressure alone, since the wear that it ascribes to itself under tension would keep it closed, and the wear of others
-/// counts.
-bool SolidIterate::is_closed(int c, int j) const {
+/// How far what decides is beyond the limit between two states of a point [MPa].
+double SolidIterate::due(int c, int j, Status now, Status fresh) const {
+  if (now == fresh || !place_[c].carries[j]) return 0.0;
+  if (now == Status::open || fresh == Status::open)
+    return std::abs(contact::trial_pressure(nodes_[c][j], place_[c].frame[j], system_.contacts[c].stiffness[j]));
   const auto& node = nodes_[c][j];
   const auto& frame = place_[c].frame[j];
-  const bool was = now_.status[c][j] != Status::open;
-  if (as_before_) return was;
-  const double stiffness = system_.contacts[c].stiffness[j];
-  if (decisions_ <= early_decisions || !target_.wear[c].on) return contact::closed(node, frame, stiffness);
-  if (was) return contact::pressure(node, frame) > 0.0;
-  return contact::pressure(node, frame) - stiffness * (node.gap - node.own_worn) > 0.0;
-}
-
-/// In late iterations no point closes while another opens: they would change places for ever.
-void SolidIterate::open_before_closing(std::vector<std::vector<Status>>& fresh) const {
-  if (decisions_ <= early_decisions) return;
-  const auto each = [&](auto visit) {
-    for (std::size_t c = 0; c < fresh.size(); ++c)
-      for (std::size_t j = 0; j < fresh[c].size(); ++j) visit(now_.status[c][j], fresh[c][j]);
-  };
-  bool opens = false;
-  each([&](Status before, Status after) { opens = opens || (before != Status::open && after == Status::open); });
-  if (opens)
-    each([](Status before, Status& after) {
-      if (before == Status::open) after = Status::open;
-    });
+  return std::abs(contact::trial(node, frame, system_.contacts[c].stiffness[j]).norm() -
+                  friction(c) * std::max(0.0, contact::pressure(node, frame)));
 }
 
 SolidIterate::Status SolidIterate::decide(int c, int j) const {
   const auto& place = place_[c];
   const auto& node = nodes_[c][j];
   const double stiffness = system_.contacts[c].stiffness[j];
-  if (!place.carries[j] || !is_closed(c, j)) return Status::open;
+  const bool closed =
+      as_before_ ? now_.status[c][j] != Status::open : contact::trial_pressure(node, place.frame[j], stiffness) > 0.0;
+  if (!place.carries[j] || !closed) return Status::open;
   if (stick_all_ || friction(c) == 0.0) return Status::stick;
   const Status status = contact::tangential_status(node, place.frame[j], friction(c), stiffness);
   // Slip that turns back sticks first: beyond the far side of the cone it would jump to and fro. Where the pressure has
@@ -99,19 +78,22 @@ bool SolidIterate::project() {
   return any;
 }
 
-std::vector<double> SolidIterate::present_friction() const {
-  std::vector<double> mu;
-  for (std::size_t c = 0; c < place_.size(); ++c) mu.push_back(friction(static_cast<int>(c)));
-  return mu;
+/// Takes back the changes that are less due than others.
+void SolidIterate::change_with_care(std::vector<std::vector<Status>>& fresh) const {
+  std::vector<std::vector<double>> dues;
+  for (std::size_t c = 0; c < fresh.size(); ++c) {
+    auto& of_contact = dues.emplace_back();
+    for (std::size_t j = 0; j < fresh[c].size(); ++j)
+      of_contact.push_back(due(static_cast<int>(c), static_cast<int>(j), now_.status[c][j], fresh[c][j]));
+  }
+  keep_the_most_due(dues, now_.status, fresh);
 }
 
 bool SolidIterate::classify(bool with_care) {
-  ++decisions_;
   bool changed = false;
   std::vector<std::vector<Status>> fresh = now_.status;
   for (std::size_t c = 0; c < place_.size(); ++c)
     for (int j = 0; j < place_[c].count(); ++j) fresh[c][j] = decide(static_cast<int>(c), j);
-  open_before_closing(fresh);
   const auto closed =
       std::accumulate(fresh.begin(), fresh.end(), std::ptrdiff_t{0}, [](std::ptrdiff_t sum, const auto& of) {
         return sum + std::count_if(of.begin(), of.end(), [](Status status) { return status != Status::open; });
@@ -125,7 +107,7 @@ bool SolidIterate::classify(bool with_care) {
   }
   stick_all_ = as_before_ = false;
   changed = changed || fresh != now_.status;
-  if (with_care) keep_the_most_due(system_, place_, nodes_, present_friction(), now_.status, fresh);
+  if (with_care) change_with_care(fresh);
   const bool differs = fresh != now_.status;
   now_.status = std::move(fresh);
   if (project() || (differs && wears())) evaluate();

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <limits>
 
-#include "solver/solid/most_due.hpp"
 #include "solver/solid/point_rows.hpp"
 
 namespace reye::solver {
@@ -99,7 +97,7 @@ void SolidIterate::evaluate() {
       // Without friction the halves beside a plane of symmetry may slide across it alike.
       const Vec3& imposed = target_.slip[c][j];
       const Vec3 slid = target_.friction[c] > 0.0 ? frame.across(imposed) : frame.tangential(imposed);
-      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j]) + slid, 0.0};
+      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j]) + slid};
       if (worn_[c].opened_before.size() > 0) nodes_[c][j].gap += worn_[c].opened_before[static_cast<Eigen::Index>(j)];
     }
   }
@@ -202,7 +200,7 @@ void SolidIterate::apply(const std::vector<ReducedRow>& rows) {
 
 void SolidIterate::let_shear_go() {
   keep_shear_ = false;
-  stick_all_ = true;
+  stick_all_ = as_before_ = true;
 }
 
 void SolidIterate::finish() {

@@ -57,9 +57,8 @@ class SolidIterate {
   double step_share(const Vector& moved) const;
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
-  bool is_closed(int contact, int point) const;
-  void open_before_closing(std::vector<std::vector<Status>>& fresh) const;
-  std::vector<double> present_friction() const;
+  double due(int contact, int point, Status now, Status fresh) const;
+  void change_with_care(std::vector<std::vector<Status>>& fresh) const;
 
   const SolidSystem& system_;
   const SolidState& old_;
@@ -74,7 +73,6 @@ class SolidIterate {
   bool keep_shear_ = false, stick_all_ = false;
   bool as_before_ = false;  ///< what was closed stays closed until a step was made
   int came_apart_ = 0;
-  int decisions_ = 0;
 };
 
 }  // namespace reye::solver

@@ -40,7 +40,8 @@ void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& plac
   contact.worn.assign(nodes.size(), {});
   bool any = false;
   for (std::size_t j = 0; j < nodes.size(); ++j) {
-    if (!wears[j] || !(contact::pressure(nodes[j], place.frame[j]) > 0.0)) continue;
+    // At no pressure, as where a point has just closed, there is no wear yet, but its derivative is there.
+    if (!wears[j] || !(contact::pressure(nodes[j], place.frame[j]) >= 0.0)) continue;
     contact.worn[j] =
         contact::worn_at(setup.options.wear, nodes[j], place.frame[j], place.covered[static_cast<Eigen::Index>(j)],
                          start_of(place, before, wearing, contact.openings, setup.primary_area, j));
@@ -54,20 +55,14 @@ void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& plac
   const auto primary = volumes(contact.worn, &contact::SkinWorn::primary);
   const Vector opened =
       contact.openings.per_secondary() * as_vector(secondary) + contact.openings.per_primary() * as_vector(primary);
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
-    const auto k = static_cast<int>(j);
-    nodes[j].worn = opened[k];
-    nodes[j].own_worn = contact.openings.per_secondary().coeff(k, k) * contact.worn[j].secondary.volume +
-                        contact.openings.per_primary().coeff(k, k) * contact.worn[j].primary.volume;
-    nodes[j].gap += nodes[j].worn;
-  }
+  for (std::size_t j = 0; j < nodes.size(); ++j) nodes[j].gap += opened[static_cast<Eigen::Index>(j)];
 }
 
 void add_wear_rows(const contact::SkinSetup& setup, const WornContact& contact, int number,
                    const std::vector<int>& normal_row, std::vector<WearRow>& rows) {
   if (!setup.options.implicit_wear) return;
   const auto add = [&](int j, const contact::SkinWorn::Side& side, const Eigen::SparseMatrix<double>& openings) {
-    if (side.volume == 0.0) return;
+    if (side.of_traction.isZero(0.0) && side.of_motion.isZero(0.0)) return;
     WearRow row{number, j, side.of_traction, side.of_motion, {}};
     for (Eigen::SparseMatrix<double>::InnerIterator it(openings, j); it; ++it)
       if (const auto i = static_cast<std::size_t>(it.row()); normal_row[i] >= 0)
