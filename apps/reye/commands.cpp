@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/printable.hpp"
 #include "checkpoints.hpp"
+#include "lives.hpp"
 #include "mesh/measure.hpp"
 #include "mesh/quality.hpp"
 #include "output/folder/files.hpp"
@@ -125,23 +126,12 @@ void tell_bond(const sim::BondSummary& b) {
   spdlog::info("bond {}: {}; {}", b.name, told("tension", b.most.tension), told("shear", b.most.shear));
 }
 
-std::string told_life(const sim::Summary& s, const std::string& name, const std::optional<double>& cycles) {
-  if (!cycles)
-    return fmt::format("not reached in {:.6g} cycles: {:.3g} % of it", s.cycles, 100.0 * s.limit_share.at(name));
-  const auto error = s.life_error.find(name);
-  return fmt::format("reached at cycle {:.6g}", *cycles) +
-         (error == s.life_error.end() ? "" : fmt::format(", +- {:.2g} by the cycle jump", error->second));
-}
-
 void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::string& dir) {
   spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
   for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
   for (const auto& b : s.bonds) tell_bond(b);
-  for (const auto& [name, cycles] : s.life_cycles) spdlog::info("limit {}: {}", name, told_life(s, name, cycles));
-  for (const auto& [name, band] : s.life_band)
-    if (band.shortest_cycles)
-      spdlog::info("  with the scatter of wear at cycle {:.6g} to {:.6g}", *band.shortest_cycles, *band.longest_cycles);
+  tell_lives(s);
   spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv",
                base::printable(dir));
   tell(scene, s.warnings);
@@ -242,9 +232,7 @@ int mesh(const Request& request) {
 
 int report(const Request& request) {
   if (const auto identity = output::read_identity(request.path); identity && identity->solid) {
-    if (request.animation)
-      throw base::InputError({{"--animation", "", "a run of solids has no moving picture: ParaView plays series.pvd"}});
-    output::write_solid_report(request.path);
+    output::write_solid_report(request.path, request.animation);
     std::printf("%s/report.html\n", base::printable(request.path).c_str());
     return 0;
   }

@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "base/printable.hpp"
+#include "lives.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "output/folder/files.hpp"
 #include "output/folder/folder_lock.hpp"
@@ -67,12 +68,18 @@ void tell_solid_contact(const sim::SkinContactSummary& c) {
                c.peak_pressure_MPa.value_or(0.0), c.area_mm2.value_or(0.0), c.half_widths_mm[0], c.half_widths_mm[1]);
   spdlog::info("  normal force {:.4g} N, tangential {:.4g} N, dissipated {:.4g} mJ", c.normal_force_N,
                c.tangential_force_N, c.dissipated_energy_mJ);
+  if (!c.wears) return;
+  for (const auto& [name, side] : {std::pair("secondary", c.secondary), std::pair("primary", c.primary)})
+    if (side.worn_volume_mm3 > 0.0)
+      spdlog::info("  {} side: depth {:.4g} um, volume {:.4g} mm^3", name, 1e3 * side.max_depth_mm,
+                   side.worn_volume_mm3);
 }
 
 void tell_solid_result(const sim::SolidSummary& s, const std::string& dir) {
   spdlog::info("{}: {:g} cycles, {} increments, {} Newton iterations, {:.1f} s", output::status_name(s.status),
                s.cycles, s.counts.increments, s.counts.newton_iterations, s.wall_s);
   for (const auto& c : s.contacts) tell_solid_contact(c);
+  tell_lives(s);
   spdlog::info("page {0}/report.html, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
   tell_warnings(s.warnings);
   if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());

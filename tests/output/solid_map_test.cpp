@@ -1,4 +1,4 @@
-#include "output/solid/skin_map.hpp"
+#include "output/solid/map_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -137,4 +137,42 @@ TEST(SkinMap, SamplesALinearValueExactly) {
   }
   EXPECT_GT(known, 100);
   EXPECT_LT(known, static_cast<int>(samples.position.size()));
+}
+
+// A map about the rows that have worn must show those of them that touch no longer, and its axes are named after those
+// of space where they are near to them.
+TEST(SkinMap, AboutWornRows) {
+  DrawnSkin skin = sheet(turned(0.02, Vec3::UnitY()));
+  skin.wear_depth_mm.assign(skin.X.size(), 0.0);
+  for (std::size_t i = 0; i < skin.X.size(); ++i)
+    skin.wear_depth_mm[i] = std::max(0.0, 0.003 * (0.25 - skin.X[i].squaredNorm()));
+  const auto worn = worn_rows(skin);
+  const SkinMap map = skin_map(skin, worn);
+  EXPECT_LT(map.x_seen.width(), 1.6);
+  EXPECT_GT(map.x_seen.width(), 0.9);
+  EXPECT_EQ(axis_label(map.across), "x");
+  const Figure figure = depth_map(map, skin, {"pad", "", "cycle 3", {}});
+  EXPECT_EQ(figure.id, "map-depth-pad");
+  EXPECT_EQ(figure.title, "worn depth, secondary side, cycle 3");
+  ASSERT_TRUE(figure.scale);
+  EXPECT_EQ(figure.scale->label, "µm");
+  EXPECT_GE(figure.scale->range.high, 0.75);
+  EXPECT_LE(figure.scale->range.high, 1.0);
+}
+
+// Frames of a moving map must share view and scale.
+TEST(SkinMap, Moving) {
+  DrawnSkin skin = sheet(Eigen::Matrix3d::Identity());
+  std::vector<MovingMap> frames;
+  for (const double depth : {1.0, 3.0}) {
+    skin.wear_depth_mm.assign(skin.X.size(), depth);
+    frames.push_back({skin_map(skin, worn_rows(skin)), skin.wear_depth_mm, "cycle"});
+  }
+  const Figure figure = moving_map(frames, "mm", "moving", "depth");
+  ASSERT_EQ(figure.moments.size(), 2u);
+  ASSERT_TRUE(figure.scale);
+  EXPECT_EQ(figure.scale->range.high, 3.0);
+  ASSERT_TRUE(figure.x_range && figure.y_range);
+  EXPECT_FALSE(figure.moments[0].areas.empty());
+  EXPECT_NE(figure.moments[0].areas[0].colour, figure.moments[1].areas[0].colour);
 }

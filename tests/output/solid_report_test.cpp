@@ -20,9 +20,9 @@ TEST(SolidReport, IsWholeAndSelfContained) {
   const std::string page = text(dir.str(), "report.html");
   EXPECT_TRUE(sample::well_formed(page));
   EXPECT_LT(page.size(), 3000000u);
-  for (const char* id :
-       {"scene", "map-pressure-pad", "map-shear-pad", "map-slip-pad", "map-status-pad", "profile-pad-1",
-        "profile-pad-2", "history-pressure", "history-force", "history-area", "history-energy", "supports", "loop-1"})
+  for (const char* id : {"scene", "map-pressure-pad", "map-shear-pad", "map-slip-pad", "map-status-pad",
+                         "profile-pad-1", "profile-pad-2", "map-depth-pad", "history-pressure", "history-force",
+                         "history-area", "history-energy", "supports", "loop-1"})
     EXPECT_TRUE(holds(page, "<figure id=\"" + std::string(id) + "\">")) << id;
   for (const char* section : {"Results", "Maps of the contact", "The run over its steps", "What went in", "The run",
                               "Its size", "Where the time went", "Warnings", "Scene"})
@@ -65,7 +65,10 @@ TEST(SolidReport, WithoutContact) {
   write_solid_report(dir.str());
   EXPECT_TRUE(sample::well_formed(text(dir.str(), "report.html")));
   auto frame = solid_sample::frame(0.0, 0.0);
-  for (auto& skin : frame.surfaces) skin.status.assign(skin.status.size(), 0);
+  for (auto& skin : frame.surfaces) {
+    skin.status.assign(skin.status.size(), 0);
+    skin.wear_depth_mm.assign(skin.status.size(), 0.0);
+  }
   writer.frame(frame);
   auto summary = solid_sample::summary();
   summary.status = reye::sim::RunStatus::failed;
@@ -123,4 +126,17 @@ TEST(SolidReport, DamageIsRefused) {
   sample::write_run(plane.str(), 4);
   EXPECT_THROW(write_solid_report(plane.str()), reye::base::InputError);
   EXPECT_THROW(write_solid_report(empty.str()), reye::base::InputError);
+}
+
+// With moving pictures the page has pressure and depth over the frames; without, it has none.
+TEST(SolidReport, Moving) {
+  const reye::support::TemporaryFolder dir;
+  solid_sample::write_run(dir.str());
+  for (const bool moves : {true, false}) {
+    write_solid_report(dir.str(), moves);
+    const std::string page = text(dir.str(), "report.html");
+    EXPECT_TRUE(sample::well_formed(page));
+    for (const char* id : {"moving-pressure-pad", "moving-depth-pad"})
+      EXPECT_EQ(holds(page, "<figure id=\"" + std::string(id) + "\">"), moves) << id;
+  }
 }

@@ -111,30 +111,11 @@ std::string bond_table(const RunData& run) {
   return html_table(head, rows, {4}) + (singular ? singular_note : "");
 }
 
-std::string life_table(const RunData& run) {
-  std::vector<Row> rows;
-  for (const auto& [name, cycles] : json_part(run.summary, "life_cycles").items())
-    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
-                              band_of(run, name)});
-  return html_table({"Limit", "life"}, rows);
-}
-
 std::string probe_table(const RunData& run) {
   std::vector<Row> rows;
   for (const auto& [name, u] : json_part(run.summary, "probes").items())
     rows.push_back({name, json_cell(u, "u_x_mm"), json_cell(u, "u_y_mm")});
   return html_table({"Probe", "u_x, mm", "u_y, mm"}, rows);
-}
-
-std::string error_table(const RunData& run) {
-  const Json& error = json_part(run.summary, "estimated_error");
-  std::vector<Row> rows;
-  for (const auto& [key, label] :
-       {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
-        std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
-        std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
-    if (json_part(error, key).is_number()) rows.push_back({label, json_cell(error, key, 2)});
-  return html_table({"Estimated relative error", ""}, rows);
 }
 
 std::string count_table(const RunData& run) {
@@ -163,6 +144,25 @@ Row remesh_cells(const Table& t, std::size_t i) {
 }
 
 }  // namespace
+
+std::string life_table(const RunData& run) {
+  std::vector<Row> rows;
+  for (const auto& [name, cycles] : json_part(run.summary, "life_cycles").items())
+    rows.push_back({name, (cycles.is_number() ? rounded(cycles.get<double>(), 6) + " cycles" : "not reached") +
+                              band_of(run, name)});
+  return html_table({"Limit", "life"}, rows);
+}
+
+std::string error_table(const RunData& run) {
+  const Json& error = json_part(run.summary, "estimated_error");
+  std::vector<Row> rows;
+  for (const auto& [key, label] :
+       {std::pair("cycle_jump", "of the cycle jump"), std::pair("discretisation", "of the mesh"),
+        std::pair("peak_pressure", "of the peak pressure, by the mesh"), std::pair("kinematics", "of small strain"),
+        std::pair("energy_norm", "of the stress in linear bodies, energy norm")})
+    if (json_part(error, key).is_number()) rows.push_back({label, json_cell(error, key, 2)});
+  return html_table({"Estimated relative error", ""}, rows);
+}
 
 std::string result_tables(const RunData& run) {
   if (!run.summary.is_object()) return {};

@@ -9,6 +9,12 @@ namespace reye::output {
 /// Key results of every contact, lives, probes, estimated errors.
 std::string result_tables(const RunData& run);
 
+/// The cycles of each limit, with the band of the scatter of wear.
+std::string life_table(const RunData& run);
+
+/// The errors that the run estimates of itself.
+std::string error_table(const RunData& run);
+
 /// The removed volume beside coefficient x work.
 std::string ledger_table(const RunData& run);
 

@@ -43,6 +43,33 @@ MapWords words_for(const SolidRunData& data, const std::string& contact, const F
           friction == data.run.identity.friction.end() ? std::nullopt : friction->second};
 }
 
+/// A value of one side.
+struct MovingValue {
+  bool secondary = true;
+  std::vector<double> DrawnSkin::*rows;
+};
+
+/// Adds the value over the frames, if it is ever above zero and there are two frames of it.
+void add_moving(const std::vector<DrawnSkins>& frames, const std::string& contact, const MovingValue& value,
+                const std::string& id, const std::string& title, std::vector<Figure>& all) {
+  const bool depth = value.rows == &DrawnSkin::wear_depth_mm;
+  double most = 0.0;
+  std::vector<MovingMap> moving;
+  for (const auto& frame : frames)
+    for (const auto& skin : frame.all)
+      if (skin.contact == contact && skin.secondary == value.secondary) {
+        const auto& rows = skin.*value.rows;
+        most = std::max(most, largest(rows));
+        moving.push_back(
+            {depth ? skin_map(skin, worn_rows(skin)) : skin_map(skin), rows, "cycle " + rounded(frame.cycle, 6)});
+      }
+  if (moving.size() < 2 || !(most > 0.0) || moving.back().map.triangles.empty()) return;
+  const Unit unit = depth ? length_unit(most) : Unit{1.0, "MPa"};
+  for (auto& frame : moving)
+    for (double& row : frame.rows) row *= unit.factor;
+  all.push_back(moving_map(moving, unit.name, id, title));
+}
+
 }  // namespace
 
 std::vector<Figure> contact_maps(const SolidRunData& data, const std::string& contact) {
@@ -71,6 +98,35 @@ std::vector<Figure> contact_maps(const SolidRunData& data, const std::string& co
   const SkinMap its_map = skin_map(rubbed);
   if (its_map.triangles.empty()) return all;
   for (const auto draw : {status_map, shear_map}) all.push_back(draw(its_map, rubbed, most));
+  return all;
+}
+
+std::vector<Figure> depth_maps(const SolidRunData& data, const std::string& contact) {
+  std::vector<Figure> all;
+  if (data.frames == 0) return all;
+  const auto skins = skins_of(data, data.frames - 1);
+  for (const auto& skin : skins.all) {
+    if (skin.contact != contact || !(largest(skin.wear_depth_mm) > 0.0)) continue;
+    const SkinMap map = skin_map(skin, worn_rows(skin));
+    if (!map.triangles.empty())
+      all.push_back(depth_map(
+          map, skin, words_for(data, contact, {data.frames - 1, skins.cycle}, skin.secondary ? "" : "-primary")));
+  }
+  return all;
+}
+
+std::vector<Figure> moving_maps(const SolidRunData& data, const std::string& contact) {
+  constexpr std::size_t most_frames = 40;
+  std::vector<Figure> all;
+  if (data.frames < 2) return all;
+  std::vector<DrawnSkins> frames;
+  for (const std::size_t k : evenly_chosen(data.frames, most_frames)) frames.push_back(skins_of(data, k));
+  const std::string before = before_titles(data, contact), id = file_part(contact);
+  add_moving(frames, contact, {true, &DrawnSkin::pressure_MPa}, "moving-pressure-" + id, before + "pressure", all);
+  add_moving(frames, contact, {true, &DrawnSkin::wear_depth_mm}, "moving-depth-" + id,
+             before + "worn depth, secondary side", all);
+  add_moving(frames, contact, {false, &DrawnSkin::wear_depth_mm}, "moving-depth-" + id + "-primary",
+             before + "worn depth, primary side", all);
   return all;
 }
 

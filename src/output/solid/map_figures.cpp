@@ -66,25 +66,34 @@ std::vector<double> map_levels(double top) {
   return nice_ticks(whole.low, whole.high, about).values;
 }
 
-/// Adds a value in bands over the facets that touch a row in contact.
-void add_bands(const SkinMap& map, const std::vector<double>& rows, const std::string& unit, Figure& figure) {
+/// Adds a value in bands over the facets that touch an active row, and the border of these rows.
+void add_bands(const SkinMap& map, const std::vector<double>& rows, const std::vector<double>& levels,
+               std::vector<Area>& areas, std::vector<Line>& lines) {
   const auto values = map.at_points(rows), contact = map.at_points({map.active.begin(), map.active.end()});
   std::vector<std::array<int, 3>> touching;
   const auto touches = [&](int point) { return contact[static_cast<std::size_t>(point)] > 0.0; };
   std::copy_if(map.triangles.begin(), map.triangles.end(), std::back_inserter(touching),
                [&](const auto& t) { return touches(t[0]) || touches(t[1]) || touches(t[2]); });
-  const auto levels = map_levels(largest(rows));
   const auto bands = isobands(map.x, values, touching, levels);
   for (std::size_t k = 0; k < bands.size(); ++k)
     if (!bands[k].empty())
-      figure.areas.push_back(
-          {.colour = scale_colour((static_cast<double>(k) + 0.5) / static_cast<double>(bands.size())),
-           .loops = bands[k]});
-  figure.scale = ColourScale{unit, {levels.front(), levels.back()}, static_cast<int>(levels.size()) - 1};
+      areas.push_back({.colour = scale_colour((static_cast<double>(k) + 0.5) / static_cast<double>(bands.size())),
+                       .loops = bands[k]});
   std::vector<char> open;
   for (const char active : map.active) open.push_back(!active);
-  figure.areas.push_back(region_of(map, open, no_contact_colour));
-  figure.lines.push_back(border_of(region_of(map, map.active, ""), 1.2));
+  areas.push_back(region_of(map, open, no_contact_colour));
+  lines.push_back(border_of(region_of(map, map.active, ""), 1.2));
+}
+
+ColourScale scale_of(const std::string& unit, const std::vector<double>& levels) {
+  return {unit, {levels.front(), levels.back()}, static_cast<int>(levels.size()) - 1};
+}
+
+/// The same in a figure with a scale of its own.
+void add_bands(const SkinMap& map, const std::vector<double>& rows, const std::string& unit, Figure& figure) {
+  const auto levels = map_levels(largest(rows));
+  add_bands(map, rows, levels, figure.areas, figure.lines);
+  figure.scale = scale_of(unit, levels);
 }
 
 /// The rows in contact nearest to the middles of an even grid, so that arrows keep apart.
@@ -191,6 +200,40 @@ Figure status_map(const SkinMap& map, const DrawnSkin& skin, const MapWords& wor
   figure.lines.push_back(legend_of("stick, " + area_in(1), stick_colour));
   figure.lines.push_back(legend_of("slip, " + area_in(2), slip_colour));
   figure.lines.push_back(legend_of("no contact", no_contact_colour));
+  return figure;
+}
+
+std::vector<char> worn_rows(const DrawnSkin& skin) {
+  constexpr double faint = 1e-3;
+  const double least = faint * largest(skin.wear_depth_mm);
+  std::vector<char> worn;
+  for (const double depth : skin.wear_depth_mm) worn.push_back(depth > least);
+  return worn;
+}
+
+Figure depth_map(const SkinMap& map, const DrawnSkin& skin, const MapWords& words) {
+  Figure figure =
+      empty_map(map, "map-depth-" + words.id,
+                words.before + "worn depth, " + (skin.secondary ? "secondary" : "primary") + " side, " + words.when);
+  auto depth = skin.wear_depth_mm;
+  const Unit unit = length_unit(largest(depth));
+  for (double& value : depth) value *= unit.factor;
+  add_bands(map, depth, unit.name, figure);
+  return figure;
+}
+
+Figure moving_map(const std::vector<MovingMap>& frames, const std::string& unit, const std::string& id,
+                  const std::string& title) {
+  Figure figure = empty_map(frames.back().map, id, title);
+  double top = 0.0;
+  for (const auto& frame : frames) top = std::max(top, largest(frame.rows));
+  const auto levels = map_levels(top);
+  figure.scale = scale_of(unit, levels);
+  for (const auto& frame : frames) {
+    Moment moment{.caption = frame.caption};
+    add_bands(frame.map, frame.rows, levels, moment.areas, moment.lines);
+    figure.moments.push_back(std::move(moment));
+  }
   return figure;
 }
 

@@ -28,6 +28,23 @@ Figure slip_map(const SkinMap& map, const DrawnSkin& skin, const MapWords& words
 /// Where the contact sticks and where it slips.
 Figure status_map(const SkinMap& map, const DrawnSkin& skin, const MapWords& words);
 
+/// The rows of a side that have worn, but for a thousandth of its largest depth.
+std::vector<char> worn_rows(const DrawnSkin& skin);
+
+/// The worn depth of a side about `worn_rows`.
+Figure depth_map(const SkinMap& map, const DrawnSkin& skin, const MapWords& words);
+
+/// A value on one side of a contact over the frames of a run.
+struct MovingMap {
+  SkinMap map;
+  std::vector<double> rows;
+  std::string caption;
+};
+
+/// The frames one after the other, seen as the last one is, with one scale.
+Figure moving_map(const std::vector<MovingMap>& frames, const std::string& unit, const std::string& id,
+                  const std::string& title);
+
 /// Pressure, shear and what friction allows along the principal lines.
 std::vector<Figure> line_profiles(const SkinMap& map, const DrawnSkin& skin, const MapWords& words);
 

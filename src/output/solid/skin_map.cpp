@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "output/solid/solid_words.hpp"
 
@@ -110,14 +111,20 @@ std::vector<double> SkinMap::at_points(std::vector<double> rows) const {
 }
 
 SkinMap skin_map(const DrawnSkin& skin) {
+  std::vector<char> touches;
+  for (const int status : skin.status) touches.push_back(status != 0);
+  return skin_map(skin, std::move(touches));
+}
+
+SkinMap skin_map(const DrawnSkin& skin, std::vector<char> active) {
   SkinMap map;
+  map.active = std::move(active);
   choose_axes(mean_normal(skin), map);
   for (const Vec3& X : skin.X) map.x.push_back(map.flat(X));
   double area = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < skin.X.size(); ++i) {
-    map.active.push_back(skin.status[i] != 0);
-    if (!map.active.back()) continue;
+    if (!map.active[i]) continue;
     area += skin.area_mm2[i];
     ++count;
   }
@@ -193,7 +200,11 @@ LineSamples sampled(const SkinMap& map, const std::vector<double>& values, const
 }
 
 std::string axis_label(const base::Vec3& direction) {
-  const std::string words = direction_in_words(direction);
+  constexpr double near = 0.999;  // within 2.5 degrees: the normal of a scar is nearly that of its face
+  Eigen::Index k = 0;
+  const bool along_axis = direction.cwiseAbs().maxCoeff(&k) > near * direction.norm();
+  const std::string words =
+      direction_in_words(along_axis ? Vec3(std::copysign(1.0, direction[k]) * Vec3::Unit(k)) : direction);
   return words.size() <= 2 ? words : "along " + words;
 }
 

@@ -17,9 +17,9 @@ struct SkinMap {
   base::Points x;                             ///< across, up [mm]
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise in the map; those that are seen
   std::vector<std::array<int, 4>> middles;    ///< of each point beyond the rows: the rows about it
-  std::vector<char> active;                   ///< of the rows: in contact
-  Range x_seen, y_seen;                       ///< about what is in contact, else about all of it
-  double spacing_mm = 0.0;                    ///< root of the mean area of a node in contact, else of the map over rows
+  std::vector<char> active;                   ///< of the rows: what the map is of, as those in contact
+  Range x_seen, y_seen;                       ///< about active rows, else about all of it
+  double spacing_mm = 0.0;                    ///< root of the mean area of an active row; 0 where none is
 
   /// Values of rows, continued to the middles by their means.
   std::vector<double> at_points(std::vector<double> rows) const;
@@ -27,8 +27,12 @@ struct SkinMap {
   base::Vec2 flat(const base::Vec3& v) const { return {across.dot(v), up.dot(v)}; }
 };
 
-/// The map of a side; without triangles where it has no facets that are seen along the mean normal.
+/// The map of a side about its rows in contact; without triangles where it has no facets that are seen along the mean
+/// normal.
 SkinMap skin_map(const DrawnSkin& skin);
+
+/// The same about other rows.
+SkinMap skin_map(const DrawnSkin& skin, std::vector<char> active);
 
 /// A straight line on a map, and where along it values are known [mm].
 struct MapLine {

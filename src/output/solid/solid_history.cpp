@@ -9,7 +9,7 @@ namespace reye::output {
 
 namespace {
 
-/// The axis of a history: each play of a step is one unit long.
+/// The axis of a history: cycles where plays stand for many of them, else each play of a step is one unit long.
 struct PlayAxis {
   std::vector<double> x;
   std::string label;
@@ -31,6 +31,8 @@ PlayAxis play_axis(const Table& history) {
   }
   std::string names;
   for (const auto& name : played) names += (names.empty() ? "" : ", ") + name;
+  const auto& cycle = history.column("cycle");
+  if (cycle.back() > plays + 1.5) return {cycle, "cycles"};
   const bool named = played.size() <= most_named && names.size() <= 60;
   axis.label = "plays of the steps, one after the other" + (named && !names.empty() ? ": " + names : "");
   return axis;
@@ -54,7 +56,11 @@ const std::vector<HistoryFigure> contact_figures{
      "N",
      {{"_normal_force_N", "normal"}, {"_tangential_force_N", "tangential", true}}},
     {"area", "Area in contact", "mm²", {{"_area_mm2", "contact"}, {"_stick_area_mm2", "sticks", true}}},
-    {"energy", "Energy dissipated since the start", "mJ", {{"_energy_mJ", ""}}}};
+    {"energy", "Energy dissipated since the start", "mJ", {{"_energy_mJ", ""}}},
+    {"depth",
+     "Largest worn depth",
+     "mm",
+     {{"_depth_max_secondary_mm", "secondary side"}, {"_depth_max_primary_mm", "primary side", true}}}};
 
 std::string label_of(const std::string& contact, const std::string& words, bool several) {
   if (!several) return words;
@@ -83,6 +89,13 @@ double largest_of(const std::vector<double>& values) {
   double most = 0.0;
   for (const double v : values) most = std::max(most, std::isfinite(v) ? std::abs(v) : 0.0);
   return most;
+}
+
+bool wears(const SolidRunData& data) {
+  for (const auto& contact : data.inputs.contacts)
+    for (const char* column : {"_depth_max_secondary_mm", "_depth_max_primary_mm"})
+      if (largest_of(data.run.history.column(contact + column)) > 0.0) return true;
+  return false;
 }
 
 /// The forces on the supports, without those that are nothing beside the largest.
@@ -160,7 +173,8 @@ std::vector<Figure> solid_history_figures(const SolidRunData& data) {
   if (data.run.history.rows() < 2) return all;
   const PlayAxis axis = play_axis(data.run.history);
   if (!data.inputs.contacts.empty())
-    for (const auto& wanted : contact_figures) all.push_back(contact_figure(data, wanted, axis));
+    for (const auto& wanted : contact_figures)
+      if (wanted.id != "depth" || wears(data)) all.push_back(contact_figure(data, wanted, axis));
   add_support_forces(data, axis, all);
   for (std::size_t k = 0; k < data.inputs.motions.size(); ++k) add_loop(data, data.inputs.motions[k], k + 1, all);
   return all;

@@ -26,7 +26,8 @@ std::string maps_section(const SolidRunData& data, const std::string& contact, c
                                  : "The scene asks for no frames for ParaView, from which maps are drawn.") +
            "</p>\n";
   return figure_grid(heading, maps) +
-         "<p class=\"quiet\">The secondary side on its stress-free shape, seen along its mean normal; the thin line is "
+         "<p class=\"quiet\">The secondary side, unless the other is named, on its stress-free shape, seen along its "
+         "mean normal; the thin line is "
          "the edge of the contact, half way between nodes. Arrows: the shear that acts on this side, and the path that "
          "this side slipped. "
          "Areas "
@@ -46,10 +47,15 @@ std::string solid_page(const SolidRunData& data, const std::vector<std::vector<F
 
 }  // namespace
 
-void write_solid_report(const std::string& dir) {
+void write_solid_report(const std::string& dir, bool animation) {
   const SolidRunData data = read_solid_run(dir);
   std::vector<std::vector<Figure>> maps;
-  for (const auto& contact : data.inputs.contacts) maps.push_back(contact_maps(data, contact));
+  for (const auto& contact : data.inputs.contacts) {
+    auto& all = maps.emplace_back(contact_maps(data, contact));
+    for (auto& map : depth_maps(data, contact)) all.push_back(std::move(map));
+    if (animation)
+      for (auto& map : moving_maps(data, contact)) all.push_back(std::move(map));
+  }
   const auto histories = solid_history_figures(data);
   std::string html;
   try {

@@ -1,10 +1,12 @@
 #include "output/solid/solid_report_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/folder/text.hpp"
 #include "output/report/html.hpp"
 #include "output/report/json_cells.hpp"
+#include "output/report/report_tables.hpp"
 
 namespace reye::output {
 
@@ -15,6 +17,32 @@ using SummaryJson = nlohmann::ordered_json;
 std::string half_width_cell(const SummaryJson& contact, std::size_t k) {
   const auto& widths = json_part(contact, "half_widths_mm");
   return widths.is_array() && widths.size() > k && widths[k].is_number() ? rounded(widths[k].get<double>()) : "–";
+}
+
+/// Rows of the sides that wear, and of the ledger.
+void add_sides(const SummaryJson& contacts, std::vector<Row>& rows) {
+  const auto add = [&](const std::string& label, const char* unit, auto cell) {
+    Row row{label};
+    for (const auto& contact : contacts) row.push_back(cell(contact));
+    row.push_back(unit);
+    rows.push_back(std::move(row));
+  };
+  bool any = false;
+  for (const std::string side : {"secondary", "primary"}) {
+    const bool worn = std::any_of(contacts.begin(), contacts.end(), [&](const SummaryJson& contact) {
+      const auto& depth = json_part(json_part(contact, side), "max_depth_mm");
+      return depth.is_number() && depth.get<double>() > 0.0;
+    });
+    any = any || worn;
+    if (!worn) continue;
+    add("Largest worn depth, " + side + " side", "µm",
+        [&](const SummaryJson& contact) { return json_cell(json_part(contact, side), "max_depth_mm", 5, 1e3); });
+    add("Worn volume, " + side + " side", "mm³",
+        [&](const SummaryJson& contact) { return json_cell(json_part(contact, side), "worn_volume_mm3"); });
+  }
+  if (any)
+    add("Ledger: volume lost against the law", "1",
+        [](const SummaryJson& contact) { return json_cell(contact, "ledger_relative_error", 2); });
 }
 
 std::string skin_contact_table(const SolidRunData& data) {
@@ -48,6 +76,7 @@ std::string skin_contact_table(const SolidRunData& data) {
         add(k == 0 ? "Half width, along its length" : "Half width, across", "mm",
             [&](const SummaryJson& contact) { return half_width_cell(contact, k); });
   }
+  add_sides(contacts, rows);
   return html_table(head, rows);
 }
 
@@ -125,7 +154,8 @@ std::string size_table(const SolidRunData& data) {
 
 std::string solid_result_tables(const SolidRunData& data) {
   const std::string supports = support_table(data);
-  const std::string right = solid_probe_table(data) + balance_table(data);
+  const std::string right =
+      life_table(data.run) + solid_probe_table(data) + error_table(data.run) + balance_table(data);
   if (!data.run.summary.is_object()) return page_section("Supports", supports);
   return "<h2>Results</h2>\n<div class=\"columns\">\n<div>" + skin_contact_table(data) + "</div>\n<div>" + right +
          "</div>\n</div>\n" + supports;
