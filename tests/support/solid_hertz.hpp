@@ -32,6 +32,7 @@ struct HertzCase {
   double elements = 6.0;  ///< per radius of the contact
   double nu = 0.3, mu = 0.0;
   bool half = false;       ///< a half model (symmetric in y alone), else a quarter
+  bool whole = false;      ///< neither
   bool two_balls = false;  ///< both faces curved, with the same relative curvature
   double E_MPa = 2.1e5, a_mm = 0.5, R_mm = 25.0, size_over_a = 8.0;
   double fine = 1.3, fine_depth = 0.5, growth = 1.35;  ///< even elements so far over a, then growing by this factor
@@ -39,7 +40,7 @@ struct HertzCase {
   double plane_modulus() const { return 0.5 * E_MPa / (1.0 - nu * nu); }                      ///< E* of the pair
   double force() const { return 4.0 * plane_modulus() * a_mm * a_mm * a_mm / (3.0 * R_mm); }  ///< of the whole ball
   double p0() const { return 1.5 * force() / (std::numbers::pi * a_mm * a_mm); }
-  double share() const { return half ? 0.5 : 0.25; }
+  double share() const { return whole ? 1.0 : half ? 0.5 : 0.25; }
 };
 
 /// The body above (sign 1) or below (-1) z = 0, its face "contact" curved with 1 / (2 R) times `curved`.
@@ -49,14 +50,16 @@ inline mesh::SolidMesh hertz_body(const HertzCase& c, double sign, double curved
   const auto deep = graded_places(c.a_mm / c.elements, c.fine_depth * c.a_mm, length, c.growth);
   const int n = static_cast<int>(at.size()) - 1, m = static_cast<int>(deep.size()) - 1;
   const auto map = [=](const Vec3& t) {
-    const double x = c.half ? (t.x() < 0.5 ? -place_at(at, 1.0 - 2.0 * t.x()) : place_at(at, 2.0 * t.x() - 1.0))
-                            : place_at(at, t.x());
-    const double y = place_at(at, t.y());
+    const auto mirrored = [&](double s) {
+      return s < 0.5 ? -place_at(at, 1.0 - 2.0 * s) : place_at(at, 2.0 * s - 1.0);
+    };
+    const double x = c.half || c.whole ? mirrored(t.x()) : place_at(at, t.x());
+    const double y = c.whole ? mirrored(t.y()) : place_at(at, t.y());
     const double depth = place_at(deep, sign > 0.0 ? t.z() : 1.0 - t.z());
     const double lift = curved * (x * x + y * y) / (2.0 * c.R_mm) * (1.0 - depth / length);
     return Vec3(x, y, sign * (depth + lift));
   };
-  auto mesh = block(c.kind, {c.half ? 2 * n : n, n, m}, Vec3::Ones(), map);
+  auto mesh = block(c.kind, {c.half || c.whole ? 2 * n : n, c.whole ? 2 * n : n, m}, Vec3::Ones(), map);
   mesh.faces["contact"] = mesh.faces.at(sign > 0.0 ? "z0" : "z1");
   mesh.faces["far"] = mesh.faces.at(sign > 0.0 ? "z1" : "z0");
   return mesh;
@@ -67,8 +70,8 @@ inline sim::SolidProblem hertz_problem(const HertzCase& c, double Q = 0.0) {
   auto flat = solid("flat", hertz_body(c, -1.0, c.two_balls ? 0.5 : 0.0), c.E_MPa, c.nu);
   auto ball = solid("ball", hertz_body(c, 1.0, c.two_balls ? 0.5 : 1.0), c.E_MPa, c.nu);
   for (auto* body : {&flat, &ball}) {
-    if (!c.half) body->supports.push_back(symmetry(body->name + "_x", "x0"));
-    body->supports.push_back(symmetry(body->name + "_y", "y0"));
+    if (!c.half && !c.whole) body->supports.push_back(symmetry(body->name + "_x", "x0"));
+    if (!c.whole) body->supports.push_back(symmetry(body->name + "_y", "y0"));
   }
   flat.supports.push_back(by_node("bottom", "far", {fixed_motion(), fixed_motion(), fixed_motion()}));
   body::SolidSupport top;
