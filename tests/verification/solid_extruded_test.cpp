@@ -1,4 +1,4 @@
-#include "support/extruded.hpp"
+#include "support/swept.hpp"
 #include "support/solid_problem.hpp"
 #include "verification/wear_scene.hpp"
 

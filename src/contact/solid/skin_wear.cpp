@@ -76,10 +76,12 @@ void SkinOpenings::spread(int k, double volume, std::vector<double>& primary) co
     primary[static_cast<std::size_t>(it.col())] += volume * it.value();
 }
 
-double SkinOpenings::depth_faced(int j, const std::vector<double>& primary, const Vector& area) const {
+double SkinOpenings::depth_faced(int j, const SkinWear& wear, const Vector& area) const {
   double depth = 0.0;
-  for (SkinRows::InnerIterator it(share_, j); it; ++it)
-    if (area[it.col()] > 0.0) depth += it.value() * primary[static_cast<std::size_t>(it.col())] / area[it.col()];
+  for (SkinRows::InnerIterator it(share_, j); it; ++it) {
+    const auto l = static_cast<std::size_t>(it.col());
+    if (area[it.col()] > 0.0) depth += it.value() * (wear.moved_primary[l] + wear.pending_primary[l] / area[it.col()]);
+  }
   return depth;
 }
 

@@ -13,10 +13,12 @@
 namespace reye::contact {
 
 /// What evolves in a contact that rubs and wears; a new member is entered in the list below, too. Volumes in mm^3 and
-/// work in mJ are stored, depth is derived: `removed` / nodal area on X.
+/// work in mJ are stored. The worn depth is what shape steps have moved and `pending` / nodal area on X; it is not
+/// `removed` / area, for areas change where faces are curved.
 struct SkinWear {
   std::vector<double> pending_secondary, pending_primary;  ///< removed volume per point that is still in the gap
   std::vector<double> removed_secondary, removed_primary;  ///< removed volume per point since the start
+  std::vector<double> moved_secondary, moved_primary;      ///< depth per point that shape steps have moved [mm]
   std::vector<double> slip;                                ///< path of slip per secondary point since the start [mm]
   std::vector<double> energy;                              ///< frictional work per secondary point since the start
   double frictional_work = 0.0;                            ///< all of it, whether wear was on or not, times the jump
@@ -36,6 +38,8 @@ void for_each_field(State& s, Visit visit) {
   visit(Field{"pending_primary", primary, derived, Corrected::wear}, s.pending_primary);
   visit(Field{"removed_secondary", secondary, summed, Corrected::wear}, s.removed_secondary);
   visit(Field{"removed_primary", primary, summed, Corrected::wear}, s.removed_primary);
+  visit(Field{"moved_secondary", secondary, interpolated}, s.moved_secondary);
+  visit(Field{"moved_primary", primary, interpolated}, s.moved_primary);
   visit(Field{"slip", secondary, interpolated, Corrected::doubled}, s.slip);
   visit(Field{"energy", secondary, summed, Corrected::work}, s.energy);
   visit(Field{"frictional_work", contact, stays, Corrected::doubled}, s.frictional_work);
@@ -44,7 +48,7 @@ void for_each_field(State& s, Visit visit) {
   visit(Field{"strip_secondary", contact, stays}, s.strip_secondary);
   visit(Field{"strip_primary", contact, stays}, s.strip_primary);
   // A member that is added to the struct and not to the list does not compile here.
-  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11] = s;
+  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = s;
 }
 
 /// Nothing worn yet.
@@ -89,8 +93,8 @@ class SkinOpenings {
   const SkinRows& per_primary() const { return per_primary_; }
   /// The volume that secondary point k takes from the primary side, spread over its points.
   void spread(int k, double volume, std::vector<double>& primary) const;
-  /// Depth of the primary side at what a secondary point faces, by volumes removed there [mm].
-  double depth_faced(int j, const std::vector<double>& primary, const base::Vector& area) const;
+  /// Worn depth of the primary side at what a secondary point faces [mm].
+  double depth_faced(int j, const SkinWear& wear, const base::Vector& area) const;
 
  private:
   SkinRows per_secondary_, per_primary_;

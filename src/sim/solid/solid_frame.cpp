@@ -43,7 +43,7 @@ SkinRecord empty_record(const contact::SkinSetup& setup, const contact::SkinWear
   record.pressure_MPa.assign(count, 0.0);
   record.area_mm2.assign(count, 0.0);
   record.status.assign(count, 0);
-  record.wear_depth_mm = skin_depths(own, side == Side::secondary ? wear.removed_secondary : wear.removed_primary);
+  record.wear_depth_mm = worn_depths(setup, wear, side);
   return record;
 }
 

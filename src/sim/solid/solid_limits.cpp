@@ -10,8 +10,11 @@ namespace reye::sim {
 
 namespace {
 
-double measure_of(const scene::Limit& limit, const contact::SkinSide& side, const std::vector<double>& removed) {
-  return limit.depth_mm ? deepest_of(side, removed) : std::accumulate(removed.begin(), removed.end(), 0.0);
+double measure_of(const scene::Limit& limit, const contact::SkinSetup& setup, const contact::SkinWear& wear,
+                  Side side) {
+  if (limit.depth_mm) return deepest_worn(setup, wear, side);
+  const auto& removed = side == Side::secondary ? wear.removed_secondary : wear.removed_primary;
+  return std::accumulate(removed.begin(), removed.end(), 0.0);
 }
 
 }  // namespace
@@ -24,8 +27,8 @@ std::map<std::string, double> solid_limit_measures(const SolidProblem& problem, 
       const auto& setup = system.contacts[c];
       if (setup.options.name != limit.contact) continue;
       const auto& wear = state.solution.wear[c];
-      const double secondary = measure_of(limit, setup.secondary, wear.removed_secondary);
-      const double primary = measure_of(limit, setup.primary, wear.removed_primary);
+      const double secondary = measure_of(limit, setup, wear, Side::secondary);
+      const double primary = measure_of(limit, setup, wear, Side::primary);
       measures[limit.name] = limit.side == "secondary" ? secondary
                              : limit.side == "primary" ? primary
                                                        : secondary + primary;

@@ -83,8 +83,8 @@ SkinContactRow contact_row(const solver::SolidSystem& system, const SolidRunStat
   row.tangential_force_N = shear.norm();
   row.energy_mJ = energy_of(state, c);
   if (!setup.options.wear.wears()) return row;
-  row.depth_secondary_mm = deepest_of(setup.secondary, state.solution.wear[c].removed_secondary);
-  row.depth_primary_mm = deepest_of(setup.primary, state.solution.wear[c].removed_primary);
+  row.depth_secondary_mm = deepest_worn(setup, state.solution.wear[c], Side::secondary);
+  row.depth_primary_mm = deepest_worn(setup, state.solution.wear[c], Side::primary);
   return row;
 }
 

@@ -27,8 +27,7 @@ double deepest(const solver::SolidSystem& system, const SolidRunState& state) {
     const auto& setup = system.contacts[c];
     const auto& wear = state.solution.wear[c];
     if (setup.options.wear.wears())
-      depth = std::max({depth, deepest_of(setup.secondary, wear.removed_secondary),
-                        deepest_of(setup.primary, wear.removed_primary)});
+      depth = std::max({depth, deepest_worn(setup, wear, Side::secondary), deepest_worn(setup, wear, Side::primary)});
   }
   return depth;
 }

@@ -89,18 +89,22 @@ WornFaces worn_faces(const SolidProblem& problem, const solver::SolidSystem& sys
   return worn;
 }
 
-/// Enters the strips in the ledger, and empties the gaps; `ratio` per body: strip over waiting volume.
+/// Enters the strips in the ledger, their depth at the points, and empties the gaps; `ratio` per body: strip over
+/// waiting volume.
 void book_strips(const solver::SolidSystem& system, const std::vector<double>& ratio, SolidRunState& state) {
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     auto& wear = state.solution.wear[c];
-    const auto book = [&](const contact::SkinSide& side, std::vector<double>& pending, double& strip) {
+    const auto book = [&](const contact::SkinSide& side, std::vector<double>& pending, std::vector<double>& moved,
+                          double& strip) {
+      const auto area = point_areas(side);
       for (std::size_t i = 0; i < pending.size(); ++i) {
+        if (area[i] > 0.0) moved[i] += pending[i] / area[i];
         strip += pending[i] * ratio[static_cast<std::size_t>(side.points[i].body)];
         pending[i] = 0.0;
       }
     };
-    book(system.contacts[c].secondary, wear.pending_secondary, wear.strip_secondary);
-    book(system.contacts[c].primary, wear.pending_primary, wear.strip_primary);
+    book(system.contacts[c].secondary, wear.pending_secondary, wear.moved_secondary, wear.strip_secondary);
+    book(system.contacts[c].primary, wear.pending_primary, wear.moved_primary, wear.strip_primary);
   }
 }
 

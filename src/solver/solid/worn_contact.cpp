@@ -14,8 +14,8 @@ wear::Start start_of(const contact::SkinPlace& place, const contact::SkinWear& b
                     .area = place.area[static_cast<Eigen::Index>(j)],
                     .path = before.slip[j],
                     .cycle = wearing.cycle};
-  start.depth_secondary = before.removed_secondary[j] / start.area;
-  start.depth_primary = openings.depth_faced(static_cast<int>(j), before.removed_primary, primary_area);
+  start.depth_secondary = before.moved_secondary[j] + before.pending_secondary[j] / start.area;
+  start.depth_primary = openings.depth_faced(static_cast<int>(j), before, primary_area);
   return start;
 }
 
