@@ -45,7 +45,7 @@ sim::SolidRunState made_up_state() {
   place.frame = {{base::Vec3::UnitZ(), {base::Vec3::UnitX(), base::Vec3::UnitY()}, 1}, {}};
   place.carries = {1, 0};
   solved.place = {place};
-  solved.nodes = {{{{1.0, 2.0, 3.0}, 0.125, {4.0, 5.0, 6.0}}, {}}};
+  solved.nodes = {{{{1.0, 2.0, 3.0}, 0.125, {4.0, 5.0, 6.0}, 0.5}, {}}};
   s.solved = solved;
   s.factors = {{"press", 1.0}, {"slide", -0.5}};
   s.held = {{"press", 0.75}};
@@ -55,6 +55,7 @@ sim::SolidRunState made_up_state() {
   s.jump = 8.0;
   s.jump_rate = 0.25;
   s.block_cycles = 4.0;
+  s.share_per_cycle = 0.125;
   s.jump_error = 0.01;
   s.points = {{{{0, 1}, {0, 2}}, {{1, 3}}}};
   contact::SkinWear wear;
@@ -132,6 +133,7 @@ TEST(SolidArchive, EveryMemberCounts) {
       [](State& s) { s.jump_error.reset(); },
       [](State& s) { s.jump = s.jump_rate = 0.0; },
       [](State& s) { s.block_cycles = 0.0; },
+      [](State& s) { s.share_per_cycle = 0.0; },
       [](State& s) { s.step_blocks = 0; },
       [](State& s) { s.life_cycles.clear(); },
       [](State& s) { s.life_error.clear(); },

@@ -16,14 +16,19 @@ struct SkinNode {
   base::Vec3 traction = base::Vec3::Zero();  ///< [MPa]
   double gap = 0.0;                          ///< -n.w, opened by wear, this increment's included [mm]
   base::Vec3 slip = base::Vec3::Zero();      ///< of this increment, across the normal [mm]
+  double own_wear = 0.0;                     ///< how the gap opens by the point's own wear, per pressure [mm/MPa]
 };
 
 inline double pressure(const SkinNode& node, const SkinFrame& frame) { return node.traction.dot(frame.normal); }
 inline base::Vec3 shear(const SkinNode& node, const SkinFrame& frame) { return frame.across(node.traction); }
 
-/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where the trial value p - c g > 0.
+/// c against normal motion, softened by the point's own wear as by a spring in series: beside strong wear c alone would
+/// make much of gaps that little pressure closes.
+inline double softened(const SkinNode& node, double c) { return c / (1.0 + c * node.own_wear); }
+
+/// Signorini: p >= 0, g >= 0, p g = 0 as p = max(0, p - c g): closed where the trial value p - c g > 0, c softened.
 inline double trial_pressure(const SkinNode& node, const SkinFrame& frame, double c) {
-  return pressure(node, frame) - c * node.gap;
+  return pressure(node, frame) - softened(node, c) * node.gap;
 }
 
 /// y = z_t + c u_t: what the shear would be without slip.
@@ -61,11 +66,12 @@ inline SlipStep slip_step(const SkinNode& node, const SkinFrame& frame, double m
   return step;
 }
 
-/// How far a point is from its conditions [MPa]: c times the gap, c times the slip of sticking points, and the distance
-/// of the shear from the cone of slipping ones; of an open point its traction.
+/// How far a point is from its conditions [MPa]: softened c times the gap, c times the slip of sticking points, and the
+/// distance of the shear from the cone of slipping ones; of an open point its traction.
 inline double violation(const SkinNode& node, const SkinFrame& frame, SkinStatus status, double mu, double c) {
-  if (status == SkinStatus::open) return std::max(node.traction.norm(), -c * std::min(0.0, node.gap));
-  const double normal = c * std::abs(node.gap);
+  const double soft = softened(node, c);
+  if (status == SkinStatus::open) return std::max(node.traction.norm(), -soft * std::min(0.0, node.gap));
+  const double normal = soft * std::abs(node.gap);
   if (status == SkinStatus::stick) return std::max(normal, mu > 0.0 ? c * node.slip.norm() : 0.0);
   const auto step = slip_step(node, frame, mu, c);
   const base::Vec3 off = shear(node, frame) - mu * std::max(0.0, pressure(node, frame)) * step.d;

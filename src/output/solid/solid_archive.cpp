@@ -27,8 +27,8 @@ void serialize(Archive& archive, SkinPlace& s) {
 
 template <class Archive>
 void serialize(Archive& archive, SkinNode& s) {
-  auto& [traction, gap, slip] = s;
-  archive(traction, gap, slip);
+  auto& [traction, gap, slip, own_wear] = s;
+  archive(traction, gap, slip, own_wear);
 }
 
 template <class Archive>
@@ -66,12 +66,12 @@ void serialize(Archive& archive, SkinPoints& s) {
 template <class Archive>
 void serialize(Archive& archive, SolidRunState& s) {
   auto& [solution, points, meshes, born, touchable, solved, factors, held, block_wear, step, increment, step_cycles,
-         cycle, step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles,
-         life_error, limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained,
-         mortar_s, interface_s, factor_s, shape_s] = s;
+         cycle, step_blocks, jump, jump_rate, share_per_cycle, block_cycles, jump_error, energy_last_cycle, slid,
+         life_cycles, life_error, limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force,
+         retained, mortar_s, interface_s, factor_s, shape_s] = s;
   archive(solution, points, touchable, solved, factors, held, block_wear, step, increment, step_cycles, cycle,
-          step_blocks, jump, jump_rate, block_cycles, jump_error, energy_last_cycle, slid, life_cycles, life_error,
-          limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained);
+          step_blocks, jump, jump_rate, share_per_cycle, block_cycles, jump_error, energy_last_cycle, slid, life_cycles,
+          life_error, limit_measure, warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained);
   static_cast<void>(meshes), static_cast<void>(born);  // beside the state, those alone that are not as drawn
   static_cast<void>(mortar_s), static_cast<void>(interface_s), static_cast<void>(factor_s);  // of one process
   static_cast<void>(shape_s);

@@ -43,8 +43,8 @@ void check_place_in_steps(const SolidProblem& problem, const SolidRunState& stat
   require(state.increment == 0 || (counted(state.increment, corners - 1) && !is_over(*step, state)),
           "it is at an increment that the step lacks");
   require(finite(state.cycle) && state.cycle >= 0.0, "its number of cycles is not a number");
-  require(finite(state.jump) && finite(state.jump_rate) && finite(state.block_cycles) && state.jump >= 0.0 &&
-              state.block_cycles >= 0.0,
+  require(finite(state.jump) && finite(state.jump_rate) && finite(state.block_cycles) &&
+              finite(state.share_per_cycle) && state.jump >= 0.0 && state.block_cycles >= 0.0,
           "its blocks have no number of cycles");
 }
 
@@ -126,7 +126,7 @@ void check_solution(const solver::SolidSolution& solution, const solver::SolidSy
     require(solution.nodes[c].size() == static_cast<std::size_t>(system.contacts[c].count()),
             "contact " + system.contacts[c].options.name + " has a value too many or too few");
     for (const auto& node : solution.nodes[c])
-      require(finite(node.traction) && finite(node.gap) && finite(node.slip),
+      require(finite(node.traction) && finite(node.gap) && finite(node.slip) && finite(node.own_wear),
               "contact " + system.contacts[c].options.name + " has a value that is not a number");
   }
 }

@@ -89,8 +89,7 @@ class March {
     if (!span.cycles) return span;
     const double left = cycles_left(step, state_);
     if (under_tolerance(step))
-      span.jump = fitted(problem_.scene.frames, state_.cycle,
-                         std::min(state_.jump > 0.0 ? state_.jump : step.jump, step.jump_most), left);
+      span.jump = fitted(problem_.scene.frames, state_.cycle, std::min(next_jump(step), step.jump_most), left);
     else
       span.jump = std::min(state_.block_cycles > 0.0 ? state_.block_cycles : step.jump, left);
     span.last = left - span.jump <= round_off * step.cycles;
@@ -99,6 +98,15 @@ class March {
                            block_of(step, now(), {state_.cycle + span.jump, state_.step_cycles + span.jump},
                                     state_.step_blocks + 1, span.last));
     return span;
+  }
+
+  /// The cycles that a block under a tolerance is tried with. However exact its wear, no block wears more than a part
+  /// of an element: the shape could not follow.
+  double next_jump(const scene::Step& step) const {
+    constexpr double most_share = 0.3;
+    const double jump = state_.jump > 0.0 ? state_.jump : step.jump;
+    if (!problem_.scene.shape || !(state_.share_per_cycle > 0.0)) return jump;
+    return std::min(jump, std::max(1.0, most_share / state_.share_per_cycle));
   }
 
   /// Cycles of the run, and of its present step.
@@ -146,6 +154,7 @@ class March {
   bool next_block(const scene::Step& step) {
     if (state_.increment == 0) state_.block_wear = state_.solution.wear;
     const Reached before = now();
+    const double waiting = pending_share(player_->system(), state_);
     SolidOutcome outcome = play_to_limit(next_span(step));
     state_ = std::move(outcome.state);
     failure_ = outcome.failure;
@@ -155,6 +164,8 @@ class March {
     finish_block(step, before.cycle);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
+    if (const double cycles = state_.cycle - before.cycle; cycles > 0.0)
+      state_.share_per_cycle = std::max(0.0, pending_share(player_->system(), state_) - waiting) / cycles;
     if (step.wear && problem_.scene.shape && !move_shapes(step, last)) return false;
     if (frame_due(problem_.scene.frames, block_of(step, before, now(), state_.step_blocks, last)))
       show(step.name, {state_.cycle, 1.0});

@@ -28,6 +28,7 @@ struct SolidRunState {
   long step_blocks = 0;              ///< blocks done of this step
   double jump = 0.0;                 ///< cycles that the next block is tried with under a tolerance; 0: the first
   double jump_rate = 0.0;            ///< error of the last block over its share of all wear; 0: none
+  double share_per_cycle = 0.0;      ///< `pending_share` that a cycle of the last block added
   double block_cycles = 0.0;         ///< where a fixed jump was too long in this step, the cycles that worked
   std::optional<double> jump_error;  ///< error of the blocks under a tolerance, as far as known
   std::vector<double> energy_last_cycle_mJ;  ///< dissipated in a cycle of the last block, per contact

@@ -97,7 +97,7 @@ void SolidIterate::evaluate() {
       // Without friction the halves beside a plane of symmetry may slide across it alike.
       const Vec3& imposed = target_.slip[c][j];
       const Vec3 slid = target_.friction[c] > 0.0 ? frame.across(imposed) : frame.tangential(imposed);
-      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j]) + slid};
+      nodes_[c][j] = {now_.traction[c][j], -frame.normal.dot(w[j]), frame.across(slip[j]) + slid, 0.0};
       if (worn_[c].opened_before.size() > 0) nodes_[c][j].gap += worn_[c].opened_before[static_cast<Eigen::Index>(j)];
     }
   }

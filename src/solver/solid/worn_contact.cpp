@@ -1,5 +1,7 @@
 #include "solver/solid/worn_contact.hpp"
 
+#include <algorithm>
+
 namespace reye::solver {
 
 namespace {
@@ -38,16 +40,14 @@ void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& plac
                  const contact::SkinWearing& wearing, const std::vector<char>& wears,
                  std::vector<contact::SkinNode>& nodes, WornContact& contact) {
   contact.worn.assign(nodes.size(), {});
-  bool any = false;
   for (std::size_t j = 0; j < nodes.size(); ++j) {
     // At no pressure, as where a point has just closed, there is no wear yet, but its derivative is there.
     if (!wears[j] || !(contact::pressure(nodes[j], place.frame[j]) >= 0.0)) continue;
     contact.worn[j] =
         contact::worn_at(setup.options.wear, nodes[j], place.frame[j], place.covered[static_cast<Eigen::Index>(j)],
                          start_of(place, before, wearing, contact.openings, setup.primary_area, j));
-    any = any || contact.worn[j].any();
   }
-  if (!any || !setup.options.implicit_wear) return;
+  if (!setup.options.implicit_wear) return;
   const auto as_vector = [](const std::vector<double>& v) {
     return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
   };
@@ -55,7 +55,14 @@ void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& plac
   const auto primary = volumes(contact.worn, &contact::SkinWorn::primary);
   const Vector opened =
       contact.openings.per_secondary() * as_vector(secondary) + contact.openings.per_primary() * as_vector(primary);
-  for (std::size_t j = 0; j < nodes.size(); ++j) nodes[j].gap += opened[static_cast<Eigen::Index>(j)];
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const auto k = static_cast<int>(j);
+    const base::Vec3& normal = place.frame[j].normal;
+    nodes[j].gap += opened[k];
+    nodes[j].own_wear =
+        std::max(0.0, contact.openings.per_secondary().coeff(k, k) * contact.worn[j].secondary.of_traction.dot(normal) +
+                          contact.openings.per_primary().coeff(k, k) * contact.worn[j].primary.of_traction.dot(normal));
+  }
 }
 
 void add_wear_rows(const contact::SkinSetup& setup, const WornContact& contact, int number,
