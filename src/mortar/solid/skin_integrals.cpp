@@ -136,6 +136,18 @@ SparseMatrix assembled(const SkinSides& sides, const FacetBlocks& all, const std
   return matrix;
 }
 
+/// Takes away the multipliers of points that are hardly covered; whether there were any.
+bool drop_bare(const Vector& covered, const Vector& area, std::vector<char>& carries) {
+  bool dropped = false;
+  for (std::size_t j = 0; j < carries.size(); ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    if (!carries[j] || (covered[i] >= least_covered * area[i] && covered[i] > 0.0)) continue;
+    carries[j] = 0;
+    dropped = true;
+  }
+  return dropped;
+}
+
 void assemble(const SkinSides& sides, const FacetBlocks& all, SkinIntegrals& out) {
   const std::size_t own = sides.secondary.x.size(), others = sides.primary.x.size();
   out.D = assembled(sides, all, out.carries, own, [&](const FacetBlock& block, int j, auto add) {
@@ -170,16 +182,19 @@ SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOp
   const SkinSides sides{secondary, primary, normals, around, options.search_mm};
   SkinWorkspace w;
   SkinIntegrals out;
-  const auto before = eligible(secondary, options.dual);
+  out.carries = eligible(secondary, options.dual);
   out.area = nodal_areas(secondary);
-  auto all = all_facets(sides, pairs, before, w);
-  out.carries = before;
-  for (std::size_t j = 0; j < before.size(); ++j) {
-    const auto i = static_cast<Eigen::Index>(j);
-    if (!(all.covered[i] >= least_covered * out.area[i]) || all.covered[i] <= 0.0) out.carries[j] = 0;
+  auto all = all_facets(sides, pairs, out.carries, w);
+  auto before = out.carries;
+  bool bare = drop_bare(all.covered, out.area, out.carries);
+  for (;;) {
+    if (bare) renew(sides, pairs, before, out.carries, w, all);
+    assemble(sides, all, out);
+    before = out.carries;
+    // The basis beside a point that lost its multiplier is another one, and may leave its neighbours bare.
+    bare = drop_bare(out.covered, out.area, out.carries);
+    if (!bare) break;
   }
-  renew(sides, pairs, before, out.carries, w, all);
-  assemble(sides, all, out);
   out.covers.assign(secondary.facets.size(), 0);
   for (const auto& block : all.blocks) out.covers[block.facet] = 1;
   out.normal = nodal_normals(secondary, out.covers);
