@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-/// The limits of a run, as the command tells them at its end: a summary of the plane or of solids.
+/// The limits of a run, as the command reports them at its end: a summary of the plane or of solids.
 namespace reye::apps {
 
 template <class Summary>

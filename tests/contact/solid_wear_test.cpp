@@ -76,7 +76,7 @@ TEST(SkinWearFields, EachIsInTheListOnce) {
   contact::SkinWear wear;
   std::vector<std::string> names;
   contact::for_each_field(wear, [&](const contact::Field& field, const auto&) { names.emplace_back(field.name); });
-  EXPECT_EQ(names.size(), 13u);
+  EXPECT_EQ(names.size(), 14u);
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }

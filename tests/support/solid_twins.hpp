@@ -131,7 +131,7 @@ inline sim::SolidProblem drawn_out(const sim::Problem& plane, const DrawnOut& ho
 struct WornTwins {
   double depth = 0.0, volume = 0.0;  ///< relative
   double profile = 0.0;              ///< root of the mean square over the nodes that wear, over the largest depth; 0
-                         ///< where the plane was remeshed
+                                     ///< where the plane was remeshed
   double plane_s = 0.0, solid_s = 0.0;
   double plane_depth_mm = 0.0;
   PlayedSolids solid;

@@ -1,5 +1,5 @@
-#include "support/swept.hpp"
 #include "support/solid_problem.hpp"
+#include "support/swept.hpp"
 #include "verification/wear_scene.hpp"
 
 using namespace reye;

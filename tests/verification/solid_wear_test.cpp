@@ -205,7 +205,7 @@ TEST(SolidWear, StrongWearNeedsFewIterations) {
 
 TEST(SolidWear, HexahedraWearUntilTheyArePoor) {
   // Hexahedra are not remeshed: they wear beyond the depth at which tetrahedra would be, to the law's volume. One that
-  // is worn through ends its run with the cause, and what is shown last is the last good state; progress tells its
+  // is worn through ends its run with the cause, and what is shown last is the last good state; progress reports its
   // depth.
   SlidingBlocks blocks;
   blocks.alpha_primary = 0.0;

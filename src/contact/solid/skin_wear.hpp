@@ -19,10 +19,13 @@ struct SkinWear {
   std::vector<double> pending_secondary, pending_primary;  ///< removed volume per point that is still in the gap
   std::vector<double> removed_secondary, removed_primary;  ///< removed volume per point since the start
   std::vector<double> moved_secondary, moved_primary;      ///< depth per point that shape steps have moved [mm]
-  std::vector<double> slip;                                ///< path of slip per secondary point since the start [mm]
-  std::vector<double> energy;                              ///< frictional work per secondary point since the start
-  double frictional_work = 0.0;                            ///< all of it, whether wear was on or not, times the jump
-  double worn_work = 0.0;                                  ///< the part that wear acted on
+  /// Opening of the gap per secondary point [mm] by what the meshes of worn faces lack: far less than an element, but
+  /// not than what bodies yield.
+  std::vector<double> fit;
+  std::vector<double> slip;      ///< path of slip per secondary point since the start [mm]
+  std::vector<double> energy;    ///< frictional work per secondary point since the start
+  double frictional_work = 0.0;  ///< all of it, whether wear was on or not, times the jump
+  double worn_work = 0.0;        ///< the part that wear acted on
   double law_volume = 0.0;       ///< volume that the law asks for, both sides (wear::Ledger::asked)
   double strip_secondary = 0.0;  ///< volume removed by shape steps, measured as strips
   double strip_primary = 0.0;
@@ -40,6 +43,7 @@ void for_each_field(State& s, Visit visit) {
   visit(Field{"removed_primary", primary, summed, Corrected::wear}, s.removed_primary);
   visit(Field{"moved_secondary", secondary, interpolated}, s.moved_secondary);
   visit(Field{"moved_primary", primary, interpolated}, s.moved_primary);
+  visit(Field{"fit", secondary, interpolated}, s.fit);
   visit(Field{"slip", secondary, interpolated, Corrected::doubled}, s.slip);
   visit(Field{"energy", secondary, summed, Corrected::work}, s.energy);
   visit(Field{"frictional_work", contact, stays, Corrected::doubled}, s.frictional_work);
@@ -48,7 +52,7 @@ void for_each_field(State& s, Visit visit) {
   visit(Field{"strip_secondary", contact, stays}, s.strip_secondary);
   visit(Field{"strip_primary", contact, stays}, s.strip_primary);
   // A member that is added to the struct and not to the list does not compile here.
-  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13] = s;
+  [[maybe_unused]] const auto& [m1, m2, m3, m4, m5, m6, m7, m8, m9, m10, m11, m12, m13, m14] = s;
 }
 
 /// Nothing worn yet.

@@ -89,7 +89,7 @@ ColourScale scale_of(const std::string& unit, const std::vector<double>& levels)
   return {unit, {levels.front(), levels.back()}, static_cast<int>(levels.size()) - 1};
 }
 
-/// The same in a figure with a scale of its own.
+/// Adds bands to a figure with a scale of its own.
 void add_bands(const SkinMap& map, const std::vector<double>& rows, const std::string& unit, Figure& figure) {
   const auto levels = map_levels(largest(rows));
   add_bands(map, rows, levels, figure.areas, figure.lines);

@@ -31,7 +31,7 @@ struct SkinMap {
 /// normal.
 SkinMap skin_map(const DrawnSkin& skin);
 
-/// The same about other rows.
+/// The map of a side about other rows.
 SkinMap skin_map(const DrawnSkin& skin, std::vector<char> active);
 
 /// A straight line on a map, and where along it values are known [mm].

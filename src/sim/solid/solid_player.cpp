@@ -12,6 +12,7 @@
 #include "sim/solid/solid_drive.hpp"
 #include "sim/solid/solid_plan.hpp"
 #include "sim/solid/warn_solid.hpp"
+#include "solver/solid/fit_gaps.hpp"
 
 namespace reye::sim {
 
@@ -95,6 +96,7 @@ void SolidPlayer::reshape(SolidRunState& state, SolidMeshes meshes) {
   state.meshes = std::move(meshes);
   build(state);
   state.solution.u = solver::displacements_of(system(), state.solution);
+  solver::fit_gaps(system(), state.solution);
 }
 
 void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable touchable) {
@@ -106,6 +108,8 @@ void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable tou
 }
 
 std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
+  state.solution.u = solver::displacements_of(system(), state.solution);
+  solver::fit_gaps(system(), state.solution);
   auto target = target_at(problem_, system(), state.solution, state.factors, step, {state.cycle, 1.0}, 1.0, 1.0);
   for (auto& wearing : target.wear) wearing.on = false;
   const solver::SolidOptions options{.max_newton = 2 * problem_.scene.max_newton};

@@ -1,11 +1,14 @@
 #include "sim/solid/solid_redraw.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include "adapt/solid/skin_transfer.hpp"
 #include "adapt/solid/solid_remesh.hpp"
 #include "adapt/solid/solid_triggers.hpp"
+#include "base/formatted.hpp"
+#include "sim/problem/warnings.hpp"
 
 namespace reye::sim {
 
@@ -149,6 +152,44 @@ void carry_onto(const solver::SolidSystem& system, const std::vector<Sides>& bef
   state.block_wear = state.solution.wear;
 }
 
+/// How far the pressures of a contact are from those that were carried onto its points: root of the mean square over
+/// the points that press before or after, over the mean.
+double pressure_change(const solver::SolidSolution& solved, const Points3& carried, std::size_t c) {
+  double squares = 0.0, force = 0.0, area = 0.0;
+  for (int j = 0; j < solved.place[c].count(); ++j) {
+    const Vec3& normal = solved.place[c].frame[j].normal;
+    const double now = normal.dot(solved.state.traction[c][j]), before = normal.dot(carried[j]);
+    if (!(now > 0.0) && !(before > 0.0)) continue;
+    const double covered = solved.place[c].covered[j];
+    squares += covered * (now - before) * (now - before);
+    force += covered * now;
+    area += covered;
+  }
+  return force > 0.0 ? std::sqrt(squares * area) / force : 0.0;
+}
+
+void tell_changes(const SolidProblem& problem, const std::vector<Points3>& carried, const SolidObserver& observer,
+                  SolidRunState& state) {
+  constexpr double much = 0.05;
+  for (std::size_t c = 0; c < carried.size(); ++c) {
+    const std::string& name = problem.contacts[c].options.name;
+    const double change = pressure_change(*state.solved, carried[c], c);
+    double fit = 0.0;
+    for (const double by : state.solution.wear[c].fit) fit = std::max(fit, std::abs(by));
+    if (observer.log)
+      observer.log(
+          base::formatted("contact %s on the fresh mesh: pressures differ by %.2g %% of their mean, gaps are "
+                          "fitted by up to %.2g mm",
+                          name.c_str(), 100.0 * change, fit));
+    if (change > much)
+      warn(state.warnings, {"remesh", "contact " + name,
+                            base::formatted("At cycle %.9g a fresh mesh changed the pressures by %.2g %% of their "
+                                            "mean. A smaller size_mm in its fine zone changes them less.",
+                                            state.cycle, 100.0 * change),
+                            change / much});
+  }
+}
+
 }  // namespace
 
 std::string why_redraw(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
@@ -156,7 +197,7 @@ std::string why_redraw(const mesh::SolidMesh& worn, const mesh::SolidMesh& born)
 }
 
 std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, MovedSolids moved, const scene::Step& step,
-                          SolidRunState& state) {
+                          const SolidObserver& observer, SolidRunState& state) {
   const auto before = sides_on(problem, moved.meshes, player.assembly().columns);
   const SolidRunState old = state;
   std::vector<char> fresh(moved.meshes.size(), 0);
@@ -172,7 +213,10 @@ std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, Move
   }
   player.redraw(state, moved.meshes, touchable_after(problem, moved.meshes, fresh, before, old.touchable));
   carry_onto(player.system(), before, fresh, old, state);
-  return player.settle(state, step);
+  const auto carried = state.solution.traction;
+  if (auto why = player.settle(state, step); !why.empty()) return why;
+  tell_changes(problem, carried, observer, state);
+  return {};
 }
 
 }  // namespace reye::sim

@@ -147,7 +147,7 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
   for (std::size_t b = 0; b < moved.reasons.size(); ++b)
     if (observer.log && asks(moved.reasons[b]))
       observer.log("body " + problem.inputs[b].name + " is remeshed: " + moved.reasons[b]);
-  return redraw_bodies(problem, player, std::move(moved), step, state);
+  return redraw_bodies(problem, player, std::move(moved), step, observer, state);
 }
 
 }  // namespace reye::sim

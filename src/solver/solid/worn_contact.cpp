@@ -32,7 +32,8 @@ std::vector<double> volumes(const std::vector<contact::SkinWorn>& worn, auto sid
 WornContact worn_contact(const contact::SkinSetup& setup, const contact::SkinPlace& place,
                          const contact::SkinWear& before) {
   WornContact contact{contact::SkinOpenings(setup, place), {}, {}};
-  contact.opened_before = contact.openings.by_volumes(before.pending_secondary, before.pending_primary);
+  contact.opened_before = contact.openings.by_volumes(before.pending_secondary, before.pending_primary) +
+                          Eigen::Map<const Vector>(before.fit.data(), static_cast<Eigen::Index>(before.fit.size()));
   return contact;
 }
 
