@@ -19,7 +19,8 @@ sim::SolidProblem wearing_ball(mesh::SolidKind kind) {
 
 std::vector<std::string> keys(const sim::SolidProblem& problem) {
   std::vector<std::string> keys;
-  for (const auto& issue : sim::refused_contacts(problem)) keys.push_back(issue.key);
+  for (const auto& issue : sim::refused_contacts(problem.inputs, problem.contacts, problem.scene.symmetry))
+    keys.push_back(issue.key);
   return keys;
 }
 

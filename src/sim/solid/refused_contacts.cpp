@@ -13,19 +13,21 @@ namespace {
 
 using base::Issue;
 using base::quoted;
+using base::Vec3;
+using Inputs = std::vector<body::SolidInput>;
 
 constexpr double parallel = 1e-6;  ///< cosine, or sine, below which a direction is in a plane, or along its normal
 
 using Face = std::pair<int, std::string>;
 
-std::vector<mesh::Facet> facets(const SolidProblem& problem, const contact::FaceRef& ref) {
-  return mesh::facets_of(*problem.inputs[static_cast<std::size_t>(ref.body)].mesh, ref.face);
+std::vector<mesh::Facet> facets(const Inputs& inputs, const contact::FaceRef& ref) {
+  return mesh::facets_of(*inputs[static_cast<std::size_t>(ref.body)].mesh, ref.face);
 }
 
 /// Points of the linear basis at mid nodes carry nothing, and what they would lose stays.
-void check_dual(const SolidProblem& problem, const PlacedSkins& contact, std::vector<Issue>& issues) {
+void check_dual(const Inputs& inputs, const PlacedSkins& contact, std::vector<Issue>& issues) {
   if (!contact.options.wear.wears() || contact.options.dual != mortar::SkinDual::linear) return;
-  const auto all = facets(problem, contact.secondary);
+  const auto all = facets(inputs, contact.secondary);
   if (std::any_of(all.begin(), all.end(), [](const auto& facet) { return facet.count() == 6; }))
     issues.push_back({"contact." + contact.options.name + ".dual", quoted("linear"),
                       "the linear basis cannot wear facets of second order; take dual = \"quadratic\""});
@@ -59,13 +61,14 @@ bool is_mirrored(const contact::ImposedSliding& sliding, const Vec3& normal) {
 }
 
 /// Planes of symmetry of the bodies of a contact, with their normals.
-std::vector<std::pair<std::string, Vec3>> planes_of(const SolidProblem& problem, const PlacedSkins& contact) {
+std::vector<std::pair<std::string, Vec3>> planes_of(const Inputs& inputs, const PlacedSkins& contact,
+                                                    const std::vector<std::string>& symmetry) {
   std::set<int> bodies{contact.secondary.body};
   for (const auto& ref : contact.primary) bodies.insert(ref.body);
   std::vector<std::pair<std::string, Vec3>> planes;
-  for (const auto& plane : problem.scene.symmetry)
+  for (const auto& plane : symmetry)
     for (const int b : bodies) {
-      const auto& mesh = *problem.inputs[static_cast<std::size_t>(b)].mesh;
+      const auto& mesh = *inputs[static_cast<std::size_t>(b)].mesh;
       if (!mesh.faces.contains(plane)) continue;
       Vec3 normal = Vec3::Zero();
       for (const auto& facet : mesh::facets_of(mesh, plane)) normal += mesh::area_vector(mesh.X, facet);
@@ -74,9 +77,10 @@ std::vector<std::pair<std::string, Vec3>> planes_of(const SolidProblem& problem,
   return planes;
 }
 
-void check_mirrored(const SolidProblem& problem, const PlacedSkins& contact, std::vector<Issue>& issues) {
+void check_mirrored(const Inputs& inputs, const PlacedSkins& contact, const std::vector<std::string>& symmetry,
+                    std::vector<Issue>& issues) {
   if (!(contact.options.friction > 0.0)) return;
-  const auto planes = planes_of(problem, contact);
+  const auto planes = planes_of(inputs, contact, symmetry);
   for (const auto& sliding : contact.options.sliding) {
     const auto across = std::find_if(planes.begin(), planes.end(),
                                      [&](const auto& plane) { return !is_mirrored(sliding, plane.second); });
@@ -90,13 +94,13 @@ void check_mirrored(const SolidProblem& problem, const PlacedSkins& contact, std
 
 }  // namespace
 
-std::vector<Issue> refused_contacts(const SolidProblem& problem) {
+std::vector<Issue> refused_contacts(const Inputs& inputs, const std::vector<PlacedSkins>& contacts,
+                                    const std::vector<std::string>& symmetry) {
   std::vector<Issue> issues;
-  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    check_dual(problem, problem.contacts[c], issues);
-    check_mirrored(problem, problem.contacts[c], issues);
-    for (std::size_t other = 0; other < c; ++other)
-      check_worn_once(problem.contacts[c], problem.contacts[other], issues);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    check_dual(inputs, contacts[c], issues);
+    check_mirrored(inputs, contacts[c], symmetry, issues);
+    for (std::size_t other = 0; other < c; ++other) check_worn_once(contacts[c], contacts[other], issues);
   }
   return issues;
 }

@@ -37,7 +37,7 @@ class Preparation {
     for (const auto& load : scene.loads) add_load(load);
     for (const auto& contact : scene.contacts) add_contact(contact);
     if (issues_.empty()) find_conflicts();
-    if (issues_.empty()) issues_ = refused_contacts(problem_);
+    if (issues_.empty()) issues_ = refused_contacts(problem_.inputs, problem_.contacts, problem_.scene.symmetry);
     if (!issues_.empty()) throw scene::located(scene, issues_);
     fix_centres();
     return std::move(problem_);

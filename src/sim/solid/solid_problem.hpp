@@ -7,19 +7,10 @@
 #include "cad/solid/solid_geometry.hpp"
 #include "contact/solid/skin_setup.hpp"
 #include "scene/solid/solid_scene.hpp"
+#include "sim/solid/placed_skins.hpp"
 #include "sim/solid/solid_records.hpp"
 
 namespace reye::sim {
-
-/// A contact of the scene with its faces found.
-struct PlacedSkins {
-  contact::SkinContactOptions options;
-  contact::FaceRef secondary;
-  std::vector<contact::FaceRef> primary;
-  double modulus_MPa = 0.0;  ///< of the softer body that deforms
-  double search_mm = 0.0;
-  double drawn_mm = 0.0;  ///< shortest way between nodes of the two sides, as drawn
-};
 
 /// Everything that does not change in a run of solids.
 struct SolidProblem {
