@@ -9,6 +9,7 @@ import half_space  # noqa: E402
 import wear_case as case  # noqa: E402
 
 ALPHA, CYCLES, STROKE = 2.0e-8, 5000.0, 0.05          # mm3/mJ of either wire; mm
+LIMIT = 0.005                                          # mm of both wires together
 LATER = 500.0                                          # from here on the scar is wide enough for the cells of the half-spaces
 
 run = case.run("crossed_wires", "base")
@@ -17,6 +18,7 @@ upper, lower = contact["secondary"], contact["primary"]
 energy = 2.0 * contact["dissipated_energy_mJ"]                    # of both halves
 slid = energy / (4.0 * half_space.MU * half_space.P * CYCLES)   # the stroke less what the wires give way by
 rows, wires = half_space.worn(slid, ALPHA, CYCLES)
+together = [(c, u + w) for c, u, w in rows]
 own = [case.Line([(c, d[k]) for c, *d in rows]) for k in (0, 1)]
 ends = [r for r in run.history if r["step"] == "fretting" and abs(r["progress"] - 1.0) < 1e-9 and r["cycle"] < CYCLES]
 depths = [(r["cycle"], r["crossing_depth_max_secondary_mm"], r["crossing_depth_max_primary_mm"]) for r in ends]
@@ -39,6 +41,8 @@ measured = {
     "upper_depth_off_at_the_end": off(0)[1],
     "lower_depth_off": off(1)[0],
     "lower_depth_off_at_the_end": off(1)[1],
+    "life_over_half_spaces": run.summary["life_cycles"]["allowed"] / next(
+        a + (LIMIT - low) / (high - low) * (b - a) for (a, low), (b, high) in zip(together, together[1:]) if low <= LIMIT <= high),
     "life_cycles": run.summary["life_cycles"]["allowed"],
     "cycles_solved": counts["cycles_solved"],
     "remeshes": counts["remeshes"],
