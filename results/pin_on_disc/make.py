@@ -46,6 +46,7 @@ measured = {
     "contact_radius_over_cap": math.sqrt(contact["contact_area_mm2"] / math.pi) / soft_a,
     "a2_over_2R_over_rigid_cap": contact["contact_area_mm2"] / math.pi / (2.0 * R) / d,
     "mean_pressure_inside_over_even": sum(inner) / len(inner) / (P / (math.pi * soft_a ** 2)),
+    "tangential_force_over_mu_P": contact["tangential_force_N"] / (0.35 * P),
     "life_over_cap": run.summary["life_cycles"]["allowed"] * TURN / next(
         s for s in (1e3 * n for n in range(1, 2000)) if cap(K * P * s)[3] >= 0.08),
     "cycles_solved": run.summary["counts"]["cycles_solved"],
