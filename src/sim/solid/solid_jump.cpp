@@ -135,13 +135,20 @@ void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const So
   trial.too_long = trial.error > allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
   trial.throughout = slides_throughout(begin, halves);
   trial.uncorrected = row_of(problem, player.system(), halves);
+  const auto by_halves = solid_limit_measures(problem, player.system(), halves);
   extrapolate_skins(player.system(), twice, halves);
   trial.corrected = row_of(problem, player.system(), halves);
+  // The first half has half of the error of both; half of the block with its levelling comes a little later.
+  for (const auto measures = solid_limit_measures(problem, player.system(), halves);
+       auto& [name, value] : attempt.middle) {
+    value += 0.5 * (measures.at(name) - by_halves.at(name));
+    if (span.level) value += levelling * (measures.at(name) - value);
+  }
   trial.outcome = std::move(attempt.halves);
-  trial.outcome.middle = std::move(attempt.middle);
   if (!trial.too_long && span.level)
     trial.outcome =
         level_block(player, std::move(trial.outcome), span, levelling * block.jump, trial.later.observer(observer));
+  trial.outcome.middle = std::move(attempt.middle);
 }
 
 void accept_solid_trial(const SolidProblem& problem, const SolidRunState& state, const SolidSpan& span,

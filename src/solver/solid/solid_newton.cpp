@@ -103,7 +103,11 @@ SolidSolution solve_increment(const SolidSystem& system, const SolidState& old, 
   SolidSolution solution;
   int spent = 0;
   for (const SolidStart start : starts) {
-    solution = attempt(system, old, target, options, start);
+    try {
+      solution = attempt(system, old, target, options, start);
+    } catch (const base::MeshError& folded) {  // an iterate with facets that nothing can be integrated over
+      solution = failed(folded.what(), 0, {});
+    }
     spent += solution.iterations;
     if (solution.converged) break;
   }
