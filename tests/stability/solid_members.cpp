@@ -196,4 +196,15 @@ const std::vector<SolidMember>& solid_members() {
   return table;
 }
 
+std::vector<SolidMember> worn_solid_members() {
+  std::vector<SolidMember> worn;
+  for (SolidMember m : solid_members()) {
+    if (!m.refusal.empty() || !m.like.empty() || m.linear || m.length != 1.0 || m.force != 1.0) continue;
+    m.name += "_worn";
+    m.wear_per_MPa = 2e-8 * 2e5 / std::max(m.E_lower, m.rigid_upper ? 0.0 : m.E_upper);
+    worn.push_back(m);
+  }
+  return worn;
+}
+
 }  // namespace reye::test

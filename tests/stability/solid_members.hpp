@@ -23,6 +23,8 @@ struct SolidMember {
   double force_N = 0.0;  ///< not zero: the top is pressed by a force and may turn
   SolidPath path = SolidPath::to_and_fro;
   int increments = 8;
+  double wear_per_MPa =
+      0.0;  ///< > 0: both sides wear by Archard's law over three blocks of a thousand cycles, and move
   double length = 1.0, force = 1.0;  ///< units: numbers are written in so many mm and N
   double balance = 1e-10;            ///< to which forces and moments balance
   std::string refusal;               ///< what the reason must say of a member that cannot be done
@@ -30,5 +32,8 @@ struct SolidMember {
 };
 
 const std::vector<SolidMember>& solid_members();
+
+/// The members that can be done, worn: those in other units and the linear dual basis, which does not wear, apart.
+std::vector<SolidMember> worn_solid_members();
 
 }  // namespace reye::test

@@ -89,6 +89,16 @@ sim::SolidProblem problem_of(const SolidMember& m) {
                                       : support::problem_of({lower, upper}, {1, "z0"}, {0, "z1"}, m.mu, search);
   if (m.linear) problem.contacts.front().options.dual = mortar::SkinDual::linear;
   set_histories(m, problem.scene);
+  if (m.wear_per_MPa > 0.0) {
+    auto& law = problem.contacts.front().options.wear;
+    law.kind = wear::LawKind::archard;
+    law.secondary = m.wear_per_MPa;
+    law.primary = m.rigid_upper && m.lower_is_secondary ? 0.0 : 0.5 * m.wear_per_MPa;
+    auto& step = problem.scene.steps.back();
+    step.wear = true;
+    step.cycles = 3000.0;
+    step.jump = 1000.0;
+  }
   return problem;
 }
 
@@ -123,6 +133,11 @@ SolidOutcome play(const SolidMember& m) {
     out.cutbacks = static_cast<int>(played.summary.counts.cutbacks);
     out.balance = played.summary.balance;
     take_rows(m, played, out);
+    if (!played.summary.contacts.empty()) {
+      const auto& contact = played.summary.contacts.front();
+      out.ledger = contact.ledger_relative_error.value_or(0.0);
+      out.depth_mm = contact.secondary.max_depth_mm;
+    }
   } catch (const base::InputError& error) {
     out.status = "refused";
     out.reason = error.what();

@@ -1,5 +1,7 @@
 #include "contact/solid/skin_wear.hpp"
 
+#include <algorithm>
+
 namespace reye::contact {
 
 namespace {
@@ -7,12 +9,13 @@ namespace {
 using base::Vec3;
 using base::Vector;
 
-/// Entries of one row divided by its sum.
+/// Entries of one row divided by its sum. None is below zero but by round-off, which would take a volume from nodes
+/// that are hardly faced.
 SkinRows shares(const SkinRows& T) {
   SkinRows share = T;
   for (int j = 0; j < share.outerSize(); ++j) {
     double sum = 0.0;
-    for (SkinRows::InnerIterator it(share, j); it; ++it) sum += it.value();
+    for (SkinRows::InnerIterator it(share, j); it; ++it) sum += it.valueRef() = std::max(0.0, it.value());
     for (SkinRows::InnerIterator it(share, j); it; ++it) it.valueRef() /= sum;
   }
   return share;

@@ -108,7 +108,7 @@ void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable tou
 }
 
 std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
-  state.solution.u = solver::displacements_of(system(), state.solution);
+  state.solution.u = solver::displacements_of(system(), state.solution);  // what sticks is held to these
   solver::fit_gaps(system(), state.solution);
   auto target = target_at(problem_, system(), state.solution, state.factors, step, {state.cycle, 1.0}, 1.0, 1.0);
   for (auto& wearing : target.wear) wearing.on = false;

@@ -149,7 +149,6 @@ void carry_onto(const solver::SolidSystem& system, const std::vector<Sides>& bef
     move(contact::Site::secondary, before[c].secondary, setup.secondary);
     move(contact::Site::primary, before[c].primary, setup.primary);
   }
-  state.solution.u = solver::displacements_of(system, state.solution);  // what sticks is held to these
   state.block_wear = state.solution.wear;
 }
 
