@@ -18,7 +18,7 @@ def cap_depth(volume):
     return low
 
 
-solid, twin = case.run("ball_worn_flat_solid", "solid"), case.run("ball_worn_flat", "twin")
+solid, twin = case.run("ball_worn_flat_solid", "solid"), case.run("ball_worn_flat", "twin", [("half_width_mm = 0.4", "half_width_mm = 1.6")])
 worn, flat = solid.contact["secondary"], twin.contact["secondary"]
 d = cap_depth(VOLUME)
 a = math.sqrt(2.0 * R * d - d * d)
@@ -30,7 +30,7 @@ case.write_measured({
     "ledger": solid.contact["ledger_relative_error"],
     "balance": solid.summary["balance"],
     "depth_over_twin": worn["max_depth_mm"] / flat["max_depth_mm"],
-    "radius_over_twin": solid.contact["equivalent_radius_mm"] / twin.contact["contact_half_width_mm"],
+    "radius_over_twin": solid.contact["equivalent_radius_mm"] / flat["scar_width_mm"],
     "volume_over_twin": 4.0 * worn["worn_volume_mm3"] / flat["worn_volume_mm3"],
     "depth_over_cap": worn["max_depth_mm"] / d,
     "radius_over_cap": solid.contact["equivalent_radius_mm"] / a,

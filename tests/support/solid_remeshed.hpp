@@ -27,15 +27,24 @@ inline std::vector<double> ring_pressures(const solver::SolidSystem& system, con
 struct RemeshedCap {
   double volume_error = 0.0;  ///< largest change of a body's volume, of its own
   double force_error = 0.0;   ///< largest change of the normal force, of its own
+  double shear_error = 0.0;   ///< and of the tangential force
   std::vector<double> jumps;  ///< per remesh: change of the pressures of rings, root of the mean square over the mean
   double drift = 0.0;         ///< that change between the first and the last mesh
 };
 
-/// Remeshes both bodies so many times.
-inline RemeshedCap remeshed_cap(int times) {
+/// Remeshes both bodies so many times. With friction the sliding drags the ball, cut open in the plane across it.
+inline RemeshedCap remeshed_cap(int times, double friction = 0.0) {
   auto scene = scene::read_solid(std::string(REYE_SOURCE_DIR) + "/geo/ball_worn_flat_solid/scene.toml");
   for (auto& zone : scene.geometry.fine_zones) zone.radius_mm = 0.9;
   scene.steps.back().cycles = 60.0;
+  if (friction > 0.0) {
+    scene.contacts.front().friction = friction;
+    std::erase(scene.symmetry, "ball_sx");
+    std::erase(scene.symmetry, "plate_sx");
+    std::erase_if(scene.supports, [](const auto& s) { return s.face == "ball_sx" || s.face == "plate_sx"; });
+    for (auto& support : scene.supports)
+      if (support.face == "base") support.along[0] = fixed_motion();
+  }
   const auto problem = sim::prepare_solid(std::move(scene));
   constexpr double force = 5.0, R = 5.0, cycles_mm = 60e3, alpha = 3e-8;
   const double radius = std::pow(4.0 * R * alpha * 4.0 * force * cycles_mm / std::numbers::pi, 0.25);
@@ -61,6 +70,8 @@ inline RemeshedCap remeshed_cap(int times) {
   RemeshedCap result;
   const auto first = of_now();
   auto before = first;
+  const auto shear = [&] { return sim::contact_row(player.system(), state, 0).tangential_force_N; };
+  const double first_shear = shear();
   for (int k = 0; k < times; ++k) {
     const auto why = sim::redraw_bodies(problem, player, {state.meshes, {"again", "again"}}, step, {}, state);
     if (!why.empty()) throw std::runtime_error(why);
@@ -72,6 +83,7 @@ inline RemeshedCap remeshed_cap(int times) {
       pressed += state.solved->place[0].covered[static_cast<Eigen::Index>(j)] *
                  contact::pressure(state.solved->nodes[0][j], state.solved->place[0].frame[j]);
     result.force_error = std::max(result.force_error, std::abs(pressed / force - 1.0));
+    if (friction > 0.0) result.shear_error = std::max(result.shear_error, std::abs(shear() / first_shear - 1.0));
     for (std::size_t b = 0; b < volumes.size(); ++b)
       result.volume_error = std::max(result.volume_error, std::abs(mesh::volume(*state.meshes[b]) / volumes[b] - 1.0));
   }
