@@ -4,6 +4,7 @@
 
 #include "mortar/solid/clip.hpp"
 #include "mortar/solid/facet_functions.hpp"
+#include "mortar/solid/facet_integrals.hpp"
 #include "support/skins.hpp"
 
 namespace {
@@ -209,6 +210,25 @@ TEST(solid_patch, hardly_covered_points_carry_nothing) {
     // Facets of which a corner of 0.4 % is covered take no part.
     EXPECT_NEAR(I.covered.sum(), 0.501, kind == quad4 ? 1e-12 : 2.1e-6);
     EXPECT_LT(test::offset_error(I, secondary, primary), 1e-12);
+  }
+}
+
+// Wherever a primary side ends, a point that keeps its multiplier must be covered by a thousandth of its area when its
+// neighbours have lost theirs, and linear fields stay exact.
+TEST(solid_patch, none_is_left_bare_by_its_neighbours) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0.3, 0.9);
+  for (int k = 0; k < 400; ++k) {
+    const auto secondary = test::skin_grid({.kind = tri6, .nx = 4, .ny = 4, .shaken = 0.2, .seed = 5});
+    const SkinGrid grid{.kind = tri3, .lo = {-1, -1}, .hi = {number(random), number(random)}, .up = false};
+    const auto primary = test::skin_grid(grid);
+    const auto I = integrals(secondary, primary);
+    for (std::size_t j = 0; j < secondary.x.size(); ++j) {
+      const auto i = static_cast<Eigen::Index>(j);
+      EXPECT_TRUE(!I.carries[j] || I.covered[i] >= mortar::least_covered * I.area[i])
+          << k << ": " << I.covered[i] / I.area[i];
+    }
+    EXPECT_LT(test::offset_error(I, secondary, primary), 1e-10);
   }
 }
 
