@@ -66,13 +66,13 @@ TEST_P(SolidStability, EndsTruly) {
 
 class WornSolidStability : public testing::TestWithParam<test::SolidMember> {};
 
-// Each member worn over three thousand cycles, its shape moved, must be done, or say why not; what is removed must be
-// the law's, forces and moments must balance and contact must only press.
+// Each member rubbed over three thousand cycles must be done; where it slides it must wear, what is removed must be the
+// law's, forces and moments must balance and contact must only press.
 TEST_P(WornSolidStability, EndsTruly) {
   const auto& m = GetParam();
   const auto o = test::play(m);
-  write_row(m, o);
   EXPECT_EQ(o.status, "done") << o.reason;
+  EXPECT_TRUE(o.depth_mm > 0.0 || o.energy == 0.0) << "it slides and does not wear";
   EXPECT_LE(o.ledger, 1e-9);
   EXPECT_LE(o.balance, 10.0 * m.balance);
   EXPECT_GE(o.least_pressure, -1e-9);

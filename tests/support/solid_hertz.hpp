@@ -95,22 +95,33 @@ inline sim::SolidProblem hertz_problem(const HertzCase& c, double Q = 0.0) {
   return problem;
 }
 
+/// The straight line value = at_0 + slope r^2 by least squares over the nodes within a distance of the axis z.
+struct LineInSquare {
+  double at_0 = 0.0, slope = 0.0;
+};
+template <class Value>
+LineInSquare line_in_square(const sim::SkinRecord& surface, double within, Value value) {
+  double n = 0, sr = 0, srr = 0, sv = 0, srv = 0;
+  for (std::size_t j = 0; j < surface.x_mm.size(); ++j) {
+    const double r2 = surface.x_mm[j].head<2>().squaredNorm(), v = value(j);
+    if (r2 > within * within) continue;
+    n += 1;
+    sr += r2;
+    srr += r2 * r2;
+    sv += v;
+    srv += r2 * v;
+  }
+  const double slope = (n * srv - sr * sv) / (n * srr - sr * sr);
+  return {(sv - slope * sr) / n, slope};
+}
+
 /// p0 and a of p^2 = p0^2 (1 - r^2 / a^2), fitted over the nodes within 0.9 of the assumed radius.
 struct HertzFit {
   double p0 = 0.0, a = 0.0;
 };
 inline HertzFit fit_hertz(const sim::SkinRecord& surface, double a) {
-  double n = 0, sr = 0, srr = 0, sp = 0, srp = 0;
-  for (std::size_t j = 0; j < surface.x_mm.size(); ++j) {
-    const double r2 = surface.x_mm[j].head<2>().squaredNorm(), p2 = std::pow(surface.pressure_MPa[j], 2);
-    if (r2 > 0.81 * a * a) continue;
-    n += 1;
-    sr += r2;
-    srr += r2 * r2;
-    sp += p2;
-    srp += r2 * p2;
-  }
-  const double slope = (n * srp - sr * sp) / (n * srr - sr * sr), start = (sp - slope * sr) / n;
+  const auto [start, slope] =
+      line_in_square(surface, 0.9 * a, [&](std::size_t j) { return std::pow(surface.pressure_MPa[j], 2); });
   return {std::sqrt(start), std::sqrt(-start / slope)};
 }
 

@@ -1,7 +1,4 @@
 #pragma once
-#include <Eigen/Geometry>
-#include <numeric>
-
 #include "support/solid_hertz.hpp"
 
 /// Worn solids with closed forms: a wavy surface, flat rings, a cap, strokes of several shapes.
@@ -42,7 +39,6 @@ inline void slide_once(sim::SolidProblem& problem, contact::ImposedSliding slidi
 /// A block whose top is z = A cos(pi x / L) cos(pi y / W) pressed flat by a rigid plate that slides on it: in full
 /// contact the wave of the pressure is E* k A / 2 and decays as exp(-alpha E* k s / 2), k^2 = (pi / L)^2 + (pi / W)^2.
 struct WavyBlock {
-  mesh::SolidKind kind = mesh::SolidKind::hex8;
   int elements = 8;  ///< over half a wave along x
   double A_mm = 1e-4, L_mm = 1.0, W_mm = 1.5, E_MPa = 2.0e5, nu = 0.3, mean_MPa = 100.0, alpha = 1e-8, way_mm = 200.0;
   int increments = 50;
@@ -60,7 +56,7 @@ struct WavyBlock {
     const int n = elements, m = static_cast<int>(std::lround(n * W_mm / L_mm)), k = static_cast<int>(places.size()) - 1;
     const double pi = std::numbers::pi;
     auto below = solid("block",
-                       block(kind, {n, m, k}, Vec3::Ones(),
+                       block(mesh::SolidKind::hex8, {n, m, k}, Vec3::Ones(),
                              [&](const Vec3& t) {
                                const double x = L_mm * t.x(), y = W_mm * t.y(), z = -place_at(places, 1.0 - t.z());
                                const double wave = A_mm * std::cos(pi * x / L_mm) * std::cos(pi * y / W_mm);
@@ -70,7 +66,7 @@ struct WavyBlock {
     for (const char* side : {"x0", "x1", "y0", "y1", "z0"})
       below.supports.push_back(symmetry(std::string("block_") + side, side));
     auto plate = solid("plate",
-                       block(kind, {n + 1, m + 1, 1}, Vec3::Ones(),
+                       block(mesh::SolidKind::hex8, {n + 1, m + 1, 1}, Vec3::Ones(),
                              [&](const Vec3& t) { return Vec3(L_mm * t.x(), W_mm * t.y(), A_mm + 0.2 * t.z()); }),
                        E_MPa, nu);
     plate.rigid = true;
@@ -134,17 +130,15 @@ struct TurningRings {
 };
 
 /// A quarter of a ball worn flat on a flat that does not wear, by steps of cycles: V = alpha P s = pi a^4 / 4 R,
-/// d = a^2 / 2 R, but for what the flat bends under the even pressure.
+/// d = a^2 / 2 R, but for what both bend under the even pressure, half a per cent of the depth.
 struct WornCap {
   double elements = 12.0;  ///< across half the scar at the end
   double growth = 5.0;     ///< of the radius of the contact
   double alpha = 1e-7;
   int cycles = 40;
-  mesh::SolidKind kind = mesh::SolidKind::hex8;
 
   HertzCase hertz() const {
     HertzCase c;
-    c.kind = kind;
     c.a_mm = 0.4 / growth;
     c.elements = elements / growth;
     c.fine = 1.2 * growth;
@@ -156,12 +150,6 @@ struct WornCap {
   double radius() const { return growth * hertz().a_mm; }
   double volume() const { return std::numbers::pi * std::pow(radius(), 4) / (4.0 * hertz().R_mm); }
   double depth() const { return radius() * radius() / (2.0 * hertz().R_mm); }
-  /// The worn shape is hollow by what the pair bends under p = P / pi a^2: 2 p a / E* (1 - 2 / pi) at the edge.
-  double bending() const {
-    const auto c = hertz();
-    const double p = c.force() / (std::numbers::pi * radius() * radius());
-    return 2.0 * p * radius() / c.plane_modulus() * (1.0 - 2.0 / std::numbers::pi);
-  }
 
   sim::SolidProblem problem() const {
     const auto c = hertz();
@@ -183,12 +171,13 @@ struct WornCap {
 /// or of circles. The energy law wears the flat.
 struct RubbedBall {
   double elements = 5.0, mu = 0.4, alpha = 2e-8;
-  double E_MPa = 2.1e5, a_mm = 0.5;
+  double a_mm = 0.5;
   int cycles = 4;
 
   HertzCase hertz() const {
     HertzCase c;
     c.whole = true;
+    c.a_mm = a_mm;
     c.elements = elements;
     c.mu = mu;
     c.fine = 1.3;
@@ -255,18 +244,8 @@ struct CapFit {
   double radius() const { return std::sqrt(2.0 * R_mm * depth_mm); }
 };
 inline CapFit fit_cap(const sim::SkinRecord& surface, double within) {
-  double n = 0, sr = 0, srr = 0, sw = 0, srw = 0;
-  for (std::size_t j = 0; j < surface.x_mm.size(); ++j) {
-    const double r2 = surface.x_mm[j].head<2>().squaredNorm(), w = surface.wear_depth_mm[j];
-    if (r2 > within * within) continue;
-    n += 1;
-    sr += r2;
-    srr += r2 * r2;
-    sw += w;
-    srw += r2 * w;
-  }
-  const double slope = (n * srw - sr * sw) / (n * srr - sr * sr);
-  return {(sw - slope * sr) / n, -0.5 / slope};
+  const auto [depth, slope] = line_in_square(surface, within, [&](std::size_t j) { return surface.wear_depth_mm[j]; });
+  return {depth, -0.5 / slope};
 }
 
 }  // namespace reye::support

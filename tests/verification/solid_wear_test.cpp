@@ -52,6 +52,26 @@ struct SlidingBlocks {
   }
 };
 
+support::HertzCase sliding_ball_case() {
+  support::HertzCase c;
+  c.elements = 5.0;
+  return c;
+}
+
+/// A ball that is pressed on a flat, then slides on it in the step and wears by Archard's law.
+sim::SolidProblem sliding_ball(double alpha, double way_mm, scene::Step step) {
+  const auto c = sliding_ball_case();
+  auto problem = support::hertz_problem(c);
+  auto& options = problem.contacts[0].options;
+  options.wear.kind = wear::LawKind::archard;
+  options.wear.secondary = alpha;
+  options.sliding = {{.direction = Vec3::UnitX(), .parts = {{way_mm, ""}}}};
+  problem.scene.geometry.fine_zones[0].radius_mm = 1.6 * c.a_mm;
+  step.wear = true;
+  problem.scene.steps.push_back(std::move(step));
+  return problem;
+}
+
 }  // namespace
 
 TEST(SolidWear, BlocksUnderALoadWearByTheLaw) {
@@ -146,18 +166,8 @@ TEST(SolidWear, ALimitEndsTheRunAtItsDepth) {
 TEST(SolidWear, ABallWornFlatLosesTheCapOfItsPath) {
   // A ball that slides on a flat under a load of P loses V = k P s, but for the slope of its surface, whose square is
   // below 1e-4, and needs few iterations on its way.
-  support::HertzCase c;
-  c.elements = 5.0;
-  auto problem = support::hertz_problem(c);
-  auto& options = problem.contacts[0].options;
-  options.wear.kind = wear::LawKind::archard;
-  options.wear.secondary = 1e-8;
-  options.sliding = {{.direction = Vec3::UnitX(), .parts = {{200.0, ""}}}};
-  problem.scene.geometry.fine_zones[0].radius_mm = 1.6 * c.a_mm;
-  problem.scene.steps[0].wear = false;
-  problem.scene.steps.push_back(support::step_of(4));
-  problem.scene.steps[1].wear = true;
-  const auto played = support::play(problem);
+  const auto c = sliding_ball_case();
+  const auto played = support::play(sliding_ball(1e-8, 200.0, support::step_of(4)));
   ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
   const double volume = 1e-8 * c.force() * 200.0;
   const auto& contact = played.summary.contacts[0];
@@ -187,17 +197,7 @@ TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
 TEST(SolidWear, StrongWearNeedsFewIterations) {
   // Where an increment wears tens of times what bodies approach by their compliance, points that close wear at once:
   // Newton needs few iterations and no cut-back.
-  support::HertzCase c;
-  c.elements = 5.0;
-  auto problem = support::hertz_problem(c);
-  auto& options = problem.contacts[0].options;
-  options.wear.kind = wear::LawKind::archard;
-  options.wear.secondary = 1e-7;
-  options.sliding = {{.direction = Vec3::UnitX(), .parts = {{50.0, ""}}}};
-  problem.scene.geometry.fine_zones[0].radius_mm = 1.6 * c.a_mm;
-  problem.scene.steps.push_back(support::step_of(1, {}, 8.0));
-  problem.scene.steps[1].wear = true;
-  const auto played = support::play(problem);
+  const auto played = support::play(sliding_ball(1e-7, 50.0, support::step_of(1, {}, 8.0)));
   ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
   EXPECT_EQ(played.summary.counts.cutbacks, 0);
   EXPECT_LE(played.summary.counts.newton_iterations, 7 * played.summary.counts.increments);

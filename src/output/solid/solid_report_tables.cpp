@@ -19,14 +19,18 @@ std::string half_width_cell(const SummaryJson& contact, std::size_t k) {
   return widths.is_array() && widths.size() > k && widths[k].is_number() ? rounded(widths[k].get<double>()) : "–";
 }
 
+/// Adds a row with a cell for each contact.
+template <class Cell>
+void add_row(const SummaryJson& contacts, const std::string& label, const char* unit, Cell cell,
+             std::vector<Row>& rows) {
+  Row row{label};
+  for (const auto& contact : contacts) row.push_back(cell(contact));
+  row.push_back(unit);
+  rows.push_back(std::move(row));
+}
+
 /// Rows of the sides that wear, and of the ledger.
 void add_sides(const SummaryJson& contacts, std::vector<Row>& rows) {
-  const auto add = [&](const std::string& label, const char* unit, auto cell) {
-    Row row{label};
-    for (const auto& contact : contacts) row.push_back(cell(contact));
-    row.push_back(unit);
-    rows.push_back(std::move(row));
-  };
   bool any = false;
   for (const std::string side : {"secondary", "primary"}) {
     const bool worn = std::any_of(contacts.begin(), contacts.end(), [&](const SummaryJson& contact) {
@@ -35,14 +39,18 @@ void add_sides(const SummaryJson& contacts, std::vector<Row>& rows) {
     });
     any = any || worn;
     if (!worn) continue;
-    add("Largest worn depth, " + side + " side", "µm",
-        [&](const SummaryJson& contact) { return json_cell(json_part(contact, side), "max_depth_mm", 5, 1e3); });
-    add("Worn volume, " + side + " side", "mm³",
-        [&](const SummaryJson& contact) { return json_cell(json_part(contact, side), "worn_volume_mm3"); });
+    const auto cell = [&](const char* key, double factor) {
+      return [&side, key, factor](const SummaryJson& contact) {
+        return json_cell(json_part(contact, side), key, 5, factor);
+      };
+    };
+    add_row(contacts, "Largest worn depth, " + side + " side", "µm", cell("max_depth_mm", 1e3), rows);
+    add_row(contacts, "Worn volume, " + side + " side", "mm³", cell("worn_volume_mm3", 1.0), rows);
   }
   if (any)
-    add("Ledger: volume lost against the law", "1",
-        [](const SummaryJson& contact) { return json_cell(contact, "ledger_relative_error", 2); });
+    add_row(
+        contacts, "Ledger: volume lost against the law", "1",
+        [](const SummaryJson& contact) { return json_cell(contact, "ledger_relative_error", 2); }, rows);
 }
 
 std::string skin_contact_table(const SolidRunData& data) {
@@ -62,19 +70,15 @@ std::string skin_contact_table(const SolidRunData& data) {
   for (const auto& item : contacts.items()) head.push_back(item.key());
   head.push_back("unit");
   std::vector<Row> rows;
-  const auto add = [&](const char* label, const char* unit, auto cell) {
-    Row row{label};
-    for (const auto& contact : contacts) row.push_back(cell(contact));
-    row.push_back(unit);
-    rows.push_back(std::move(row));
-  };
   if (contacts.empty()) return {};
   for (const auto& w : wanted) {
-    add(w.label, w.unit, [&](const SummaryJson& contact) { return json_cell(contact, w.key); });
+    add_row(
+        contacts, w.label, w.unit, [&](const SummaryJson& contact) { return json_cell(contact, w.key); }, rows);
     if (std::string(w.key) == "equivalent_radius_mm")
       for (const std::size_t k : {0u, 1u})
-        add(k == 0 ? "Half width, along its length" : "Half width, across", "mm",
-            [&](const SummaryJson& contact) { return half_width_cell(contact, k); });
+        add_row(
+            contacts, k == 0 ? "Half width, along its length" : "Half width, across", "mm",
+            [&](const SummaryJson& contact) { return half_width_cell(contact, k); }, rows);
   }
   add_sides(contacts, rows);
   return html_table(head, rows);

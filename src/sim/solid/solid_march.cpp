@@ -89,7 +89,7 @@ class March {
     if (!span.cycles) return span;
     const double left = cycles_left(step, state_);
     if (under_tolerance(step))
-      span.jump = fitted(problem_.scene.frames, state_.cycle, std::min(next_jump(step), step.jump_most), left);
+      span.jump = fitted(problem_.scene.frames, state_.cycle, std::min(jump_to_try(step), step.jump_most), left);
     else
       span.jump = std::min(state_.block_cycles > 0.0 ? state_.block_cycles : step.jump, left);
     span.last = left - span.jump <= round_off * step.cycles;
@@ -102,7 +102,7 @@ class March {
 
   /// The cycles that a block under a tolerance is tried with. However exact its wear, no block wears more than a part
   /// of an element: the shape could not follow.
-  double next_jump(const scene::Step& step) const {
+  double jump_to_try(const scene::Step& step) const {
     constexpr double most_share = 0.3;
     const double jump = state_.jump > 0.0 ? state_.jump : step.jump;
     if (!problem_.scene.shape || !(state_.share_per_cycle > 0.0)) return jump;
@@ -164,9 +164,10 @@ class March {
     finish_block(step, before.cycle);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
+    const double share = pending_share(player_->system(), state_);
     if (const double cycles = state_.cycle - before.cycle; cycles > 0.0)
-      state_.share_per_cycle = std::max(0.0, pending_share(player_->system(), state_) - waiting) / cycles;
-    if (step.wear && problem_.scene.shape && !move_shapes(step, last)) return false;
+      state_.share_per_cycle = std::max(0.0, share - waiting) / cycles;
+    if (step.wear && problem_.scene.shape && !move_shapes(step, share, last)) return false;
     if (frame_due(problem_.scene.frames, block_of(step, before, now(), state_.step_blocks, last)))
       show(step.name, {state_.cycle, 1.0});
     return keep();
@@ -179,11 +180,10 @@ class March {
     return !interrupted_;
   }
 
-  /// Moves the worn faces where the depth that waits in the gaps is no longer small beside the facets, and at the end
-  /// of a step. False where a body cannot follow.
-  bool move_shapes(const scene::Step& step, bool last) {
+  /// Moves the worn faces where the depth that waits in the gaps, a `share` of the facets, is no longer small, and at
+  /// the end of a step. False where a body cannot follow.
+  bool move_shapes(const scene::Step& step, double share, bool last) {
     constexpr double small = 0.02;
-    const double share = pending_share(player_->system(), state_);
     if (!(share > (last ? 0.0 : small))) return true;
     failure_ = reshape_bodies(problem_, *player_, relocations_, step, observer_, state_);
     return failure_.empty();

@@ -95,7 +95,11 @@ void SolidPlayer::reshape(SolidRunState& state, SolidMeshes meshes) {
   bring_up(state);
   state.meshes = std::move(meshes);
   build(state);
-  state.solution.u = solver::displacements_of(system(), state.solution);
+  fit(state);
+}
+
+void SolidPlayer::fit(SolidRunState& state) const {
+  state.solution.u = solver::displacements_of(system(), state.solution);  // what sticks is held to these
   solver::fit_gaps(system(), state.solution);
 }
 
@@ -108,8 +112,7 @@ void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable tou
 }
 
 std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
-  state.solution.u = solver::displacements_of(system(), state.solution);  // what sticks is held to these
-  solver::fit_gaps(system(), state.solution);
+  fit(state);
   auto target = target_at(problem_, system(), state.solution, state.factors, step, {state.cycle, 1.0}, 1.0, 1.0);
   for (auto& wearing : target.wear) wearing.on = false;
   const solver::SolidOptions options{.max_newton = 2 * problem_.scene.max_newton};

@@ -7,6 +7,7 @@
 
 #include "base/formatted.hpp"
 #include "mesh/solid/solid_measure.hpp"
+#include "sim/problem/warnings.hpp"
 #include "sim/solid/whole_patch.hpp"
 
 namespace reye::sim {
@@ -14,15 +15,6 @@ namespace reye::sim {
 namespace {
 
 using contact::SkinStatus;
-
-void keep(std::vector<Warning>& warnings, Warning warning) {
-  for (auto& known : warnings)
-    if (known.kind == warning.kind && known.about == warning.about) {
-      if (warning.severity > known.severity) known = std::move(warning);
-      return;
-    }
-  warnings.push_back(std::move(warning));
-}
 
 void forget(std::vector<Warning>& warnings, const std::string& kind, const std::string& about) {
   std::erase_if(warnings, [&](const Warning& w) { return w.kind == kind && w.about == about; });
@@ -83,7 +75,7 @@ void warn_resolution(const SolidProblem& problem, const solver::SolidSystem& sys
   const double across = elements_across(problem, system, solution, c);
   forget(warnings, "resolution", about);  // what counts is the last state
   if (across > 0.0 && across < enough)
-    keep(warnings, {"resolution", about,
+    warn(warnings, {"resolution", about,
                     base::formatted("%.2g elements lie across half the width of the contact: pressure and area may be "
                                     "off by tens of per cent; give its fine_zone a smaller size_mm",
                                     across),
@@ -94,14 +86,14 @@ void warn_edge(const SolidProblem& problem, const solver::SolidSystem& system, c
                std::size_t c, std::vector<Warning>& warnings) {
   const auto p = pressures(system.contacts[c], solution, c);
   if (p.at_edge > 1.5 * p.mean && p.at_edge > 0.0)
-    keep(warnings, {"edge", "contact " + problem.contacts[c].options.name,
+    warn(warnings, {"edge", "contact " + problem.contacts[c].options.name,
                     base::formatted("the pressure rises to %.3g MPa at the edge of the secondary face, its mean is "
                                     "%.3g MPa: at a sharp edge it grows without bound as elements get smaller",
                                     p.at_edge, p.mean),
                     p.at_edge / p.mean});
   const double strain = p.largest / problem.contacts[c].modulus_MPa;
   if (strain > 0.02)
-    keep(warnings,
+    warn(warnings,
          {"strain", "contact " + problem.contacts[c].options.name,
           base::formatted("the pressure reaches %.2g of Young's modulus: solids are computed at small strain, "
                           "whose error is of that size",
@@ -124,7 +116,7 @@ void warn_turn(const solver::SolidSystem& system, const solver::SolidSolution& s
     for (Eigen::Index i = 0; i < moved.size(); i += 3) spread = std::max(spread, (moved.segment<3>(i) - mean).norm());
     const double turn = 2.0 * spread / mesh::box_diagonal(system.bodies[b].input().mesh->X);
     if (turn > small)
-      keep(warnings,
+      warn(warnings,
            {"turn", "body " + system.bodies[b].input().name,
             base::formatted("the body turns by about %.2g rad: its rotation is computed as if it were small", turn),
             turn});

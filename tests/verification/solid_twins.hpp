@@ -1,57 +1,17 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
+#include <numbers>
 
 #include "body/edges.hpp"
-#include "scene/read.hpp"
-#include "sim/study/prepare.hpp"
-#include "sim/study/run.hpp"
 #include "support/solid_problem.hpp"
 #include "support/swept.hpp"
-#include "support/temporary_folder.hpp"
+#include "verification/wear_scene.hpp"
 
 /// Scenes of the plane, or of axisymmetry, and the same drawn out in space: a slice that cannot move across itself, or
 /// a wedge of a ring.
-namespace reye::support {
+namespace reye::verification {
 
-/// The scene geo/<name> with some words replaced, each of which must be there.
-inline std::string plane_scene(const std::string& name, const std::vector<std::pair<std::string, std::string>>& words) {
-  const std::string folder = std::string(REYE_SOURCE_DIR) + "/geo/" + name + "/";
-  std::ifstream file(folder + "scene.toml", std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  std::string all = text.str();
-  auto replaced = words;
-  replaced.emplace_back("geometry = [\"", "geometry = [\"" + folder);
-  for (const auto& [from, to] : replaced) {
-    const auto at = all.find(from);
-    if (at == std::string::npos) throw std::runtime_error("the scene does not say: " + from);
-    all.replace(at, from.size(), to);
-  }
-  return all;
-}
-
-struct PlayedPlane {
-  sim::Problem problem;
-  sim::Summary summary;
-  sim::Frame frame;  ///< the last one
-};
-
-inline PlayedPlane play_plane(const std::string& text) {
-  const TemporaryFolder folder;
-  const std::string path = (std::filesystem::path(folder.str()) / "scene.toml").string();
-  std::ofstream(path, std::ios::binary) << text;
-  PlayedPlane played;
-  played.problem = sim::prepare(scene::read(path));
-  sim::Observer observer;
-  observer.frame = [&](const sim::Frame& frame) { played.frame = frame; };
-  auto state = sim::initial_state(played.problem);
-  played.summary = sim::run(played.problem, state, observer);
-  if (played.summary.status != sim::RunStatus::done) throw std::runtime_error(played.summary.reason);
-  return played;
-}
+using base::Vec3;
+using support::fixed_motion;
 
 /// How a plane scene is drawn out: the place of a node of the plane at a share of the way from the first side to the
 /// last, and how much of the plane's forces (per mm, or of the whole ring) act.
@@ -93,10 +53,11 @@ inline sim::SolidProblem drawn_out(const sim::Problem& plane, const DrawnOut& ho
   std::vector<body::SolidInput> inputs;
   for (std::size_t b = 0; b < plane.inputs.size(); ++b) {
     const auto& material = plane.inputs[b].material;
-    inputs.push_back(solid(plane.inputs[b].name, swept(plane.shapes[b]->mesh, how.layers, how.place),
-                           material::young(material), std::visit([](const auto& m) { return m.nu; }, material)));
-    inputs.back().supports = {symmetry(inputs.back().name + "_front", "z0"),
-                              symmetry(inputs.back().name + "_back", "z1")};
+    inputs.push_back(support::solid(plane.inputs[b].name, support::swept(plane.shapes[b]->mesh, how.layers, how.place),
+                                    material::young(material),
+                                    std::visit([](const auto& m) { return m.nu; }, material)));
+    inputs.back().supports = {support::symmetry(inputs.back().name + "_front", "z0"),
+                              support::symmetry(inputs.back().name + "_back", "z1")};
   }
   for (std::size_t s = 0; s < plane.scene.supports.size(); ++s)
     inputs[static_cast<std::size_t>(plane.support_body[s])].supports.push_back(
@@ -107,8 +68,8 @@ inline sim::SolidProblem drawn_out(const sim::Problem& plane, const DrawnOut& ho
       if (inputs[b].mesh->faces.contains(face)) return contact::FaceRef{static_cast<int>(b), face};
     throw std::runtime_error("no body has the face " + face);
   };
-  auto all =
-      problem_of(std::move(inputs), with(options.secondary), with(options.primary.front()), options.friction, 0.0);
+  auto all = support::problem_of(std::move(inputs), with(options.secondary), with(options.primary.front()),
+                                 options.friction, 0.0);
   auto& own = all.contacts.front();
   own.options.wear = options.wear;
   if (!options.imposed_sliding.empty())
@@ -127,34 +88,27 @@ inline sim::SolidProblem drawn_out(const sim::Problem& plane, const DrawnOut& ho
   return all;
 }
 
-/// What wear of a drawn scene differs by from the plane's, over the plane's.
+/// What wear of a drawn scene differs by from the plane's.
 struct WornTwins {
-  double depth = 0.0, volume = 0.0;  ///< relative
+  double plane_depth_mm = 0.0;
+  double depth = 0.0, volume = 0.0;  ///< over the plane's, less 1
   double profile = 0.0;              ///< root of the mean square over the nodes that wear, over the largest depth; 0
                                      ///< where the plane was remeshed
-  double plane_s = 0.0, solid_s = 0.0;
-  double plane_depth_mm = 0.0;
-  PlayedSolids solid;
 };
 
 inline WornTwins worn_twins(const std::string& text, const DrawnOut& how) {
-  const auto plane = play_plane(text);
-  WornTwins twins;
-  twins.solid = play(drawn_out(plane.problem, how));
-  const auto& summary = twins.solid.summary;
-  if (summary.status != sim::RunStatus::done) throw std::runtime_error(summary.reason);
-  const auto& flat = plane.summary.contacts.front().secondary;
-  const auto& full = summary.contacts.front().secondary;
-  twins.plane_s = plane.summary.cpu_s;
-  twins.solid_s = summary.cpu_s;
-  twins.plane_depth_mm = flat.max_depth_mm;
-  twins.depth = full.max_depth_mm / flat.max_depth_mm - 1.0;
-  twins.volume = full.worn_volume_mm3 / how.share / flat.worn_area - 1.0;
+  const auto plane = played(text);
+  const auto solid = support::play(drawn_out(plane.problem, how));
+  EXPECT_EQ(solid.summary.status, sim::RunStatus::done) << solid.summary.reason;
+  const auto& flat = plane.contact().secondary;
+  const auto& full = solid.summary.contacts.front().secondary;
+  WornTwins twins{flat.max_depth_mm, full.max_depth_mm / flat.max_depth_mm - 1.0,
+                  full.worn_volume_mm3 / how.share / flat.worn_area - 1.0};
   if (plane.summary.counts.remeshes > 0) return twins;  // its nodes are others
-  const auto& surface = plane.frame.surfaces.front();
+  const auto& surface = plane.surface(sim::Side::secondary);
   std::map<int, double> depth;
   for (std::size_t i = 0; i < surface.node.size(); ++i) depth[surface.node[i]] = surface.wear_depth_mm[i];
-  const auto& skin = twins.solid.frames.back().surfaces.front();
+  const auto& skin = solid.frames.back().surfaces.front();
   const int nodes = plane.problem.shapes[static_cast<std::size_t>(surface.body.front())]->mesh.node_count();
   double squares = 0.0;
   int count = 0;
@@ -168,4 +122,4 @@ inline WornTwins worn_twins(const std::string& text, const DrawnOut& how) {
   return twins;
 }
 
-}  // namespace reye::support
+}  // namespace reye::verification
