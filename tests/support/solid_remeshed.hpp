@@ -32,11 +32,17 @@ struct RemeshedCap {
   double drift = 0.0;         ///< that change between the first and the last mesh
 };
 
+/// geo/ball_worn_flat_solid over some of its cycles, with a fine zone for these.
+inline scene::SolidScene ball_worn_for(double cycles, double zone_mm) {
+  auto scene = scene::read_solid(std::string(REYE_SOURCE_DIR) + "/geo/ball_worn_flat_solid/scene.toml");
+  for (auto& zone : scene.geometry.fine_zones) zone.radius_mm = zone_mm;
+  scene.steps.back().cycles = cycles;
+  return scene;
+}
+
 /// Remeshes both bodies so many times. With friction the sliding drags the ball, cut open in the plane across it.
 inline RemeshedCap remeshed_cap(int times, double friction = 0.0) {
-  auto scene = scene::read_solid(std::string(REYE_SOURCE_DIR) + "/geo/ball_worn_flat_solid/scene.toml");
-  for (auto& zone : scene.geometry.fine_zones) zone.radius_mm = 0.9;
-  scene.steps.back().cycles = 60.0;
+  auto scene = ball_worn_for(60.0, 0.9);
   if (friction > 0.0) {
     scene.contacts.front().friction = friction;
     std::erase(scene.symmetry, "ball_sx");
