@@ -55,6 +55,7 @@ sim::SolidObserver solid_observer(const SolidCheckpoints& run, output::SolidRunW
   o.progress = [&line](const sim::Progress& p) { line.show(p); };
   o.increment = [&](const sim::SolidIncrement& row) { writer.increment(row); };
   o.frame = [&](const sim::SolidFrame& frame) { writer.frame(frame); };
+  o.remesh = [&](const sim::SolidRemeshRecord& r) { writer.remesh(r); };
   o.state = [&](const sim::SolidRunState& state) {
     checkpoints.reach(snapshot_of(run, state, writer.counters()), standing_of(run.problem, state));
   };

@@ -62,6 +62,15 @@ inline constexpr Key step_play{
 inline constexpr Key step_increments{
     "step[].increments", Type::whole, "", "1", from_to(1.0, 1e5),
     "number of equal increments; corners of histories are always ends of increments"};
+inline constexpr Key remesh_automatic{
+    "remesh.automatic", Type::flag, "", "true", any,
+    "a worn body is remeshed when one of the bounds below is passed; false: the run ends instead"};
+inline constexpr Key remesh_every_blocks{
+    "remesh.every_blocks", Type::whole, "", "0", at_least(0.0),
+    "blocks between remeshes of all bodies in contact, needed or not; 0: only when needed"};
+inline constexpr Key remesh_wear_fraction{
+    "remesh.wear_fraction", Type::number, "", "0.5", {.low = 0.0, .high = 2.0, .low_open = true},
+    "depth worn since the last mesh, over the height of the element below"};
 inline constexpr Key frames_per_step{
     "output.frames.per_step", Type::whole, "", "", at_least(0.0),
     "frames of a step that counts cycles, evenly spaced, at most one per block; by default 5 without any other rule"};
@@ -160,6 +169,8 @@ inline constexpr Key limit_wear_factor{
      "factor"};
 inline constexpr Key frames_every_blocks{
     "output.frames.every_blocks", Type::whole, "", "0", at_least(0.0), "blocks of a step between frames"};
+inline constexpr Key frames_at_remeshes{
+    "output.frames.at_remeshes", Type::flag, "", "false", any, "a frame at the end of each block with a remesh"};
 inline constexpr Key history_every_blocks{
     "output.history.every_blocks", Type::whole, "", "1", at_least(1.0),
      "blocks of a step between rows of history.csv; the first and last block always have rows"};

@@ -39,6 +39,7 @@ struct Victim {
 
 inline Victim yielding_contact() { return {"wearing.geo", wearing_geo, yielding(), output::state_layout()}; }
 inline Victim rubbing_solids() { return {"rubbing.geo", rubbing_geo, rubbing, output::solid_state_layout()}; }
+inline Victim worn_solids() { return {"rubbing.geo", rubbing_geo, worn_rubbing(), output::solid_state_layout()}; }
 
 /// Rows that a checkpoint counts, by table; empty where it is not there.
 inline std::map<std::string, long> rows_in(const fs::path& checkpoint, std::uint64_t layout) {

@@ -85,6 +85,16 @@ frames = { last_block = true }
 probes = { foot = { body = "ball", at_mm = [0.0, 0.0, 0.5] } }
 )";
 
+/// The rubbing ball that wears with its flat, both remeshed after every second block.
+inline std::string worn_rubbing() {
+  return changed(rubbing, {{"friction  = 0.3\n",
+                            "friction  = 0.3\nwear      = { law = \"energy\", secondary_mm3_per_J = 3e-2, "
+                            "primary_mm3_per_J = 1e-2 }\n"},
+                           {"increments = 4\n", "increments = 4\nwear = false\n"},
+                           {"last_block = true", "at_remeshes = true"}}) +
+         "\n[remesh]\nevery_blocks = 2\n";
+}
+
 /// A place with the rubbing ball in it.
 struct WithRubbing : Place {
   WithRubbing() {

@@ -44,6 +44,26 @@ TEST(SolidRestart, SameBytesAsUnbroken) {
 // Killed at random moments and resumed, its tables cut besides, a run must end as the unbroken one.
 TEST(SolidRestart, Kills) { test::expect_survival(test::rubbing_solids(), 4, true); }
 
+// A run that wears must remesh as often as it is asked to, with a row, a frame and a line of the report for it, and end
+// as the unbroken one when it is killed before and after.
+TEST(SolidRestart, KillsThroughRemeshes) {
+  const WithRubbing place;
+  place.write("rubbing.toml", test::worn_rubbing());
+  const auto told = place.run("whole");
+  ASSERT_EQ(told.code, 0) << told.err;
+  const auto end = summary(place, "whole");
+  EXPECT_EQ(end.at("counts").at("remeshes"), 4);
+  EXPECT_LE(end.at("contacts").at("pad").at("ledger_relative_error"), 1e-9);
+  const auto rows = test::read(place / "whole/remesh.csv");
+  EXPECT_EQ(test::lines(place / "whole/remesh.csv"), 1 + 4);
+  EXPECT_TRUE(holds(rows, "rub,1,ball,")) << rows;
+  EXPECT_TRUE(holds(rows, "every 2 blocks, as asked for"));
+  const auto page = test::read(place / "whole/report.html");
+  EXPECT_TRUE(holds(page, "<h2>Remeshes</h2>"));
+  EXPECT_TRUE(holds(page, "every 2 blocks, as asked for"));
+  test::expect_survival(test::worn_solids(), 4, true);
+}
+
 // With checkpoints rarer than the run is long, an interrupted run must keep its last increment, a killed one only its
 // start; both must resume to the bytes of the unbroken run.
 TEST(SolidRestart, RareCheckpoints) {

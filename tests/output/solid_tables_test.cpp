@@ -8,6 +8,7 @@
 #include "solid_sample.hpp"
 
 using namespace reye::output;
+namespace sim = reye::sim;
 
 // The header names each column with its unit, contacts before supports in the order of the scene.
 TEST(SolidTables, HeaderNamesEveryColumn) {
@@ -39,6 +40,34 @@ TEST(SolidTables, OtherContactsAreRefused) {
   const auto record = solid_sample::increment("rub", 0.0, 1.0);
   EXPECT_THROW(solid_history_row(record, {{"pad", "other"}, {"ground", "shaker"}}), std::logic_error);
   EXPECT_THROW(solid_history_row(record, {{"pad"}, {"ground"}}), std::logic_error);
+}
+
+// A row of a remesh reads back to the same values, its words with commas in them, too.
+TEST(SolidTables, RemeshesReadBack) {
+  sim::SolidRemeshRecord record;
+  record.step = "rub";
+  record.cycle = 12.5;
+  record.body = "pin & co";
+  record.reason = "the facet at (1, 2, 3) mm has shape 0.1, below 0.3";
+  record.nodes_before = 10;
+  record.nodes_after = 20;
+  record.quality_before = 0.1;
+  record.quality_after = 0.4;
+  record.fresh_facets = 7;
+  record.volume_residue_mm3 = -1e-9;
+  record.correction_mm = 2e-7;
+  record.pressure_change = 1.0 / 3.0;
+  record.fit_mm = 3e-6;
+  const Table table = parse_csv(solid_remesh_header() + solid_remesh_row(record));
+  ASSERT_EQ(table.rows(), 1u);
+  for (const auto& [column, value] :
+       {std::pair("cycle", 12.5), std::pair("nodes_before", 10.0), std::pair("nodes_after", 20.0),
+        std::pair("quality_before", 0.1), std::pair("quality_after", 0.4), std::pair("fresh_facets", 7.0),
+        std::pair("volume_residue_mm3", -1e-9), std::pair("correction_mm", 2e-7),
+        std::pair("pressure_change", 1.0 / 3.0), std::pair("fit_mm", 3e-6)})
+    EXPECT_EQ(table.column(column).at(0), value) << column;
+  EXPECT_EQ(table.word(table.column("reason")[0]), record.reason);
+  EXPECT_EQ(table.word(table.column("body")[0]), record.body);
 }
 
 // A surface table has a row per node with all components, the body's name and the status in words.

@@ -94,9 +94,10 @@ TEST(BadSolid, KeysOfThePlane) {
        "scene.toml:78: step[0].period_s: missing; contact \"pad\" wears with a speed_exponent\n"
        "scene.toml:83: step[1].period_s: missing; contact \"pad\" wears with a speed_exponent"},
       {"limit and remesh",
-       {{"[output]", "[limit.life]\ncontact = \"pad\"\n[remesh]\nautomatic = true\n[output]"}},
+       {{"[output]", "[limit.life]\ncontact = \"pad\"\n[remesh]\nmin_angle_deg = 10\nmin_quality = 0.9\n[output]"}},
        "scene.toml:88: limit.life: needs one of depth_mm, volume_mm3\n"
-       "scene.toml:90: remesh: bodies of solids are remeshed where their elements ask for it, without keys so far"},
+       "scene.toml:91: remesh.min_angle_deg = 10: is of plane scenes; solids take min_quality and min_facet_shape\n"
+       "scene.toml:92: remesh.min_quality = 0.9: must lie in [0.05, 0.8]"},
       {"limit of the plane",
        {{"[output]", "[limit.life]\ncontact = \"pat\"\narea_mm2 = 1\ndepth_mm = 1\n[output]"}},
        "scene.toml:89: limit.life.contact = \"pat\": there is no contact \"pat\"; did you mean \"pad\"?\n"
@@ -116,9 +117,5 @@ TEST(BadSolid, KeysOfThePlane) {
        "scene.toml:14: body.ball.b_bar = true: is of plane scenes; tetrahedra of order = 2 do not lock\n"
        "scene.toml:15: body.ball.mesh.element = \"quad\": is of plane scenes; solids are meshed by tetrahedra, and "
        "mesh files bring their elements"},
-      {"output of blocks",
-       {{"every_increment = true", "every_blocks = 2, at_remeshes = true"}},
-       "scene.toml:89: output.frames.at_remeshes = true: bodies of solids are remeshed where their elements ask "
-       "for it, without keys so far"},
   });
 }

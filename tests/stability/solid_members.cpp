@@ -60,6 +60,11 @@ void add_meshes(SolidTable& t) {
       t.back().lower_parts = lower_is_fine ? std::array{15, 15, 2} : std::array{2, 2, 1};
       t.back().upper_parts = lower_is_fine ? std::array{1, 1, 1} : std::array{13, 13, 1};
     }
+  t.push_back(flat_solid("mesh", "on_a_plate_of_one_facet"));  // whose nodes are far from the contact
+  t.back().lo = {-6.0, -6.0, 0.0};
+  t.back().hi = {6.0, 6.0, 0.5};
+  t.back().upper_parts = {1, 1, 1};
+  t.back().rigid_upper = true;
   for (const SolidKind lower : support::solid_kinds)
     for (const SolidKind upper : support::solid_kinds) {
       t.push_back(flat_solid("mesh", kind_name(upper) + "_on_" + kind_name(lower)));
@@ -205,6 +210,18 @@ std::vector<SolidMember> worn_solid_members() {
     worn.push_back(m);
   }
   return worn;
+}
+
+std::vector<SolidMember> remeshed_solid_members() {
+  std::vector<SolidMember> remeshed;
+  for (SolidMember m : worn_solid_members()) {
+    for (auto* kind : {&m.lower, &m.upper})
+      if (*kind == mesh::SolidKind::hex8) *kind = mesh::SolidKind::tet4;
+    m.name += "_and_remeshed";
+    m.remesh_every = 1;
+    remeshed.push_back(m);
+  }
+  return remeshed;
 }
 
 }  // namespace reye::test

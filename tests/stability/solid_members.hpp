@@ -24,7 +24,8 @@ struct SolidMember {
   SolidPath path = SolidPath::to_and_fro;
   int increments = 8;
   double wear_per_MPa =
-      0.0;  ///< > 0: both sides wear by Archard's law over three blocks of a thousand cycles, and move
+      0.0;               ///< > 0: both sides wear by Archard's law over three blocks of a thousand cycles, and move
+  int remesh_every = 0;  ///< > 0: bodies of tetrahedra are remeshed after each so many blocks
   double length = 1.0, force = 1.0;  ///< units: numbers are written in so many mm and N
   double balance = 1e-10;            ///< to which forces and moments balance
   std::string refusal;               ///< what the reason must say of a member that cannot be done
@@ -35,5 +36,8 @@ const std::vector<SolidMember>& solid_members();
 
 /// The members that can be done, worn: those in other units and the linear dual basis, which does not wear, apart.
 std::vector<SolidMember> worn_solid_members();
+
+/// These of tetrahedra throughout, remeshed after every block: the load step and each thousand cycles.
+std::vector<SolidMember> remeshed_solid_members();
 
 }  // namespace reye::test

@@ -89,6 +89,7 @@ sim::SolidProblem problem_of(const SolidMember& m) {
                                       : support::problem_of({lower, upper}, {1, "z0"}, {0, "z1"}, m.mu, search);
   if (m.linear) problem.contacts.front().options.dual = mortar::SkinDual::linear;
   set_histories(m, problem.scene);
+  problem.scene.remesh.every_blocks = m.remesh_every;
   if (m.wear_per_MPa > 0.0) {
     auto& law = problem.contacts.front().options.wear;
     law.kind = wear::LawKind::archard;
@@ -132,6 +133,7 @@ SolidOutcome play(const SolidMember& m) {
     out.reason = played.summary.reason;
     out.cutbacks = static_cast<int>(played.summary.counts.cutbacks);
     out.balance = played.summary.balance;
+    out.remeshes = static_cast<int>(played.summary.counts.remeshes);
     take_rows(m, played, out);
     if (!played.summary.contacts.empty()) {
       const auto& contact = played.summary.contacts.front();

@@ -191,22 +191,28 @@ std::string ledger_table(const RunData& run) {
                           "sum, over both sides; a dash where nothing wears.</p>\n");
 }
 
-std::string remesh_table(const RunData& run) {
+std::string remesh_section(const Table& remeshes, const RemeshColumns& columns) {
   constexpr std::size_t shown_open = 20, shown_at_most = 200;
-  const std::size_t count = run.remeshes.rows();
+  const std::size_t count = remeshes.rows();
   std::vector<Row> rows;
   for (std::size_t i = count - std::min(count, shown_at_most); i < count; ++i)
-    rows.push_back(remesh_cells(run.remeshes, i));
+    rows.push_back(columns.cells(remeshes, i));
   if (rows.empty()) return {};
-  const Row head{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"};
   return "<div><h2>Remeshes</h2>\n<details" + std::string(rows.size() <= shown_open ? " open=\"open\"" : "") +
          "><summary>Remeshed bodies: " + std::to_string(count) +
          (count > rows.size() ? ", the last " + std::to_string(rows.size()) + " of them" : "") + "</summary>\n" +
-         html_table(head, rows, {1, 7}) +
-         "<p class=\"quiet\">In percent the jump from the equilibrium before the shape step to that on the new mesh: "
-         "difference in pressure over the pressure, both as root mean squares, difference of contact force and of "
-         "strain energy. Outside: "
-         "how far a new contact node lay from the old mesh.</p>\n</details>\n</div>\n";
+         html_table(columns.head, rows, {1, columns.head.size() - 1}) + "<p class=\"quiet\">" + columns.note +
+         "</p>\n</details>\n</div>\n";
+}
+
+std::string remesh_table(const RunData& run) {
+  return remesh_section(
+      run.remeshes,
+      {{"Cycle", "body", "nodes", "pressure, %", "force, %", "energy, %", "outside, µm", "why"},
+       remesh_cells,
+       "In percent the jump from the equilibrium before the shape step to that on the new mesh: difference in pressure "
+       "over the pressure, both as root mean squares, difference of contact force and of strain energy. Outside: how "
+       "far a new contact node lay from the old mesh."});
 }
 
 std::string run_tables(const RunData& run) {

@@ -40,8 +40,9 @@ std::string solid_page(const SolidRunData& data, const std::vector<std::vector<F
   std::string html = page_heading(run, "solids in three dimensions") + warning_list(run) + scene_section(data.dir) +
                      solid_result_tables(data);
   for (std::size_t c = 0; c < maps.size(); ++c) html += maps_section(data, data.inputs.contacts[c], maps[c]);
-  html += figure_grid("The run over its steps", histories) + solid_input_tables(data) + solid_run_tables(data) +
-          scene_file(run) + "<p class=\"quiet\">Scene and geometry sha256 " + escaped(run.identity.sha256) + "</p>\n";
+  html += figure_grid("The run over its steps", histories) + solid_input_tables(data) + solid_remesh_table(data) +
+          solid_run_tables(data) + scene_file(run) + "<p class=\"quiet\">Scene and geometry sha256 " +
+          escaped(run.identity.sha256) + "</p>\n";
   return html_page(run.identity.title, html);
 }
 

@@ -175,6 +175,25 @@ std::string solid_input_tables(const SolidRunData& data) {
   return html.empty() ? html : "<h2>What went in</h2>\n" + html;
 }
 
+std::string solid_remesh_table(const SolidRunData& data) {
+  const auto cells = [](const Table& t, std::size_t i) {
+    const auto value = [&](const char* column) { return t.column(column).at(i); };
+    return Row{rounded(value("cycle"), 8),
+               t.word(value("body")),
+               rounded(value("nodes_before"), 9) + " → " + rounded(value("nodes_after"), 9),
+               rounded(value("quality_before"), 2) + " → " + rounded(value("quality_after"), 2),
+               rounded(100.0 * value("pressure_change"), 2),
+               rounded(1e3 * value("fit_mm"), 3),
+               t.word(value("reason"))};
+  };
+  return remesh_section(
+      data.run.remeshes,
+      {{"Cycle", "body", "nodes", "poorest element", "pressure, %", "fitted, µm", "why"},
+       cells,
+       "Pressure: difference of the pressures on the fresh mesh from those carried onto it, root of the mean square "
+       "over the mean. Fitted: by how much gaps were opened or closed to keep them. Elements: 1 is regular."});
+}
+
 std::string solid_run_tables(const SolidRunData& data) {
   if (!data.run.summary.is_object()) return {};
   return "<div class=\"columns\">\n" + page_section("The run", solid_count_table(data)) +

@@ -12,6 +12,9 @@ std::string solid_result_tables(const SolidRunData& data);
 /// What went in: bodies and materials, contacts, supports, loads, steps.
 std::string solid_input_tables(const SolidRunData& data);
 
+/// One row per body remeshed, with what it cost.
+std::string solid_remesh_table(const SolidRunData& data);
+
 /// Counts, size, time and memory, why steps were cut.
 std::string solid_run_tables(const SolidRunData& data);
 

@@ -7,6 +7,7 @@
 #include "output/solid/solid_picture.hpp"
 #include "output/solid/solid_report.hpp"
 #include "output/solid/solid_summary.hpp"
+#include "output/solid/solid_tables.hpp"
 #include "output/solid/solid_vtk.hpp"
 
 namespace reye::output {
@@ -31,6 +32,10 @@ void SolidRunWriter::resume(const Counters& counters) {
 
 void SolidRunWriter::increment(const sim::SolidIncrement& record) {
   folder_.add_history(solid_history_row(record, columns_));
+}
+
+void SolidRunWriter::remesh(const sim::SolidRemeshRecord& record) {
+  folder_.add_remesh(solid_remesh_header(), solid_remesh_row(record));
 }
 
 void SolidRunWriter::frame(const sim::SolidFrame& frame) {

@@ -20,6 +20,7 @@ class SolidRunWriter {
   void resume(const Counters& counters);  ///< cuts tables and series back to the checkpoint
   void extend() const { folder_.extend(); }
   void increment(const sim::SolidIncrement& record);
+  void remesh(const sim::SolidRemeshRecord& record);
   void frame(const sim::SolidFrame& frame);       ///< the first one brings scene.svg where it is missing
   void finish(const sim::SolidSummary& summary);  ///< summary and report
   void log(const std::string& line) { folder_.log(line); }

@@ -50,6 +50,21 @@ std::string solid_history_row(const sim::SolidIncrement& record, const SolidColu
   return line + '\n';
 }
 
+std::string solid_remesh_header() {
+  return "step,cycle,body,nodes_before,nodes_after,quality_before,quality_after,fresh_facets,volume_residue_mm3,"
+         "correction_mm,pressure_change,fit_mm,reason\n";
+}
+
+std::string solid_remesh_row(const sim::SolidRemeshRecord& r) {
+  std::string line = csv_field(r.step) + ',' + number(r.cycle) + ',' + csv_field(r.body);
+  for (const int count : {r.nodes_before, r.nodes_after}) line += ',' + std::to_string(count);
+  for (const double value : {r.quality_before, r.quality_after}) line += ',' + number(value);
+  line += ',' + std::to_string(r.fresh_facets);
+  for (const double value : {r.volume_residue_mm3, r.correction_mm, r.pressure_change, r.fit_mm})
+    line += ',' + number(value);
+  return line + ',' + csv_field(r.reason) + '\n';
+}
+
 std::string skin_header() {
   return "frame,cycle,body,node,x_mm,y_mm,z_mm,pressure_MPa,shear_x_MPa,shear_y_MPa,shear_z_MPa,slip_x_mm,slip_y_mm,"
          "slip_z_mm,area_mm2,wear_depth_mm,status\n";

@@ -18,6 +18,10 @@ std::string solid_history_header(const SolidColumns& columns);
 /// The row of an increment. Throws std::logic_error where it has other contacts or supports than the columns.
 std::string solid_history_row(const sim::SolidIncrement& record, const SolidColumns& columns);
 
+std::string solid_remesh_header();
+/// One body remeshed; times stay in the log, so that two runs write the same bytes.
+std::string solid_remesh_row(const sim::SolidRemeshRecord& record);
+
 std::string skin_header();
 
 /// A row per node of one side of a contact in a frame; `index`: the number of the frame, from 0; `bodies`: their names.

@@ -10,8 +10,7 @@ namespace solid_rows {
 
 using namespace rows;
 
-constexpr std::string_view no_remesh =
-    "bodies of solids are remeshed where their elements ask for it, without keys so far";
+constexpr std::string_view takes_quality = "is of plane scenes; solids take min_quality and min_facet_shape";
 constexpr std::string_view takes_face = "is of plane scenes; solids take face";
 constexpr std::string_view takes_force = "is of plane scenes; solids take force_N";
 constexpr std::string_view takes_spring = "is of plane scenes; solids take spring_N_per_mm";
@@ -205,7 +204,21 @@ constexpr Key table[] = {
     refused("limit.*.area_mm2", "is of plane scenes; solids take volume_mm3"),
     limit_stop,
     limit_wear_factor,
-    refused("remesh", no_remesh),
+
+    remesh_automatic,
+    remesh_every_blocks,
+    {"remesh.min_quality", Type::number, "", "0.15", {.low = 0.05, .high = 0.8},
+     "shape of an element, 1 for a regular one, of those that have lost 0.3 of it by wear"},
+    {"remesh.min_facet_shape", Type::number, "", "0.3", {.low = 0.05, .high = 0.8},
+     "height of a facet of the skin over its longest edge, 1 for a regular one, of those that have lost 0.3 of it by wear"},
+    {"remesh.size_ratio", Type::number, "", "2.5", {.low = 1.0, .low_open = true},
+     "ratio of the mean edge of a facet to its first one, or the inverse; or of its first height to that which is left"},
+    remesh_wear_fraction,
+    refused("remesh.min_scaled_jacobian", takes_quality),
+    refused("remesh.min_angle_deg", takes_quality),
+    refused("remesh.max_dofs", "is of plane scenes; `reye plan` reports whether the dofs of a scene of solids fit"),
+    refused("remesh.fit_tolerance_mm", "is of plane scenes; the worn faces of solids are those of their facets"),
+    refused("remesh.state_transfer", "is of plane scenes; solids do not yield so far"),
 
     frames_per_step,
     frames_every_cycles,
@@ -214,7 +227,7 @@ constexpr Key table[] = {
     frames_last_block,
     frames_paraview,
     frames_every_blocks,
-    refused("output.frames.at_remeshes", no_remesh),
+    frames_at_remeshes,
     history_every_blocks,
     checkpoint,
     refused("output.estimate_error", "control of the error of solids is not built yet"),

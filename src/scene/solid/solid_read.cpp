@@ -32,6 +32,16 @@ void add_solid_steps(const Entry& root, SolidScene& scene, Issues& issues) {
   scene.steps = steps_of(root, scene.path, issues);
 }
 
+SolidRemesh solid_remesh_of(const Entry& root) {
+  const auto entry = root.at("remesh");
+  return {.automatic = entry.flag("automatic"),
+          .every_blocks = entry.whole("every_blocks"),
+          .triggers = {.min_quality = entry.number("min_quality"),
+                       .min_facet_shape = entry.number("min_facet_shape"),
+                       .size_ratio = entry.number("size_ratio"),
+                       .wear_fraction = entry.number("wear_fraction")}};
+}
+
 void add_solid_output(const Entry& root, SolidScene& scene) {
   const auto output = root.at("output");
   scene.frames = frames_of(output.at("frames"));
@@ -56,6 +66,7 @@ void build_solid(const Entry& root, SolidScene& scene, Issues& issues) {
   add_solid_steps(root, scene, issues);
   scene.limits = limits_of(root, issues);
   scene.shape = root.text("shape") != "off";
+  scene.remesh = solid_remesh_of(root);
   add_solid_output(root, scene);
   scene.max_newton = root.at("solver").whole("max_newton");
   scene.max_cutbacks = root.at("solver").whole("max_cutbacks");

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "adapt/solid/solid_triggers.hpp"
 #include "body/solid/solid_supports.hpp"
 #include "cad/solid/solid_options.hpp"
 #include "contact/solid/skin_options.hpp"
@@ -15,6 +16,13 @@ struct SolidProbe {
   std::string name;
   std::string body;
   base::Vec3 at_mm = base::Vec3::Zero();
+};
+
+/// When a worn solid is remeshed.
+struct SolidRemesh {
+  bool automatic = true;  ///< false: a body that must be remeshed ends the run
+  int every_blocks = 0;   ///< 0: only when a trigger asks for it
+  adapt::SolidTriggers triggers;
 };
 
 /// The input of a scene with analysis = "solid".
@@ -32,6 +40,7 @@ struct SolidScene {
   std::vector<Step> steps;
   std::vector<Limit> limits;
   bool shape = true;  ///< false (shape = "off"): wear stays in the gap
+  SolidRemesh remesh;
   FrameRules frames;
   int history_every_blocks = 1;
   double checkpoint_s = 1.0;

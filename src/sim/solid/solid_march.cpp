@@ -167,9 +167,11 @@ class March {
     const double share = pending_share(player_->system(), state_);
     if (const double cycles = state_.cycle - before.cycle; cycles > 0.0)
       state_.share_per_cycle = std::max(0.0, share - waiting) / cycles;
-    if (step.wear && problem_.scene.shape && !move_shapes(step, share, last)) return false;
-    if (frame_due(problem_.scene.frames, block_of(step, before, now(), state_.step_blocks, last)))
-      show(step.name, {state_.cycle, 1.0});
+    const long remeshes = state_.counts.remeshes;
+    if (problem_.scene.shape && !move_shapes(step, share, last)) return false;
+    auto block = block_of(step, before, now(), state_.step_blocks, last);
+    block.remeshed = state_.counts.remeshes > remeshes;
+    if (frame_due(problem_.scene.frames, block)) show(step.name, {state_.cycle, 1.0});
     return keep();
   }
 
@@ -181,10 +183,11 @@ class March {
   }
 
   /// Moves the worn faces where the depth that waits in the gaps, a `share` of the facets, is no longer small, and at
-  /// the end of a step. False where a body cannot follow.
+  /// the end of a step, and remeshes. False where a body cannot follow.
   bool move_shapes(const scene::Step& step, double share, bool last) {
     constexpr double small = 0.02;
-    if (!(share > (last ? 0.0 : small))) return true;
+    const bool moves = step.wear && share > (last ? 0.0 : small);
+    if (!moves && !remesh_due(problem_, state_)) return true;
     failure_ = reshape_bodies(problem_, *player_, relocations_, step, observer_, state_);
     return failure_.empty();
   }

@@ -12,6 +12,7 @@ struct SolidObserver {
   std::function<void(const Progress&)> progress;
   std::function<void(const SolidIncrement&)> increment;
   std::function<void(const SolidFrame&)> frame;
+  std::function<void(const SolidRemeshRecord&)> remesh;
   /// At the end of each block, and of each increment of a block that is played once, where checkpoints are taken.
   std::function<void(const SolidRunState&)> state;
   std::function<void(const std::string&)> log;

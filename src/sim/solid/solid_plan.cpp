@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapt/solid/solid_remesh.hpp"
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
 #include "sim/problem/drive.hpp"
@@ -76,7 +77,12 @@ SolidPlan solid_plan(const SolidProblem& problem) {
     plan.lines.push_back(base::formatted("body %s: %d %s, %d dofs, %d nodes kept for contact; factors %.2g s, %.0f MB",
                                          input.name.c_str(), input.mesh->cell_count(), kind_of(*input.mesh).c_str(),
                                          3 * input.mesh->node_count(), kept, cost.seconds, cost.memory_MB));
+    if (problem.scene.remesh.every_blocks > 0 && !adapt::can_be_remeshed(*input.mesh))
+      plan.lines.push_back("body " + input.name +
+                           ": hexahedra are not remeshed, though remesh.every_blocks asks for it");
   }
+  if (!problem.scene.remesh.automatic)
+    plan.lines.push_back("remesh.automatic = false: a body that must be remeshed ends the run");
   for (const auto& contact : problem.contacts) {
     const auto& nodes = touchable[contact.secondary.body];
     active = std::max(active, 0.5 * static_cast<double>(std::count(nodes.begin(), nodes.end(), 1)));

@@ -42,6 +42,22 @@ struct SolidIncrement {
   std::vector<double> errors{};          ///< largest violation over largest traction, per iteration
 };
 
+/// One body remeshed.
+struct SolidRemeshRecord {
+  std::string step;
+  double cycle = 0.0;
+  std::string body;
+  std::string reason;
+  int nodes_before = 0, nodes_after = 0;
+  double quality_before = 1.0, quality_after = 1.0;  ///< shape of the poorest cell; 1 of a rigid body
+  int fresh_facets = 0;                              ///< of the skin
+  double volume_residue_mm3 = 0.0;                   ///< that the fresh skin lacked before its nodes moved for it
+  double correction_mm = 0.0;                        ///< by which they moved
+  /// Of this body's contacts the worst: pressures against those carried, root of the mean square over the mean; and
+  /// the largest opening by which gaps were fitted to pressures [mm].
+  double pressure_change = 0.0, fit_mm = 0.0;
+};
+
 /// One side of a contact: nodes that contact was prepared for, and the facets between them.
 /// status: 0 inactive, 1 stick, 2 slip; the primary side repeats the tractions of the secondary.
 struct SkinRecord {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "adapt/solid/skin_transfer.hpp"
 #include "adapt/solid/solid_remesh.hpp"
-#include "adapt/solid/solid_triggers.hpp"
+#include "adapt/solid/solid_wear.hpp"
 #include "base/formatted.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -168,14 +169,56 @@ double pressure_change(const solver::SolidSolution& solved, const Points3& carri
   return force > 0.0 ? std::sqrt(squares * area) / force : 0.0;
 }
 
-void tell_changes(const SolidProblem& problem, const std::vector<Points3>& carried, const SolidObserver& observer,
+SolidRemeshRecord record_of(const SolidProblem& problem, std::size_t b, const MovedSolids& old,
+                            const mesh::SolidMesh& born, const adapt::SolidRemeshResult& made) {
+  SolidRemeshRecord r;
+  r.body = problem.inputs[b].name;
+  r.reason = old.reasons[b];
+  r.nodes_before = old.meshes[b]->node_count();
+  r.nodes_after = made.mesh->node_count();
+  r.quality_before = adapt::worn_cells(*old.meshes[b], born, 0.0).least;
+  r.quality_after = made.quality;
+  r.fresh_facets = made.fresh_facets;
+  r.volume_residue_mm3 = made.volume_residue;
+  r.correction_mm = made.correction_mm;
+  return r;
+}
+
+/// What a fresh mesh cost a contact.
+struct ContactChange {
+  double pressure = 0.0, fit_mm = 0.0;  ///< as in SolidRemeshRecord
+};
+
+std::vector<ContactChange> changes_of(const std::vector<Points3>& carried, const SolidRunState& state) {
+  std::vector<ContactChange> changes(carried.size());
+  for (std::size_t c = 0; c < carried.size(); ++c) {
+    changes[c].pressure = pressure_change(*state.solved, carried[c], c);
+    for (const double by : state.solution.wear[c].fit) changes[c].fit_mm = std::max(changes[c].fit_mm, std::abs(by));
+  }
+  return changes;
+}
+
+bool touches(const contact::SkinSide& side, std::size_t b) {
+  return std::any_of(side.points.begin(), side.points.end(),
+                     [&](const auto& point) { return static_cast<std::size_t>(point.body) == b; });
+}
+
+/// Enters in the record of a body the worst of its contacts.
+void enter(const std::vector<ContactChange>& changes, const solver::SolidSystem& system, std::size_t b,
+           SolidRemeshRecord& record) {
+  for (std::size_t c = 0; c < changes.size(); ++c) {
+    if (!touches(system.contacts[c].secondary, b) && !touches(system.contacts[c].primary, b)) continue;
+    record.pressure_change = std::max(record.pressure_change, changes[c].pressure);
+    record.fit_mm = std::max(record.fit_mm, changes[c].fit_mm);
+  }
+}
+
+void tell_changes(const SolidProblem& problem, const std::vector<ContactChange>& changes, const SolidObserver& observer,
                   SolidRunState& state) {
   constexpr double much = 0.05;
-  for (std::size_t c = 0; c < carried.size(); ++c) {
+  for (std::size_t c = 0; c < changes.size(); ++c) {
     const std::string& name = problem.contacts[c].options.name;
-    const double change = pressure_change(*state.solved, carried[c], c);
-    double fit = 0.0;
-    for (const double by : state.solution.wear[c].fit) fit = std::max(fit, std::abs(by));
+    const auto& [change, fit] = changes[c];
     if (observer.log)
       observer.log(
           base::formatted("contact %s on the fresh mesh: pressures differ by %.2g %% of their mean, gaps are "
@@ -192,21 +235,19 @@ void tell_changes(const SolidProblem& problem, const std::vector<Points3>& carri
 
 }  // namespace
 
-std::string why_redraw(const mesh::SolidMesh& worn, const mesh::SolidMesh& born) {
-  return adapt::why_remesh(worn, born, adapt::SolidTriggers{});
-}
-
 std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, MovedSolids moved, const scene::Step& step,
                           const SolidObserver& observer, SolidRunState& state) {
   const auto before = sides_on(problem, moved.meshes, player.assembly().columns);
   const SolidRunState old = state;
   std::vector<char> fresh(moved.meshes.size(), 0);
+  std::vector<std::pair<std::size_t, SolidRemeshRecord>> records;  // with their bodies
   for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
     if (moved.reasons[b].empty()) continue;
     auto result = adapt::remesh_solid(*moved.meshes[b], *state.born[b], remesh_options(problem, b));
     if (!result.failure.empty())
       return "body " + problem.inputs[b].name + " cannot be remeshed: " + result.failure + " (" + moved.reasons[b] +
              ")";
+    records.emplace_back(b, record_of(problem, b, moved, *state.born[b], result));
     moved.meshes[b] = state.born[b] = result.mesh;
     fresh[b] = 1;
     ++state.counts.remeshes;
@@ -215,7 +256,14 @@ std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, Move
   carry_onto(player.system(), before, fresh, old, state);
   const auto carried = state.solution.traction;
   if (auto why = player.settle(state, step); !why.empty()) return why;
-  tell_changes(problem, carried, observer, state);
+  const auto changes = changes_of(carried, state);
+  tell_changes(problem, changes, observer, state);
+  for (auto& [b, record] : records) {
+    record.step = step.name;
+    record.cycle = state.cycle;
+    enter(changes, player.system(), b, record);
+    if (observer.remesh) observer.remesh(record);
+  }
   return {};
 }
 

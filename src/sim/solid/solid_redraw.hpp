@@ -12,12 +12,10 @@ struct MovedSolids {
   std::vector<std::string> reasons;
 };
 
-/// Why a worn mesh is no longer fit, in words; empty when it is.
-std::string why_redraw(const mesh::SolidMesh& worn, const mesh::SolidMesh& born);
-
 /// Remeshes the bodies that ask for it inside their worn skins, carries what contacts hold onto the new faces (sums are
 /// kept) and solves the state again there, without slip and wear. A reason where a body cannot be remeshed, or the new
-/// state not be solved. The log reports what changed; a change of pressures above 5 % of their mean is a warning, too.
+/// state not be solved. Observers get a record of each body, the log what changed; a change of pressures above 5 % of
+/// their mean is a warning, too.
 std::string redraw_bodies(const SolidProblem& problem, SolidPlayer& player, MovedSolids moved, const scene::Step& step,
                           const SolidObserver& observer, SolidRunState& state);
 

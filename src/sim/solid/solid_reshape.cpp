@@ -108,7 +108,27 @@ void book_strips(const solver::SolidSystem& system, const std::vector<double>& r
   }
 }
 
+/// Every body in contact that can be remeshed is to be.
+void ask_for_all(const SolidProblem& problem, const solver::SolidSystem& system, MovedSolids& moved) {
+  const std::string reason = "every " + std::to_string(problem.scene.remesh.every_blocks) + " blocks, as asked for";
+  const auto ask = [&](const contact::SkinSide& side) {
+    for (const auto& point : side.points) {
+      const auto b = static_cast<std::size_t>(point.body);
+      if (moved.reasons[b].empty() && adapt::can_be_remeshed(*moved.meshes[b])) moved.reasons[b] = reason;
+    }
+  };
+  for (const auto& contact : system.contacts) {
+    ask(contact.secondary);
+    ask(contact.primary);
+  }
+}
+
 }  // namespace
+
+bool remesh_due(const SolidProblem& problem, const SolidRunState& state) {
+  const int every = problem.scene.remesh.every_blocks;
+  return every > 0 && state.counts.blocks % every == 0;
+}
 
 double pending_share(const solver::SolidSystem& system, const SolidRunState& state) {
   double share = 0.0;
@@ -124,6 +144,7 @@ double pending_share(const solver::SolidSystem& system, const SolidRunState& sta
 std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, SolidRelocations& relocations,
                            const scene::Step& step, const SolidObserver& observer, SolidRunState& state) {
   const double start = cpu_seconds();
+  const auto& options = problem.scene.remesh;
   MovedSolids moved{state.meshes, std::vector<std::string>(state.meshes.size())};
   std::vector<double> ratio(state.meshes.size(), 1.0);
   for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
@@ -134,9 +155,12 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
     ratio[b] = result.removed / worn.total();
     moved.meshes[b] = result.mesh;
     moved.reasons[b] = result.poor;
-    if (result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
-      moved.reasons[b] = why_redraw(*result.mesh, *state.born[b]);
+    if (!options.automatic && !result.poor.empty())
+      return "body " + problem.inputs[b].name + ": " + result.poor + ", and remesh.automatic is false";
+    if (options.automatic && result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
+      moved.reasons[b] = adapt::why_remesh(*result.mesh, *state.born[b], options.triggers);
   }
+  if (remesh_due(problem, state)) ask_for_all(problem, player.system(), moved);
   book_strips(player.system(), ratio, state);
   state.shape_s += cpu_seconds() - start;
   const auto asks = [](const std::string& reason) { return !reason.empty(); };

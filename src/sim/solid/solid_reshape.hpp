@@ -13,9 +13,12 @@ using SolidRelocations = std::map<std::size_t, adapt::SolidRelocationCache>;
 /// Largest worn depth that waits in the gaps, over the size of the facets there.
 double pending_share(const solver::SolidSystem& system, const SolidRunState& state);
 
+/// Whether `remesh.every_blocks` asks for fresh meshes after the block that has been played last.
+bool remesh_due(const SolidProblem& problem, const SolidRunState& state);
+
 /// Moves the worn faces by the volumes that wait in the gaps, exactly, and makes the equations of the new shapes; the
-/// strips are entered in the ledger. Bodies whose elements have lost their shape are remeshed. A reason where a body
-/// cannot follow.
+/// strips are entered in the ledger. Bodies whose elements have lost their shape are remeshed, and all in contact where
+/// that is due. A reason where a body cannot follow.
 std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, SolidRelocations& relocations,
                            const scene::Step& step, const SolidObserver& observer, SolidRunState& state);
 

@@ -1,5 +1,6 @@
 #include "sim/solid/touchable.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +33,12 @@ Vec3 centre_of(const Points3& X, const mesh::Facet& facet) {
   return sum / facet_corners(facet.kind);
 }
 
+Eigen::AlignedBox3d box_of(const Points3& X, const mesh::Facet& facet) {
+  Eigen::AlignedBox3d box;
+  for (int k = 0; k < facet.count(); ++k) box.extend(X[facet.nodes[k]]);
+  return box;
+}
+
 void take(const mesh::Facet& facet, std::vector<char>& nodes) {
   for (int k = 0; k < facet.count(); ++k) nodes[facet.nodes[k]] = 1;
 }
@@ -62,17 +69,17 @@ void take_in_zones(const SolidProblem& problem, const SolidMeshes& meshes, const
 void take_near(const SolidMeshes& meshes, const PlacedSkins& contact, const contact::FaceRef& ref,
                const std::vector<contact::FaceRef>& others, std::vector<char>& nodes) {
   const auto face = view(meshes, ref);
-  std::vector<const Vec3*> facing;
+  std::vector<Eigen::AlignedBox3d> facing;  // of facets: a large one faces a small one far from its own nodes
   for (const auto& other : others) {
     const auto& mesh = *meshes[static_cast<std::size_t>(other.body)];
-    for (const int node : mesh::nodes_of(mesh::facets_of(mesh, other.face))) facing.push_back(&mesh.X[node]);
+    for (const auto& facet : mesh::facets_of(mesh, other.face)) facing.push_back(box_of(mesh.X, facet));
   }
   for (const int index : face.facets) {
     const auto& facet = face.mesh.skin[index];
     const double reach = contact.drawn_mm + 2.0 * std::sqrt(mesh::facet_area(face.mesh.X, facet));
     const Vec3 centre = centre_of(face.mesh.X, facet);
     if (std::any_of(facing.begin(), facing.end(),
-                    [&](const Vec3* x) { return (*x - centre).squaredNorm() <= reach * reach; }))
+                    [&](const auto& box) { return box.squaredExteriorDistance(centre) <= reach * reach; }))
       take(facet, nodes);
   }
 }
