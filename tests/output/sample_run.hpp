@@ -8,6 +8,7 @@
 #include "output/folder/files.hpp"
 #include "output/run/run_writer.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/texts.hpp"
 
 /// A made-up fretting run of a block on a flat and a rigid bar: enough to fill every output.
 namespace sample {
@@ -199,12 +200,13 @@ inline void write_run(const std::string& dir, int nx = 200) {
   writer.finish(summary());
 }
 
-/// Every file of a folder with its bytes, but for those that end so.
+/// Every file of a folder with its bytes, but for those that end so, and for the time in the log.
 inline std::map<std::string, std::string> contents(const std::string& dir, const std::set<fs::path>& without = {}) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(dir))
     if (entry.is_regular_file() && !without.contains(entry.path().extension()))
-      all[fs::relative(entry.path(), dir).string()] = reye::output::read_text(entry.path().string());
+      all[fs::relative(entry.path(), dir).string()] =
+          reye::support::without_report_time(reye::output::read_text(entry.path().string()));
   return all;
 }
 

@@ -85,7 +85,7 @@ base::Points points_of(vtkDataSet& data, const std::string& path) {
 }  // namespace
 
 DrawnFrame read_drawn(const std::string& path) {
-  const auto reader = opened<vtkXMLUnstructuredGridReader>(path);
+  const auto reader = opened<vtkXMLUnstructuredGridReader>(path, WantedArrays{{"von_mises"}, {"body"}});
   auto* grid = reader->GetOutput();
   auto& body = array_of(*grid->GetCellData(), "body", grid->GetNumberOfCells(), path);
   auto& mises = array_of(*grid->GetPointData(), "von_mises", grid->GetNumberOfPoints(), path);
@@ -139,7 +139,9 @@ std::vector<DrawnLine> lines_of(vtkPolyData& grid, const std::string& path) {
 }  // namespace
 
 DrawnSurfaces read_drawn_surfaces(const std::string& path) {
-  const auto reader = opened<vtkXMLPolyDataReader>(path);
+  const auto reader =
+      opened<vtkXMLPolyDataReader>(path, WantedArrays{{"reference_position", "pressure_MPa", "wear_depth_mm"},
+                                                      {"surface", "side", "body", "body_on_left"}});
   auto& grid = *reader->GetOutput();
   const auto column = [&](const char* name) -> vtkDataArray& {
     return array_of(*grid.GetPointData(), name, grid.GetNumberOfPoints(), path);

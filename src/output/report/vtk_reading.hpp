@@ -1,10 +1,12 @@
 #pragma once
 #include <vtkDataArray.h>
+#include <vtkDataArraySelection.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +19,27 @@ namespace reye::output {
   throw base::InputError({{"dir", "", path + " is damaged: it is not a frame of a run"}});
 }
 
+/// The arrays that a reader takes of points and of cells; others stay packed in the file. Without them it takes all.
+struct WantedArrays {
+  std::vector<const char*> of_points, of_cells;
+};
+
+inline void choose(vtkDataArraySelection& selection, const std::vector<const char*>& wanted) {
+  selection.DisableAllArrays();
+  for (const char* name : wanted)
+    if (selection.ArrayExists(name)) selection.EnableArray(name);
+}
+
 template <class Reader>
-vtkNew<Reader> opened(const std::string& path) {
+vtkNew<Reader> opened(const std::string& path, const std::optional<WantedArrays>& wanted = {}) {
   vtkNew<Reader> reader;
   if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged_frame(path);
   vtkObject::GlobalWarningDisplayOff();  // its error is reported below
   reader->SetFileName(path.c_str());
   try {
+    reader->UpdateInformation();
+    if (wanted) choose(*reader->GetPointDataArraySelection(), wanted->of_points);
+    if (wanted) choose(*reader->GetCellDataArraySelection(), wanted->of_cells);
     reader->Update();
   } catch (const std::exception&) {  // sizes that no memory holds
     damaged_frame(path);

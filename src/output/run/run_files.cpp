@@ -1,8 +1,10 @@
 #include "output/run/run_files.hpp"
 
 #include <cassert>
+#include <chrono>
 #include <filesystem>
 
+#include "base/formatted.hpp"
 #include "base/printable.hpp"
 #include "output/folder/files.hpp"
 #include "output/folder/tables.hpp"
@@ -102,6 +104,13 @@ void RunFiles::extend() const { mark_folder(dir_, identity_); }
 void RunFiles::log(const std::string& line) {
   early_log_ += base::printable(line) + '\n';
   if (started_) flush_log();
+}
+
+void RunFiles::make_report(const std::function<void()>& make) {
+  const auto start = std::chrono::steady_clock::now();
+  make();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  log(base::formatted("report made in %.4f s", passed.count()));
 }
 
 void RunFiles::flush_log() {

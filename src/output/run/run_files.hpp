@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -48,7 +49,8 @@ class RunFiles {
   bool paraview() const { return paraview_; }
   /// The files of the last frame, and the collections with it.
   void write_frame(const std::string& bodies_vtu, const std::string& surfaces_vtp) const;
-  void log(const std::string& line);  ///< may be called before begin(): kept until then
+  void log(const std::string& line);                    ///< may be called before begin(): kept until then
+  void make_report(const std::function<void()>& make);  ///< makes it and enters its wall time in the log
 
   const Identity& identity() const { return identity_; }
   const Counters& counters() const { return counters_; }

@@ -34,7 +34,7 @@ void RunWriter::frame(const sim::Frame& frame) {
 
 void RunWriter::finish(const sim::Summary& summary) {
   atomic_write(folder_.path("summary.json"), summary_json(summary));
-  write_report(dir());
+  folder_.make_report([&] { write_report(dir()); });
 }
 
 }  // namespace reye::output

@@ -56,7 +56,7 @@ void SolidRunWriter::draw_scene(const sim::SolidFrame& frame) const {
 
 void SolidRunWriter::finish(const sim::SolidSummary& summary) {
   atomic_write(folder_.path("summary.json"), solid_summary_json(summary));
-  write_solid_report(dir());
+  folder_.make_report([&] { write_solid_report(dir()); });
 }
 
 }  // namespace reye::output

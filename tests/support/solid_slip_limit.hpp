@@ -1,0 +1,102 @@
+#pragma once
+#include "support/solid_mindlin.hpp"
+
+/// Two equal balls with nu = 0 under a constant load and a tangential force that swings between +-q mu P, one of which
+/// wears until nothing slips any more: Ciavarella and Hills' limit, of balls. Inside the stick radius nothing wears;
+/// there the balls press as a round that is cut off, outside they just meet.
+namespace reye::support {
+
+/// The limit for a stick radius c; exact: c = a (1 - q)^(1/3).
+struct SlipLimit {
+  double c, force, plane_modulus, R;  ///< mm, N, E* [MPa], of the relative curvature [mm]
+
+  /// Approach of the balls, w = 0 at r = c.
+  double approach() const { return force / (2.0 * plane_modulus * c) + c * c / (3.0 * R); }
+  /// Worn depth at r >= c, before it is cut off at zero.
+  double form(double r) const {
+    const double d = approach();
+    return d - r * r / (2.0 * R) -
+           2.0 / std::numbers::pi *
+               ((d - r * r / (2.0 * R)) * std::asin(c / r) + c / (2.0 * R) * std::sqrt(r * r - c * c));
+  }
+  /// Largest depth and volume, r over so many intervals up to 1.6 c.
+  std::array<double, 2> depth_and_volume() const {
+    constexpr int intervals = 4000;
+    double depth = 0.0, volume = 0.0;
+    for (int k = 0; k < intervals; ++k) {
+      const double step = 1.5 * c / intervals, r = c + (k + 0.5) * step, w = std::max(0.0, form(r));
+      depth = std::max(depth, w);
+      volume += 2.0 * std::numbers::pi * r * w * step;
+    }
+    return {depth, volume};
+  }
+};
+
+struct SlipLimitCase {
+  double q = 0.5;
+  double elements = 8.0;    ///< per radius of the first contact
+  double way = 10.0;        ///< cycles, over those in which the first one's wear is that of the limit
+  double tolerance = 0.02;  ///< of the blocks
+  int increments = 8;       ///< of a cycle
+
+  HertzCase hertz() const {
+    HertzCase c;
+    c.nu = 0.0;
+    c.mu = 0.5;
+    c.half = c.two_balls = true;
+    c.elements = elements;
+    c.fine = 1.5;
+    c.fine_depth = 0.3;
+    c.growth = 1.6;
+    return c;
+  }
+  SlipLimit limit(double c) const { return {c, hertz().force(), hertz().plane_modulus(), hertz().R_mm}; }
+  Mindlin mindlin() const {
+    const auto c = hertz();
+    return {q, c.mu, c.a_mm, c.force(), 0.5 * c.E_MPa};
+  }
+
+  sim::SolidProblem problem() const {
+    const auto c = hertz();
+    auto all = hertz_problem(c, q * c.mu * c.force());
+    all.scene.histories["slide"] = {{0.0, 0.0}, {1.0, 1.0}};
+    all.scene.histories["swing"] = {{0.0, 0.0}, {0.5, -2.0}, {1.0, 0.0}};
+    for (auto& input : all.inputs)
+      for (auto& support : input.supports)
+        for (auto& motion : support.along)
+          if (!motion.parts.empty() && motion.parts.front().history == "slide")
+            motion.parts.push_back({motion.parts.front().value, "swing"});
+    auto& law = all.contacts[0].options.wear;
+    law.kind = wear::LawKind::energy;
+    constexpr double cycles_to_limit = 20.0;
+    law.secondary = limit(mindlin().stick_radius()).depth_and_volume()[1] / (cycles_to_limit * mindlin().loop());
+    all.scene.geometry.fine_zones[0].radius_mm = 1.55 * c.a_mm;
+    all.scene.steps = {step_of(1, {"press"}), step_of(2, {"slide"}),
+                       step_of(increments, {"swing"}, std::round(way * cycles_to_limit))};
+    auto& rub = all.scene.steps.back();
+    rub.wear = true;
+    rub.jump_tolerance = tolerance;
+    all.scene.shape = false;  // a depth of some thousandths of an element
+    all.scene.frames.paraview = false;
+    return all;
+  }
+};
+
+/// What a run gives beside the limit.
+struct SlipLimitRun {
+  PlayedSolids played;
+  double stick_radius = 0.0, depth = 0.0, volume = 0.0;  ///< at the end, of the whole ball [mm; mm; mm^3]
+};
+
+inline SlipLimitRun play_slip_limit(const SlipLimitCase& c) {
+  SlipLimitRun run{play(c.problem())};
+  if (run.played.summary.status != sim::RunStatus::done) return run;
+  const double share = c.hertz().share();
+  const auto& worn = run.played.summary.contacts[0].secondary;
+  run.stick_radius = std::sqrt(run.played.rows.back().contacts[0].stick_area_mm2 / share / std::numbers::pi);
+  run.depth = worn.max_depth_mm;
+  run.volume = worn.worn_volume_mm3 / share;
+  return run;
+}
+
+}  // namespace reye::support
