@@ -17,6 +17,8 @@ struct Mindlin {
   }
 };
 
+inline Mindlin mindlin_of(double q, const HertzCase& c) { return {q, c.mu, c.a_mm, c.force(), 0.5 * c.E_MPa}; }
+
 /// What a run gives beside it.
 struct MindlinRun {
   PlayedSolids played;
@@ -24,9 +26,8 @@ struct MindlinRun {
   double stick_radius = 0.0, loop = 0.0;  ///< at the largest force; of one whole cycle [mm; mJ]
 };
 
-/// Presses, slides to the one side and swings once, in `increments`.
-inline MindlinRun play_mindlin(double q, const HertzCase& c, int increments) {
-  MindlinRun run{{}, {q, c.mu, c.a_mm, c.force(), 0.5 * c.E_MPa}};
+/// The balls, to be pressed by "press", pushed to one side by "slide" and to the other and back by each "swing".
+inline sim::SolidProblem swinging_balls(double q, const HertzCase& c) {
   auto problem = hertz_problem(c, q * c.mu * c.force());
   problem.scene.histories["slide"] = {{0.0, 0.0}, {1.0, 1.0}};
   problem.scene.histories["swing"] = {{0.0, 0.0}, {0.5, -2.0}, {1.0, 0.0}};
@@ -35,6 +36,13 @@ inline MindlinRun play_mindlin(double q, const HertzCase& c, int increments) {
       for (auto& motion : support.along)
         if (!motion.parts.empty() && motion.parts.front().history == "slide")
           motion.parts.push_back({motion.parts.front().value, "swing"});
+  return problem;
+}
+
+/// Presses, slides to the one side and swings once, in `increments`.
+inline MindlinRun play_mindlin(double q, const HertzCase& c, int increments) {
+  MindlinRun run{{}, mindlin_of(q, c)};
+  auto problem = swinging_balls(q, c);
   problem.scene.steps = {step_of(1, {"press"}), step_of(increments / 4, {"slide"}), step_of(increments, {"swing"}, 1)};
   run.played = play(problem);
   if (run.played.summary.status != sim::RunStatus::done) return run;

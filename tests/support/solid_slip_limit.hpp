@@ -19,7 +19,7 @@ struct SlipLimit {
            2.0 / std::numbers::pi *
                ((d - r * r / (2.0 * R)) * std::asin(c / r) + c / (2.0 * R) * std::sqrt(r * r - c * c));
   }
-  /// Largest depth and volume, r over so many intervals up to 1.6 c.
+  /// Largest depth and volume, r over so many intervals up to 2.5 c.
   std::array<double, 2> depth_and_volume() const {
     constexpr int intervals = 4000;
     double depth = 0.0, volume = 0.0;
@@ -51,21 +51,11 @@ struct SlipLimitCase {
     return c;
   }
   SlipLimit limit(double c) const { return {c, hertz().force(), hertz().plane_modulus(), hertz().R_mm}; }
-  Mindlin mindlin() const {
-    const auto c = hertz();
-    return {q, c.mu, c.a_mm, c.force(), 0.5 * c.E_MPa};
-  }
+  Mindlin mindlin() const { return mindlin_of(q, hertz()); }
 
   sim::SolidProblem problem() const {
     const auto c = hertz();
-    auto all = hertz_problem(c, q * c.mu * c.force());
-    all.scene.histories["slide"] = {{0.0, 0.0}, {1.0, 1.0}};
-    all.scene.histories["swing"] = {{0.0, 0.0}, {0.5, -2.0}, {1.0, 0.0}};
-    for (auto& input : all.inputs)
-      for (auto& support : input.supports)
-        for (auto& motion : support.along)
-          if (!motion.parts.empty() && motion.parts.front().history == "slide")
-            motion.parts.push_back({motion.parts.front().value, "swing"});
+    auto all = swinging_balls(q, c);
     auto& law = all.contacts[0].options.wear;
     law.kind = wear::LawKind::energy;
     constexpr double cycles_to_limit = 20.0;

@@ -39,3 +39,15 @@ TEST(SolidRemeshed, AScarDrawnAgainKeepsItsPressure) {
   EXPECT_EQ(changes.size(), static_cast<std::size_t>(summary.counts.remeshes));
   for (const double percent : changes) EXPECT_LE(percent, 3.0);
 }
+
+TEST(SolidRemeshed, NeverWhereItMayNot) {
+  // The ball of the scar drawn again, where it may not be remeshed, is worn without a fresh mesh, or ends with that
+  // reason.
+  auto scene = support::ball_worn_for(100.0, 1.0);
+  scene.remesh.automatic = false;
+  const auto summary = sim::run_solid(sim::prepare_solid(std::move(scene)), {});
+  EXPECT_EQ(summary.counts.remeshes, 0);
+  if (summary.status != sim::RunStatus::done) {
+    EXPECT_NE(summary.reason.find("remesh.automatic is false"), std::string::npos) << summary.reason;
+  }
+}

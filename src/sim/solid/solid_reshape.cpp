@@ -7,6 +7,7 @@
 
 #include "adapt/solid/solid_remesh.hpp"
 #include "adapt/solid/solid_step.hpp"
+#include "adapt/solid/solid_triggers.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/solid/skin_depth.hpp"
@@ -145,6 +146,7 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
                            const scene::Step& step, const SolidObserver& observer, SolidRunState& state) {
   const double start = cpu_seconds();
   const auto& options = problem.scene.remesh;
+  const bool due = remesh_due(problem, state);
   MovedSolids moved{state.meshes, std::vector<std::string>(state.meshes.size())};
   std::vector<double> ratio(state.meshes.size(), 1.0);
   for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
@@ -155,12 +157,12 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
     ratio[b] = result.removed / worn.total();
     moved.meshes[b] = result.mesh;
     moved.reasons[b] = result.poor;
-    if (!options.automatic && !result.poor.empty())
+    if (!options.automatic && !due && !result.poor.empty())
       return "body " + problem.inputs[b].name + ": " + result.poor + ", and remesh.automatic is false";
     if (options.automatic && result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
       moved.reasons[b] = adapt::why_remesh(*result.mesh, *state.born[b], options.triggers);
   }
-  if (remesh_due(problem, state)) ask_for_all(problem, player.system(), moved);
+  if (due) ask_for_all(problem, player.system(), moved);
   book_strips(player.system(), ratio, state);
   state.shape_s += cpu_seconds() - start;
   const auto asks = [](const std::string& reason) { return !reason.empty(); };
