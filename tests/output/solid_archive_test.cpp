@@ -67,6 +67,7 @@ sim::SolidRunState made_up_state() {
   s.life_cycles = {{"deep", 7.0}};
   s.life_error = {{"deep", 0.5}};
   s.limit_measure = {{"deep", 0.2}};
+  s.limit_rate = {{"deep", 0.01}};
   s.increment = 3;
   s.cycle = 4.5;
   s.energy_last_cycle_mJ = {0.3};
@@ -138,6 +139,7 @@ TEST(SolidArchive, EveryMemberCounts) {
       [](State& s) { s.life_cycles.clear(); },
       [](State& s) { s.life_error.clear(); },
       [](State& s) { s.limit_measure.clear(); },
+      [](State& s) { s.limit_rate.clear(); },
       [](State& s) { s.cutback_reasons.clear(); },
       [](State& s) { s.balance = 0.0; },
       [](State& s) { s.counts.cutbacks = 0; },

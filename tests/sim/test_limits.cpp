@@ -4,6 +4,7 @@
 
 #include "played.hpp"
 #include "problem_of.hpp"
+#include "sim/measure/limits.hpp"
 #include "sim/study/run.hpp"
 #include "verification/wear_scene.hpp"
 
@@ -63,4 +64,65 @@ TEST(Limits, NoToleranceIsMissedInSilence) {
   const bool warned =
       std::any_of(warnings.begin(), warnings.end(), [](const auto& w) { return w.kind == "tolerance"; });
   EXPECT_TRUE(warned || played.summary.error_cycle_jump.value() <= 0.01) << played.summary.error_cycle_jump.value();
+}
+
+// A life in a block in which the measure begins to grow ten times as fast must be found within two per cent, by blocks
+// that end at it, wherever in the block that is; where the measure grows evenly no block is repeated.
+TEST(Limits, GrowthThatChangesAtOnce) {
+  scene::Limit limit;
+  limit.name = "through";
+  limit.depth_mm = 0.05;
+  constexpr double slow = 1e-4, before = 0.01;
+  for (const double faster : {10.0, 1.0, 0.1})
+    for (int k = 1; k < 20; ++k) {
+      const double life = 100.0 + (0.05 - before) / slow, block = 20.0 * (life - 100.0) / k;
+      const auto depth = [&](double cycle) {
+        return cycle < life ? before + slow * (cycle - 100.0) : 0.05 + faster * slow * (cycle - life);
+      };
+      std::map<std::string, double> lives, errors, measure{{"through", before}}, rate{{"through", slow}};
+      const sim::Lives known{lives, errors, measure, rate};
+      sim::LimitSpan span{100.0, 100.0 + block, 0.0};
+      const auto middle = [&] {
+        return std::map<std::string, double>{{"through", depth(0.5 * (span.before + span.after))}};
+      };
+      const auto end = [&] { return std::map<std::string, double>{{"through", depth(span.after)}}; };
+      for (int turn = 0; turn < 4; ++turn) {
+        const auto shorter = sim::end_at_limit({limit}, end(), span, middle(), 0.02, turn > 0, known);
+        if (!shorter) break;
+        EXPECT_NE(faster, 1.0) << k;
+        EXPECT_FALSE(shorter->stop);
+        span.after = span.before + shorter->share * (span.after - span.before);
+      }
+      sim::note_limits({limit}, end(), span, middle(), known);
+      if (!lives.contains("through")) {
+        span = {span.after, span.after + block, 0.0};
+        sim::note_limits({limit}, end(), span, middle(), known);
+      }
+      EXPECT_NEAR(lives.at("through"), life, std::max(0.021 * life, errors.at("through"))) << faster << ' ' << k;
+      EXPECT_LT(errors.at("through"), 0.06 * life) << faster << ' ' << k;
+    }
+}
+
+// The life of a coating must be found within its stated error wherever blocks begin and end, and the log say which
+// block was repeated.
+TEST(Limits, ACoatingWornThroughInsideABlock) {
+  const auto coated = [](const std::string& jump) {
+    return recorded(test::problem_of(
+        test::with(test::block_scene,
+                   {{"secondary_mm3_per_J = 3.0e-5", "secondary_mm3_per_J = \"depth_mm < 5e-5 ? 3.0e-6 : 3.0e-5\""},
+                    {", primary_mm3_per_J = 2.0e-5", ""},
+                    {"cycles = 40\njump = 10", "cycles = 400000\njump = " + jump}}) +
+        "[limit.through]\ncontact = \"pad\"\ndepth_mm = 5.5e-5\n" + test::few_frames));
+  };
+  const double exact =
+      coated("{ tolerance = 0.2, first = 500, most = 4000 }").summary.life_cycles.at("through").value();
+  int again = 0;
+  for (const std::string first : {"400", "1000", "1700", "3000"}) {
+    const auto r = coated("{ tolerance = 0.02, first = " + first + " }");
+    const double life = r.summary.life_cycles.at("through").value(), error = r.summary.life_error.at("through");
+    EXPECT_NEAR(life, exact, std::min(error, 0.01 * exact)) << first;
+    EXPECT_LT(error, 0.03 * exact) << first;
+    for (const auto& line : r.log) again += line.find("to end at limit through") != line.npos;
+  }
+  EXPECT_GT(again, 0);
 }

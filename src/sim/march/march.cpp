@@ -52,7 +52,7 @@ BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const St
   return span;
 }
 
-constexpr int most_turns = 3;  ///< times that a block is repeated to end at a limit
+constexpr int most_turns = 4;  ///< times that a block is repeated to end at a limit
 
 /// One run in progress: the loop over steps and blocks.
 class Runner {
@@ -107,25 +107,22 @@ class Runner {
                                        : play_fixed(p_, from, cache_, span, observer);
   }
 
-  /// Cycles after which a block that was played passes a limit that stops the run; empty where it passes none.
-  std::optional<double> cycles_to_stop(const Outcome& outcome) {
-    const auto share = share_to_stop(p_, state_, outcome.state, *system_of(p_, outcome.state, cache_), outcome.middle);
-    const double played = outcome.state.cycle - state_.cycle;
-    return share && played > 1.0 ? std::optional(std::max(1.0, *share * played)) : std::nullopt;
-  }
-
-  /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
+  /// Plays a block; where it should end at a limit in its midst it is repeated, as far as the limit.
   Outcome play_to_limit(BlockSpan span) {
-    if (!span.cycles || !any_stop_ahead(p_, state_)) return play(span, state_, observer_);
+    if (!span.cycles || !any_limit_ahead(p_.scene.limits, state_.life_cycles)) return play(span, state_, observer_);
+    const double tolerance = under_tolerance(*span.step) ? span.step->jump_tolerance : 0.0;
     Recording recording;
     Outcome outcome = play(span, state_, recording.observer(observer_));
     for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
-      const auto cycles = cycles_to_stop(outcome);
-      if (!cycles) break;
+      const auto end = block_end(p_, state_, outcome.state, *system_of(p_, outcome.state, cache_), outcome.middle,
+                                 tolerance, turn > 0);
+      const double played = outcome.state.cycle - state_.cycle;
+      if (!end || played <= unjumped) break;
       State start = state_;
       keep_counts(start, outcome.state.counts);
-      span.jump = *cycles;
-      span.last = span.level = true;
+      span.jump = std::max(unjumped, end->share * played);
+      span.last = span.level = end->stop;
+      if (observer_.log) observer_.log(block_repeated(*span.step, start.cycle, span.jump, *end));
       recording = {};
       outcome = play(span, start, recording.observer(observer_));
     }

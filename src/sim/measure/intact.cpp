@@ -107,7 +107,7 @@ void check_progress(const Problem& problem, const State& state) {
           "it has done more cycles than the step has");
   for (const auto& [name, factor] : state.factors)
     require(problem.scene.histories.contains(name) && finite(factor), "history " + name + " is at no factor");
-  for (const auto* numbers : {&state.life_cycles, &state.life_error, &state.limit_measure})
+  for (const auto* numbers : {&state.life_cycles, &state.life_error, &state.limit_measure, &state.limit_rate})
     for (const auto& [name, value] : *numbers)
       require(finite(value) && std::any_of(problem.scene.limits.begin(), problem.scene.limits.end(),
                                            [&](const auto& l) { return l.name == name; }),

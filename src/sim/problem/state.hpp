@@ -48,6 +48,7 @@ struct State {
   std::map<std::string, double> life_cycles;    ///< limits reached so far
   std::map<std::string, double> life_error;     ///< error of those by the cycle jump, where known [cycles]
   std::map<std::string, double> limit_measure;  ///< value of each limit's measure at the last block end
+  std::map<std::string, double> limit_rate;     ///< its growth per cycle just before that
   std::optional<double> small_strain_error;     ///< largest estimate so far where small strain was chosen
   std::vector<Warning> warnings;                ///< found in the run
   std::vector<ContactWatch> watch;              ///< observations of each contact

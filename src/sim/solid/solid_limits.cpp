@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/measure/limits.hpp"
 #include "sim/solid/skin_depth.hpp"
 
 namespace reye::sim {
@@ -40,23 +39,18 @@ bool watch_solid_limits(const SolidProblem& problem, const solver::SolidSystem& 
                         const std::map<std::string, double>& middle, SolidRunState& state) {
   return note_limits(problem.scene.limits, solid_limit_measures(problem, system, state),
                      {cycle_before, state.cycle, state.jump_error}, middle,
-                     {state.life_cycles, state.life_error, state.limit_measure});
+                     {state.life_cycles, state.life_error, state.limit_measure, state.limit_rate});
 }
 
-std::optional<double> share_to_solid_stop(const SolidProblem& problem, const solver::SolidSystem& system,
-                                          const SolidRunState& before, const SolidRunState& after,
-                                          const std::map<std::string, double>& middle) {
+std::optional<LimitEnd> solid_block_end(const SolidProblem& problem, const solver::SolidSystem& system,
+                                        const SolidRunState& before, const SolidRunState& after,
+                                        const std::map<std::string, double>& middle, double tolerance, bool again) {
   auto cycles = before.life_cycles;
   auto error = before.life_error;
   auto measure = before.limit_measure;
-  return share_to_limit(problem.scene.limits, solid_limit_measures(problem, system, after), middle,
-                        {cycles, error, measure});
-}
-
-bool solid_stop_ahead(const SolidProblem& problem, const SolidRunState& state) {
-  const auto& limits = problem.scene.limits;
-  return std::any_of(limits.begin(), limits.end(),
-                     [&](const auto& limit) { return limit.stop && !state.life_cycles.contains(limit.name); });
+  auto rate = before.limit_rate;
+  return end_at_limit(problem.scene.limits, solid_limit_measures(problem, system, after), {before.cycle, after.cycle},
+                      middle, tolerance, again, {cycles, error, measure, rate});
 }
 
 }  // namespace reye::sim

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/measure/limits.hpp"
 #include "sim/solid/solid_state.hpp"
 
 /// Limits of the wear of solids: as `measure/limits` for the plane, by depth and volume of the faces.
@@ -16,12 +17,9 @@ std::map<std::string, double> solid_limit_measures(const SolidProblem& problem, 
 bool watch_solid_limits(const SolidProblem& problem, const solver::SolidSystem& system, double cycle_before,
                         const std::map<std::string, double>& middle, SolidRunState& state);
 
-/// The share of a block up to the first limit that ends the run; empty where the block ends at it or does not reach it.
-std::optional<double> share_to_solid_stop(const SolidProblem& problem, const solver::SolidSystem& system,
-                                          const SolidRunState& before, const SolidRunState& after,
-                                          const std::map<std::string, double>& middle);
-
-/// Whether a limit that ends the run is still to be reached.
-bool solid_stop_ahead(const SolidProblem& problem, const SolidRunState& state);
+/// As `end_at_limit`, of a block of a run.
+std::optional<LimitEnd> solid_block_end(const SolidProblem& problem, const solver::SolidSystem& system,
+                                        const SolidRunState& before, const SolidRunState& after,
+                                        const std::map<std::string, double>& middle, double tolerance, bool again);
 
 }  // namespace reye::sim

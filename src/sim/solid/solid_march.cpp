@@ -20,7 +20,7 @@ namespace reye::sim {
 namespace {
 
 constexpr double round_off = 1e-9;  ///< of the cycles of a step
-constexpr int most_turns = 3;       ///< times that a block is repeated to end at a limit
+constexpr int most_turns = 4;       ///< times that a block is repeated to end at a limit
 
 /// A run while it is played.
 class March {
@@ -129,19 +129,23 @@ class March {
                                        : play_fixed_block(*player_, from, span, observer);
   }
 
-  /// Plays a block; where it passes a limit that ends the run it is repeated, as far as the limit.
+  /// Plays a block; where it should end at a limit in its midst it is repeated, as far as the limit.
   SolidOutcome play_to_limit(SolidSpan span) {
-    if (!span.cycles || !solid_stop_ahead(problem_, state_)) return play_span(span, state_, observer_);
+    if (!span.cycles || !any_limit_ahead(problem_.scene.limits, state_.life_cycles))
+      return play_span(span, state_, observer_);
+    const double tolerance = under_tolerance(*span.step) ? span.step->jump_tolerance : 0.0;
     SolidRecording recording;
     SolidOutcome outcome = play_span(span, state_, recording.observer(observer_));
     for (int turn = 0; turn < most_turns && outcome.failure.empty() && !outcome.interrupted; ++turn) {
-      const auto share = share_to_solid_stop(problem_, player_->system(), state_, outcome.state, outcome.middle);
+      const auto end =
+          solid_block_end(problem_, player_->system(), state_, outcome.state, outcome.middle, tolerance, turn > 0);
       const double cycles = outcome.state.cycle - state_.cycle;
-      if (!share || cycles <= 1.0) break;
+      if (!end || cycles <= 1.0) break;
       SolidRunState start = state_;
       start.counts = outcome.state.counts;
-      span.jump = std::max(1.0, *share * cycles);
-      span.last = span.level = true;
+      span.jump = std::max(1.0, end->share * cycles);
+      span.last = span.level = end->stop;
+      if (observer_.log) observer_.log(block_repeated(*span.step, start.cycle, span.jump, *end));
       recording = {};
       outcome = play_span(span, start, recording.observer(observer_));
     }

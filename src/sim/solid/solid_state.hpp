@@ -33,8 +33,8 @@ struct SolidRunState {
   std::optional<double> jump_error;  ///< error of the blocks under a tolerance, as far as known
   std::vector<double> energy_last_cycle_mJ;  ///< dissipated in a cycle of the last block, per contact
   std::vector<std::vector<char>> slid;       ///< per contact: secondary points that slid in the last block
-  std::map<std::string, double> life_cycles, life_error, limit_measure;  ///< as in State
-  std::vector<Warning> warnings;                                         ///< found in the run
+  std::map<std::string, double> life_cycles, life_error, limit_measure, limit_rate;  ///< as in State
+  std::vector<Warning> warnings;                                                     ///< found in the run
   Counts counts;
   std::vector<std::string> cutback_reasons;
   double balance = 0.0;                             ///< `imbalance_N` over the largest force
