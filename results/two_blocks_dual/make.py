@@ -31,8 +31,8 @@ def main():
         table.append([rows[k]["y_mm"], p, p * LOG, published, p / published - 1.0, p * LOG / published - 1.0, now])
         measured[f"finite_gap_to_published_{k}"] = now / published - 1.0
         measured[f"gap_to_published_{k}"] = p / published - 1.0
-        measured[f"shape_{k}"] = p / rows[3]["pressure_MPa"]
-        if k < 3:
+        if k < 3:  # the fourth is the middle itself
+            measured[f"shape_{k}"] = p / rows[3]["pressure_MPa"]
             measured[f"symmetry_{k}"] = p / rows[6 - k]["pressure_MPa"] - 1.0
     measured["middle_with_log_strain"] = rows[3]["pressure_MPa"] * LOG
     for k, published in enumerate(SHEAR):

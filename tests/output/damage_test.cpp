@@ -130,6 +130,10 @@ TEST(Damage, Frames) {
       atomic_write(dir / file, altered(whole, random));
       EXPECT_NO_THROW(said(dir.str(), true));
     }
+    const auto at = whole.find("AQAAAAAAAA", whole.find("format=\"binary\""));
+    ASSERT_NE(at, whole.npos);
+    atomic_write(dir / file, std::string(whole).replace(at, 10, "AQAAAP///w"));
+    EXPECT_TRUE(holds(said(dir.str(), true), std::string(file) + " is damaged")) << "a count beyond all memory";
     atomic_write(dir / file, whole);
   }
 }

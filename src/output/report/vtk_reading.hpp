@@ -30,10 +30,15 @@ inline void choose(vtkDataArraySelection& selection, const std::vector<const cha
     if (selection.ArrayExists(name)) selection.EnableArray(name);
 }
 
+/// Throws where an array of the file would be unpacked to more than its bytes can hold, for which the reader would take
+/// all memory: a digit of its sizes is damaged.
+void refuse_impossible_sizes(const std::string& path);
+
 template <class Reader>
 vtkNew<Reader> opened(const std::string& path, const std::optional<WantedArrays>& wanted = {}) {
   vtkNew<Reader> reader;
   if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged_frame(path);
+  refuse_impossible_sizes(path);
   vtkObject::GlobalWarningDisplayOff();  // its error is reported below
   reader->SetFileName(path.c_str());
   try {
