@@ -40,6 +40,8 @@ Step step_of(const Entry& entry, std::size_t index);
 std::vector<Step> steps_of(const Entry& root, const std::string& scene_path, Issues& issues);
 std::vector<Limit> limits_of(const Entry& root, Issues& issues);
 Remesh remesh_of(const Entry& root);
+/// Refuses remeshes that are asked for where no surface moves, since none would come.
+void require_shape_to_remesh(const Entry& root, Issues& issues);
 FrameRules frames_of(const Entry& frames);
 Output output_of(const Entry& root);
 

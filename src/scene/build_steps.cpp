@@ -115,6 +115,13 @@ std::vector<Limit> limits_of(const Entry& root, Issues& issues) {
   return limits;
 }
 
+void require_shape_to_remesh(const Entry& root, Issues& issues) {
+  const auto remesh = root.at("remesh");
+  if (root.text("shape") == "off" && remesh.whole("every_blocks") > 0)
+    issues.push_back({remesh.key("every_blocks"), remesh.written("every_blocks"),
+                      "with shape = \"off\" no surface moves and no body is remeshed; leave one of them out"});
+}
+
 Remesh remesh_of(const Entry& root) {
   const auto entry = root.at("remesh");
   Remesh remesh;

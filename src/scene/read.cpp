@@ -55,6 +55,7 @@ void build(const Entry& root, Scene& scene, Issues& issues) {
   scene.steps = steps_of(root, scene.path, issues);
   scene.limits = limits_of(root, issues);
   scene.remesh = remesh_of(root);
+  require_shape_to_remesh(root, issues);
   scene.output = output_of(root);
   choose_elements(scene);
 }

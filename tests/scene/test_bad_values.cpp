@@ -31,6 +31,11 @@ TEST(BadScene, Values) {
       {"accuracy",
        {{"[material.steel]", "accuracy = 0\n[material.steel]"}},
        "scene.toml:5: accuracy = 0: must lie in (0, 0.2]"},
+      {"remeshes where no surface moves",
+       {{"[material.steel]", "shape = \"off\"\n[remesh]\nevery_blocks = 2\n[material.steel]"}},
+       "scene.toml:7: remesh.every_blocks = 2: with shape = \"off\" no surface moves and no body is remeshed; leave "
+       "one of "
+       "them out"},
       {"accuracy of a guess",
        {{"[material.steel]", "accuracy = 0.21\n[material.steel]"}},
        "scene.toml:5: accuracy = 0.21: must lie in (0, 0.2]"},

@@ -93,6 +93,11 @@ TEST(BadSolid, KeysOfThePlane) {
          "speed_ref_mm_per_s = 10 }"}},
        "scene.toml:78: step[0].period_s: missing; contact \"pad\" wears with a speed_exponent\n"
        "scene.toml:83: step[1].period_s: missing; contact \"pad\" wears with a speed_exponent"},
+      {"remeshes where no surface moves",
+       {{"symmetry = [", "shape = \"off\"\nremesh = { every_blocks = 2 }\nsymmetry = ["}},
+       "scene.toml:5: remesh.every_blocks = 2: with shape = \"off\" no surface moves and no body is remeshed; leave "
+       "one of "
+       "them out"},
       {"limit and remesh",
        {{"[output]", "[limit.life]\ncontact = \"pad\"\n[remesh]\nmin_angle_deg = 10\nmin_quality = 0.9\n[output]"}},
        "scene.toml:88: limit.life: needs one of depth_mm, volume_mm3\n"

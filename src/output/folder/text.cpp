@@ -33,7 +33,9 @@ std::string rounded(double value, int digits) {
   }
   const std::string text = base::formatted("%.*e", digits - 1, value);
   const auto e = text.find('e');
-  return text.substr(0, e) + " · " + power_of_ten(std::stoi(text.substr(e + 1)));
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.find('.') != mantissa.npos) mantissa.erase(mantissa.find_last_not_of(".0") + 1);
+  return mantissa + " · " + power_of_ten(std::stoi(text.substr(e + 1)));
 }
 
 std::string file_part(std::string_view name) {

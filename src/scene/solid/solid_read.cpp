@@ -67,6 +67,7 @@ void build_solid(const Entry& root, SolidScene& scene, Issues& issues) {
   scene.limits = limits_of(root, issues);
   scene.shape = root.text("shape") != "off";
   scene.remesh = solid_remesh_of(root);
+  require_shape_to_remesh(root, issues);
   add_solid_output(root, scene);
   scene.max_newton = root.at("solver").whole("max_newton");
   scene.max_cutbacks = root.at("solver").whole("max_cutbacks");
