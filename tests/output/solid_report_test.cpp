@@ -40,7 +40,7 @@ TEST(SolidReport, ShowsInputsAndResults) {
   for (const char* shown :
        {"<h1>Block &lt;on&gt; block</h1>", "pin &amp; co", "steel, E 210000 MPa, nu 0.3", "x, y, z fixed",
         "x 0.02 mm × slide, z -100 N × press; as one rigid face", "pressure 3 MPa", "stick, 0.5 mm²", "slip, 0.5 mm²",
-        "2 facets touch &amp; more.", "3 s (75 %)", "1.0 · 10⁻¹⁴", "analysis = &quot;solid&quot;", "solids in three"})
+        "2 facets touch &amp; more.", "3 s (75 %)", "1 · 10⁻¹⁴", "analysis = &quot;solid&quot;", "solids in three"})
     EXPECT_TRUE(holds(page, shown)) << shown;
   for (const char* never : {">nan", " nan", ">inf", "-nan"}) EXPECT_FALSE(holds(page, never)) << never;
 }
