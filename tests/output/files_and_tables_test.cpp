@@ -45,15 +45,6 @@ TEST(Number, RoundTripsEveryDouble) {
   }
 }
 
-// Numbers for readers show no zeros that say nothing, neither in words nor before a power of ten.
-TEST(Number, RoundedForReaders) {
-  EXPECT_EQ(rounded(2e6, 8), "2 · 10⁶");
-  EXPECT_EQ(rounded(1.25e-7, 4), "1.25 · 10⁻⁷");
-  EXPECT_EQ(rounded(1e10, 3), "1 · 10¹⁰");
-  EXPECT_EQ(rounded(100.0, 2), "100");
-  EXPECT_EQ(rounded(0.0), "0");
-}
-
 // history.csv has exactly the columns of the contract, then six per contact, then two per support and a moment of rigid
 // edges, then four per bond.
 TEST(History, HasTheColumnsOfTheContract) {

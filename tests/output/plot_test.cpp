@@ -85,11 +85,14 @@ TEST(Thinned, KeepsPeaks) {
   EXPECT_TRUE(std::is_sorted(thin.x.begin(), thin.x.end()));
 }
 
-// Numbers for readers keep whole digits and use powers of ten only outside 1e-3 .. 1e6.
+// Numbers for readers keep whole digits, use powers of ten only outside 1e-3 .. 1e6, and end where they say something.
 TEST(Rounded, IsReadable) {
   EXPECT_EQ(rounded(16200.5, 4), "16200");
   EXPECT_EQ(rounded(0.00161, 4), "0.00161");
   EXPECT_EQ(rounded(3.14e-14, 2), "3.1 · 10⁻¹⁴");
+  EXPECT_EQ(rounded(2e6, 8), "2 · 10⁶");
+  EXPECT_EQ(rounded(1.25e-7, 4), "1.25 · 10⁻⁷");
+  EXPECT_EQ(rounded(1e10, 3), "1 · 10¹⁰");
   EXPECT_EQ(rounded(0.0), "0");
   EXPECT_EQ(rounded(NAN), "–");
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
+#include "output/picture/key_pieces.hpp"
 #include "output/solid/depth_picture.hpp"
 #include "output/solid/skin_edges.hpp"
 #include "solid_sample.hpp"
@@ -42,6 +46,24 @@ TEST(SolidPicture, NamesEverything) {
     EXPECT_TRUE(holds(svg, shown)) << shown;
   for (const char* letter : {">A</text>", ">B</text>", ">C</text>"}) EXPECT_TRUE(holds(svg, letter)) << letter;
   for (const char* never : {"nan", "inf"}) EXPECT_FALSE(holds(svg, never)) << never;
+}
+
+// Words of the key that are too long for the picture fill further lines, all of them, each inside it.
+TEST(KeyPieces, LongWordsAreBrokenIntoLines) {
+  std::string words;
+  for (int k = 0; k < 60; ++k) words += (k ? " sliding" : "sliding") + std::to_string(k);
+  double y = 10.0;
+  const std::string svg = key_lines(74.0, y, words, 19.0);
+  EXPECT_EQ(y, 10.0 + 19.0 * static_cast<double>(std::count(svg.begin(), svg.end(), '\n')));
+  EXPECT_GT(y, 2 * 19.0);
+  std::string again;
+  std::istringstream lines(svg);
+  for (std::string line; std::getline(lines, line);) {
+    const auto begin = line.find('>') + 1, end = line.find("</text>");
+    EXPECT_LT(end - begin, 165U);
+    again += (again.empty() ? "" : " ") + line.substr(begin, end - begin);
+  }
+  EXPECT_EQ(again, words);
 }
 
 // Supports and loads on bodies or faces that no mesh has are listed in the key and drawn nowhere.

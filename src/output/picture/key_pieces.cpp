@@ -1,6 +1,7 @@
 #include "output/picture/key_pieces.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "base/formatted.hpp"
 #include "output/folder/text.hpp"
@@ -35,6 +36,26 @@ std::string small_curve(const std::string& name, const scene::History& history, 
 std::string key_text(double x, double y, const std::string& words, const char* colour) {
   return base::formatted("<text x=\"%.1f\" y=\"%.1f\" font-size=\"13\" fill=\"%s\">", x, y, colour) + escaped(words) +
          "</text>\n";
+}
+
+std::string key_lines(double x, double& y, const std::string& words, double line_height) {
+  constexpr double width_of_a_character = 6.6, indent = 14.0, margin = 20.0;
+  std::string svg, line;
+  double left = x;
+  const auto end_line = [&] {
+    svg += key_text(left, y, line);
+    y += line_height;
+    left = x + indent;
+    line.clear();
+  };
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    const auto letters = static_cast<double>(line.size() + 1 + word.size());
+    if (!line.empty() && left + width_of_a_character * letters > picture_width - margin) end_line();
+    line += (line.empty() ? "" : " ") + word;
+  }
+  end_line();
+  return svg;
 }
 
 std::string history_curves(const std::map<std::string, scene::History>& histories, double left, double& y) {

@@ -143,8 +143,7 @@ std::string material_in_words(const sim::Problem& p, int b) {
 std::string key(const sim::Problem& p, const std::vector<Action>& actions, double& y) {
   std::string svg;
   const auto row = [&](const std::string& words, const std::string& mark, double from = gutter + 34.0) {
-    svg += mark + key_text(from, y, words);
-    y += line_height;
+    svg += mark + key_lines(from, y, words, line_height);
   };
   const auto swatch = [&](const char* colour, double x) {
     return base::formatted(

@@ -172,8 +172,7 @@ std::string contact_in_words(const contact::SkinContactOptions& contact) {
 std::string key_of(const PanelRow& row, double& y) {
   std::string svg;
   const auto line = [&](const std::string& words, const std::string& mark) {
-    svg += mark + key_text(edge_gutter + 34.0, y, words);
-    y += key_line;
+    svg += mark + key_lines(edge_gutter + 34.0, y, words, key_line);
   };
   for (std::size_t b = 0; b < row.bodies.size(); ++b)
     line(body_in_words(row, b), swatch_of(row.paint.body[b].c_str(), edge_gutter, y));
