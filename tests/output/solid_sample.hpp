@@ -129,6 +129,7 @@ inline sim::SolidIncrement increment(const std::string& step, double cycle, doub
   contact.normal_force_N = 100.0;
   contact.tangential_force_N = 30.0;
   contact.energy_mJ = 0.1 * (cycle + progress);
+  contact.volume_secondary_mm3 = 0.25;
   sim::SupportRow below, above;
   below.force_N = Vec3(-30.0, 0.0, 100.0);
   below.moment_N_mm = Vec3(1.0, 2.0, 3.0);

@@ -15,7 +15,8 @@ TEST(SolidTables, HeaderNamesEveryColumn) {
   EXPECT_EQ(solid_history_header({{"pad"}, {"ground"}}),
             "step,cycle,progress,newton,pad_pressure_max_MPa,pad_area_mm2,pad_stick_area_mm2,pad_force_x_N,"
             "pad_force_y_N,pad_force_z_N,pad_normal_force_N,pad_tangential_force_N,pad_energy_mJ,"
-            "pad_depth_max_secondary_mm,pad_depth_max_primary_mm,ground_force_x_N,ground_force_y_N,ground_force_z_N,"
+            "pad_depth_max_secondary_mm,pad_depth_max_primary_mm,pad_volume_secondary_mm3,pad_volume_primary_mm3,"
+            "ground_force_x_N,ground_force_y_N,ground_force_z_N,"
             "ground_moment_x_N_mm,ground_moment_y_N_mm,ground_moment_z_N_mm\n");
 }
 
@@ -29,7 +30,8 @@ TEST(SolidTables, RowsReadBack) {
   EXPECT_EQ(table.word(table.column("step")[0]), "a, b");
   for (const auto& [column, value] :
        {std::pair("cycle", 1.25), std::pair("newton", 4.0), std::pair("pad_pressure_max_MPa", 1.0 / 3.0),
-        std::pair("pad_force_x_N", -30.0), std::pair("pad_force_z_N", -100.0), std::pair("pad_stick_area_mm2", 0.5),
+        std::pair("pad_volume_secondary_mm3", 0.25), std::pair("pad_force_x_N", -30.0),
+        std::pair("pad_force_z_N", -100.0), std::pair("pad_stick_area_mm2", 0.5),
         std::pair("pad_tangential_force_N", 30.0), std::pair("ground_force_z_N", 100.0),
         std::pair("ground_moment_y_N_mm", 2.0), std::pair("shaker_force_x_N", 30.0)})
     EXPECT_EQ(table.column(column).at(0), value) << column;

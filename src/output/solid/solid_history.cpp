@@ -60,7 +60,11 @@ const std::vector<HistoryFigure> contact_figures{
     {"depth",
      "Largest worn depth",
      "mm",
-     {{"_depth_max_secondary_mm", "secondary side"}, {"_depth_max_primary_mm", "primary side", true}}}};
+     {{"_depth_max_secondary_mm", "secondary side"}, {"_depth_max_primary_mm", "primary side", true}}},
+    {"volume",
+     "Worn volume",
+     "mm³",
+     {{"_volume_secondary_mm3", "secondary side"}, {"_volume_primary_mm3", "primary side", true}}}};
 
 std::string label_of(const std::string& contact, const std::string& words, bool several) {
   if (!several) return words;

@@ -22,7 +22,8 @@ std::string solid_history_header(const SolidColumns& columns) {
   for (const auto& contact : columns.contacts)
     for (const char* column :
          {"_pressure_max_MPa", "_area_mm2", "_stick_area_mm2", "_force_x_N", "_force_y_N", "_force_z_N",
-          "_normal_force_N", "_tangential_force_N", "_energy_mJ", "_depth_max_secondary_mm", "_depth_max_primary_mm"})
+          "_normal_force_N", "_tangential_force_N", "_energy_mJ", "_depth_max_secondary_mm", "_depth_max_primary_mm",
+          "_volume_secondary_mm3", "_volume_primary_mm3"})
       line += ',' + csv_field(contact + column);
   for (const auto& support : columns.supports)
     for (const auto& [quantity, unit] : {std::pair("_force_", "_N"), std::pair("_moment_", "_N_mm")})
@@ -39,8 +40,9 @@ std::string solid_history_row(const sim::SolidIncrement& record, const SolidColu
     for (const double value : {contact.pressure_max_MPa, contact.area_mm2, contact.stick_area_mm2})
       line += ',' + number(value);
     add_cells(line, contact.force_N);
-    for (const double value : {contact.normal_force_N, contact.tangential_force_N, contact.energy_mJ,
-                               contact.depth_secondary_mm, contact.depth_primary_mm})
+    for (const double value :
+         {contact.normal_force_N, contact.tangential_force_N, contact.energy_mJ, contact.depth_secondary_mm,
+          contact.depth_primary_mm, contact.volume_secondary_mm3, contact.volume_primary_mm3})
       line += ',' + number(value);
   }
   for (const auto& support : record.supports) {

@@ -97,6 +97,8 @@ void correct_row(SolidIncrement& row, double share, const SolidIncrement& before
     const auto &from = before.contacts[c], &end = after.contacts[c];
     to.depth_secondary_mm += share * (end.depth_secondary_mm - from.depth_secondary_mm);
     to.depth_primary_mm += share * (end.depth_primary_mm - from.depth_primary_mm);
+    to.volume_secondary_mm3 += share * (end.volume_secondary_mm3 - from.volume_secondary_mm3);
+    to.volume_primary_mm3 += share * (end.volume_primary_mm3 - from.volume_primary_mm3);
     to.energy_mJ += share * (end.energy_mJ - from.energy_mJ);
   }
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mesh/solid/solid_measure.hpp"
 
@@ -85,6 +86,9 @@ SkinContactRow contact_row(const solver::SolidSystem& system, const SolidRunStat
   if (!setup.options.wear.wears()) return row;
   row.depth_secondary_mm = deepest_worn(setup, state.solution.wear[c], Side::secondary);
   row.depth_primary_mm = deepest_worn(setup, state.solution.wear[c], Side::primary);
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  row.volume_secondary_mm3 = sum(state.solution.wear[c].removed_secondary);
+  row.volume_primary_mm3 = sum(state.solution.wear[c].removed_primary);
   return row;
 }
 

@@ -18,13 +18,14 @@ using base::Vec3;
 /// A contact at the end of an increment.
 struct SkinContactRow {
   double pressure_max_MPa = 0.0;
-  double area_mm2 = 0.0;                                    ///< of the nodes in contact
-  double stick_area_mm2 = 0.0;                              ///< of those that stick
-  Vec3 force_N = Vec3::Zero();                              ///< on the secondary side
-  double normal_force_N = 0.0;                              ///< int p dA
-  double tangential_force_N = 0.0;                          ///< |int t dA|, of the shear alone
-  double energy_mJ = 0.0;                                   ///< dissipated since the start
-  double depth_secondary_mm = 0.0, depth_primary_mm = 0.0;  ///< largest worn depths
+  double area_mm2 = 0.0;                                        ///< of the nodes in contact
+  double stick_area_mm2 = 0.0;                                  ///< of those that stick
+  Vec3 force_N = Vec3::Zero();                                  ///< on the secondary side
+  double normal_force_N = 0.0;                                  ///< int p dA
+  double tangential_force_N = 0.0;                              ///< |int t dA|, of the shear alone
+  double energy_mJ = 0.0;                                       ///< dissipated since the start
+  double depth_secondary_mm = 0.0, depth_primary_mm = 0.0;      ///< largest worn depths
+  double volume_secondary_mm3 = 0.0, volume_primary_mm3 = 0.0;  ///< worn since the start
 };
 
 /// The resultant of a support on its body.

@@ -13,12 +13,9 @@ namespace reye::sim {
 namespace {
 
 void add_wear(const contact::SkinWear& wear, const SkinContactRow& row, SkinContactSummary& summary) {
-  const auto side = [](double depth, const std::vector<double>& removed) {
-    return SkinSideSummary{depth, std::accumulate(removed.begin(), removed.end(), 0.0)};
-  };
   summary.wears = true;
-  summary.secondary = side(row.depth_secondary_mm, wear.removed_secondary);
-  summary.primary = side(row.depth_primary_mm, wear.removed_primary);
+  summary.secondary = {row.depth_secondary_mm, row.volume_secondary_mm3};
+  summary.primary = {row.depth_primary_mm, row.volume_primary_mm3};
   const auto gone = [](double strip, const std::vector<double>& pending) {
     return strip + std::accumulate(pending.begin(), pending.end(), 0.0);
   };
