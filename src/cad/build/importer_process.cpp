@@ -29,9 +29,11 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 /// Starts the process with its requests as standard input, its pipe as descriptor 3 and no other open file of this
 /// program.
-pid_t start(const std::string& program, const std::vector<std::string>& arguments, int requests, int pipe) {
+pid_t start(const std::string& program, const std::vector<std::string>& arguments, const std::string& folder,
+            int requests, int pipe) {
   posix_spawn_file_actions_t files;
   ::posix_spawn_file_actions_init(&files);
+  if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
   ::posix_spawn_file_actions_adddup2(&files, requests, STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&files, pipe, pipe_of_importer);
   for (int out : {STDOUT_FILENO, STDERR_FILENO})
@@ -62,7 +64,7 @@ void close_both(const int (&ends)[2]) {
 
 }  // namespace
 
-ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments) {
+ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments, const std::string& folder) {
   int ends[2] = {-1, -1}, asking[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, asking) != 0) {
     const std::string why = std::strerror(errno);
@@ -70,7 +72,7 @@ ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments) {
     throw std::runtime_error("no pipe to the importer: " + why);
   }
   try {
-    pid_ = start(beside_program("reye-import"), arguments, asking[1], ends[1]);
+    pid_ = start(beside_program("reye-import"), arguments, folder, asking[1], ends[1]);
   } catch (...) {
     close_both(ends);
     close_both(asking);

@@ -23,8 +23,8 @@ struct Task {
 /// things it shares with this program; ended with the object.
 class ImporterProcess {
  public:
-  /// Throws std::runtime_error when it cannot be started.
-  explicit ImporterProcess(const std::vector<std::string>& arguments);
+  /// `folder`: in which it works; empty: in that of this program. Throws std::runtime_error when it cannot be started.
+  explicit ImporterProcess(const std::vector<std::string>& arguments, const std::string& folder = {});
   ~ImporterProcess();
   ImporterProcess(const ImporterProcess&) = delete;
   ImporterProcess& operator=(const ImporterProcess&) = delete;

@@ -1,5 +1,8 @@
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <new>
 
@@ -14,7 +17,7 @@
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
-///   reye-import guarded|trusted FOLDER solid FILE
+///   reye-import guarded|trusted FOLDER solid FILE    FOLDER: as seen from that of FILE, an absolute path
 ///   reye-import guarded|trusted FOLDER fill -
 /// SECTION: six numbers, point and normal, or "-". Its messages go to descriptor 3, each preceded by its size: first
 /// whether the system keeps it from anything but reading, then an answer for each file; of solids, an answer to each
@@ -53,6 +56,18 @@ cad::Answer answer_about(const std::string& file, const cad::Reading& how) {
   }
 }
 
+/// Goes to the folder of a file and leaves its name alone in `word`, without a text of its own length: gmsh orders some
+/// of its sets by addresses of memory, which such texts move, and a scene had another mesh in each folder.
+void go_beside(char* word) {
+  char* const slash = std::strrchr(word, '/');
+  if (slash == nullptr || slash == word) return;
+  *slash = '\0';
+  if (::chdir(word) != 0) std::_Exit(1);
+  word[0] = '.';
+  word[1] = '/';
+  std::memmove(word + 2, slash + 1, std::strlen(slash + 1) + 1);
+}
+
 bool needs_gmsh(const std::string& file) { return cad::extension(file) != ".vtu"; }
 
 }  // namespace
@@ -64,6 +79,7 @@ int main(int count, char** words) {
   }
   const std::string task = words[3];
   if (task == "solid" || task == "fill") cad::start_with_same_addresses(words);
+  if (task == "solid") go_beside(words[4]);
   const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
   const std::vector<std::string> files(words + (task == "fill" ? count : 4), words + count);
   std::vector<std::string> folders{how.folder};

@@ -27,6 +27,9 @@ class SolidFile {
   bool guarded() const { return guarded_; }
 
  private:
+  /// Words of the importer, with its path of the file as this program knows it.
+  std::string as_known(std::string text) const;
+
   std::string path_;
   bool trusted_ = false, guarded_ = true;
   ImporterProcess importer_;
