@@ -36,11 +36,14 @@ SolidSolution loose(std::string reason, int iterations, std::vector<double> erro
   return solution;
 }
 
+/// Error within which a matrix may serve again.
+constexpr double near_solution = 1e-2;
+
 /// Whether the last step served so well that its matrix will serve again, at a fraction of the cost of another: what is
 /// left of the error is that of integrals which no matrix holds.
 bool falls_fast(const std::vector<double>& errors) {
-  constexpr double near = 1e-2, fast = 0.05;
-  return errors.size() > 1 && errors.back() < near && errors.back() < fast * errors[errors.size() - 2];
+  constexpr double fast = 0.05;
+  return errors.size() > 1 && errors.back() < near_solution && errors.back() < fast * errors[errors.size() - 2];
 }
 
 double balance_tolerance(const SolidTarget& target, const SolidOptions& options) {
@@ -58,12 +61,15 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
   SolidIterate iterate(system, old, target, start);
   const double least = faint_traction(system);
   std::vector<double> errors;
+  bool kept = false, keeping_serves = true;  // the matrix of the step before
   for (int i = 0;; ++i) {
     bool changed = iterate.classify(i > patience);
     const auto error = iterate.error();
     const double relative = error.traction_MPa / std::max(error.largest_MPa, least);
     if (!std::isfinite(relative)) return failed("Newton's iteration left the numbers", i, errors);
     errors.push_back(relative);
+    // Under large pressures a kept matrix may throw the iterate far back, again and again.
+    if (kept && relative > near_solution) keeping_serves = false;
     const bool small = relative <= options.tolerance && error.balance <= balance_tolerance(target, options);
     if (small && !changed && !iterate.shear_is_kept()) {
       iterate.finish();
@@ -84,8 +90,9 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
                         base::formatted("%.1e", relative) + " of the largest traction is left",
                     i, errors);
     if (iterate.came_apart() > 3) return loose("the bodies come apart", i, errors);
+    kept = keeping_serves && !changed && falls_fast(errors);
     try {
-      iterate.step(!changed && falls_fast(errors), relative < 0.1);
+      iterate.step(kept, relative < 0.1);
     } catch (const base::SolveError& singular) {
       return system.free() > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
     }
