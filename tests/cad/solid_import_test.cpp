@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -175,6 +176,8 @@ TEST(solid_import, repeats) {
 TEST(solid_import, repeats_in_every_folder) {
   namespace fs = std::filesystem;
   const support::TemporaryFolder root;
+  const char* const home = std::getenv("HOME");
+  const std::string home_before = home ? home : "/";
   std::vector<SolidGeometry> found;
   for (const std::string& place : {std::string("a"), std::string("b/c/d/e"), std::string(120, 'f') + "/of a part"}) {
     const fs::path folder = fs::path(root.path()) / place;
@@ -188,10 +191,26 @@ TEST(solid_import, repeats_in_every_folder) {
       found.push_back(build_solids(options));
     }
   }
+  ::setenv("HOME", home_before.c_str(), 1);
   for (std::size_t k = 2; k < found.size(); ++k) {
     EXPECT_EQ(found[k].bodies[0].X, found[k % 2].bodies[0].X) << k;
     EXPECT_EQ(found[k].bodies[0].cells, found[k % 2].bodies[0].cells) << k;
   }
+}
+
+// A script in a folder behind a link must find what it includes from the folder of the scene.
+TEST(solid_import, script_behind_a_link) {
+  namespace fs = std::filesystem;
+  const support::TemporaryFolder root;
+  const fs::path scene = root.path() / "scene", cad = root.path() / "other" / "cad";
+  for (const fs::path& folder : {scene, cad}) fs::create_directories(folder);
+  fs::create_directory_symlink(cad, scene / "link");
+  std::ofstream(scene / "common.geo") << "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\n";
+  std::ofstream(cad / "part.geo") << "Include \"" << (scene / "common.geo").string()
+                                  << "\";\nPhysical Volume(\"part\") = {1};\n";
+  auto options = solid_options({(scene / "link" / "part.geo").string()}, {solid_body("part")});
+  options.folder = scene.string();
+  EXPECT_NEAR(meshed_volume(build_solids(options).bodies[0]), 1.0, 1e-9);
 }
 
 // Meshes of tetrahedra and hexahedra must be taken as they are, with the names of volumes and surfaces.

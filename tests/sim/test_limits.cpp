@@ -66,8 +66,9 @@ TEST(Limits, NoToleranceIsMissedInSilence) {
   EXPECT_TRUE(warned || played.summary.error_cycle_jump.value() <= 0.01) << played.summary.error_cycle_jump.value();
 }
 
-// A life in a block in which the measure begins to grow ten times as fast must be found within two per cent, by blocks
-// that end at it, wherever in the block that is; where the measure grows evenly no block is repeated.
+// A life at which the measure begins to grow ten times as fast, or as slowly, must be found by blocks that end at it
+// within two per cent or its stated error, wherever in a block it is; where the measure grows evenly no block is
+// repeated.
 TEST(Limits, GrowthThatChangesAtOnce) {
   scene::Limit limit;
   limit.name = "through";

@@ -18,9 +18,11 @@ namespace fs = std::filesystem;
 /// The file as the importer knows it, which works in the file's folder.
 std::string beside_importer(const std::string& path) { return "./" + fs::path(path).filename().string(); }
 
-/// The folder of the scene as seen from that of the file; that one itself where there is none.
+/// The folder of the scene as seen from that of the file, as it lies behind any links; that one itself where there is
+/// none.
 std::string seen_from(const fs::path& file_folder, const std::string& folder) {
-  return folder.empty() ? "." : fs::absolute(folder).lexically_relative(file_folder).string();
+  return folder.empty() ? "."
+                        : fs::weakly_canonical(folder).lexically_relative(fs::weakly_canonical(file_folder)).string();
 }
 
 }  // namespace
