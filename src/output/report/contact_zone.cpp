@@ -120,7 +120,7 @@ Area rigid_area(const base::Points& x, const DrawnFrame& frame) {
 
 }  // namespace
 
-bool Window::meets(const std::vector<Vec2>& points) const {
+bool Window::meets(std::initializer_list<Vec2> points) const {
   Bounds held_in;
   for (const auto& p : points) held_in.add(p);
   return held_in.x.high >= x.low && held_in.x.low <= x.high && held_in.y.high >= y.low && held_in.y.low <= y.high;

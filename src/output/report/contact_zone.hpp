@@ -1,4 +1,5 @@
 #pragma once
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct Window {
 
   base::Vec2 centre() const { return {0.5 * (x.low + x.high), 0.5 * (y.low + y.high)}; }
   /// Whether the box of some points meets it.
-  bool meets(const std::vector<base::Vec2>& points) const;
+  bool meets(std::initializer_list<base::Vec2> points) const;
 };
 
 /// Which places of the surfaces a window holds.

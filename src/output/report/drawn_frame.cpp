@@ -14,7 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 
 #include "output/report/vtk_reading.hpp"
@@ -27,7 +28,9 @@ namespace {
 class Edges {
  public:
   void add(DrawnEdge edge) {
-    const auto [entry, fresh] = index_.try_emplace(std::minmax(edge.from, edge.to), edges_.size());
+    const auto [first, second] = std::minmax(edge.from, edge.to);
+    const auto key = static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint32_t>(second);
+    const auto [entry, fresh] = index_.try_emplace(key, edges_.size());
     edge.outline = fresh;
     if (fresh)
       edges_.push_back(edge);
@@ -37,7 +40,7 @@ class Edges {
   std::vector<DrawnEdge> take() { return std::move(edges_); }
 
  private:
-  std::map<std::pair<int, int>, std::size_t> index_;
+  std::unordered_map<std::uint64_t, std::size_t> index_;  // by the two corners, the smaller first
   std::vector<DrawnEdge> edges_;
 };
 
@@ -76,7 +79,8 @@ double time_of(vtkDataSet& data, const std::string& path) {
 base::Points points_of(vtkDataSet& data, const std::string& path) {
   base::Points x;
   for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
-    x.emplace_back(data.GetPoint(i)[0], data.GetPoint(i)[1]);
+    const double* at = data.GetPoint(i);
+    x.emplace_back(at[0], at[1]);
     if (!x.back().allFinite()) damaged_frame(path);
   }
   return x;

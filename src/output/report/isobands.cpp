@@ -1,7 +1,8 @@
 #include "output/report/isobands.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -9,28 +10,38 @@ namespace reye::output {
 
 namespace {
 
-/// A corner of a band: a node (twice, -1), or where an edge between two nodes, the smaller first, meets a level.
-using Corner = std::array<int, 3>;
+/// A corner of a band: a node (twice, -1), or where an edge between two nodes, the smaller first, meets a level; in one
+/// number, because the corners are sorted.
+struct Corner {
+  std::uint64_t key;
+  Corner(int a, int b, int level)
+      : key(static_cast<std::uint64_t>(a) << 36 | static_cast<std::uint64_t>(b) << 8 |
+            static_cast<std::uint64_t>(level + 1)) {}
+  std::size_t smaller() const { return key >> 36; }
+  std::size_t larger() const { return key >> 8 & 0xfffffff; }
+  int level() const { return static_cast<int>(key & 0xff) - 1; }
+  auto operator<=>(const Corner&) const = default;
+};
 using Edge = std::pair<Corner, Corner>;
 
 /// The directed edges round a band. Two triangles pass the edge between them in opposite directions: it is inside.
 class Outline {
  public:
   void add(const Corner& from, const Corner& to) {
-    if (from != to && edges_.erase({to, from}) == 0) edges_.insert({from, to});
+    if (from != to) edges_.push_back({std::minmax(from, to), from < to});
   }
 
   /// The edges joined end to end, as the corners of closed polygons.
   std::vector<std::vector<Corner>> loops() {
     std::vector<std::vector<Corner>> all;
-    while (!edges_.empty()) {
+    for (auto edges = outer(); !edges.empty();) {
       std::vector<Corner> loop;
-      Corner at = edges_.begin()->first;
-      for (auto next = edges_.begin(); next != edges_.end() && next->first == at;
-           next = edges_.lower_bound({at, Corner{-1, -1, -1}})) {
+      Corner at = edges.begin()->first;
+      for (auto next = edges.begin(); next != edges.end() && next->first == at;
+           next = edges.lower_bound({at, Corner(0, 0, -1)})) {
         loop.push_back(at);
         at = next->second;
-        edges_.erase(next);
+        edges.erase(next);
       }
       all.push_back(std::move(loop));
     }
@@ -38,7 +49,19 @@ class Outline {
   }
 
  private:
-  std::set<Edge> edges_;
+  /// Those that are passed in one direction alone.
+  std::set<Edge> outer() {
+    std::sort(edges_.begin(), edges_.end());
+    std::set<Edge> all;
+    for (auto begin = edges_.begin(), end = begin; begin != edges_.end(); begin = end) {
+      const auto [ends, forward] = *begin;
+      while (end != edges_.end() && end->first == ends) ++end;
+      if (std::prev(end)->second == forward) all.insert(forward ? ends : Edge{ends.second, ends.first});
+    }
+    return all;
+  }
+
+  std::vector<std::pair<Edge, bool>> edges_;  ///< the smaller corner first, and whether it is passed from there
 };
 
 /// Cuts triangles along the levels.
@@ -77,8 +100,8 @@ class Bands {
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = triangle[k], b = triangle[(k + 1) % 3];
       const int from = band_of(a), to = band_of(b);
-      if (from == band) part.push_back({a, a, -1});
-      const auto cross = [&](int level) { part.push_back({std::min(a, b), std::max(a, b), level}); };
+      if (from == band) part.emplace_back(a, a, -1);
+      const auto cross = [&](int level) { part.emplace_back(std::min(a, b), std::max(a, b), level); };
       if (from < band && to >= band) cross(band);
       if (from <= band && to > band) cross(band + 1);
       if (from > band && to <= band) cross(band + 1);
@@ -89,9 +112,9 @@ class Bands {
   }
 
   base::Vec2 place(const Corner& corner) const {
-    const auto a = static_cast<std::size_t>(corner[0]), b = static_cast<std::size_t>(corner[1]);
-    if (corner[2] < 0) return x_[a];
-    const double level = levels_[static_cast<std::size_t>(corner[2])];
+    const auto a = corner.smaller(), b = corner.larger();
+    if (corner.level() < 0) return x_[a];
+    const double level = levels_[static_cast<std::size_t>(corner.level())];
     const double t = std::clamp((level - value_[a]) / (value_[b] - value_[a]), 0.0, 1.0);
     return x_[a] + t * (x_[b] - x_[a]);
   }

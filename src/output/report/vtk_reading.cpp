@@ -27,20 +27,21 @@ BlockSizes block_sizes(std::string_view packed) {
 
 }  // namespace
 
-void refuse_impossible_sizes(const std::string& path) {
+std::string text_of_possible_sizes(const std::string& path) {
   constexpr std::string_view binary = "format=\"binary\"", white = " \n\r\t";
   constexpr std::uint64_t densest = 1032;  // zlib packs no run of bytes closer (zlib.net, "Technical details")
-  const std::string file = read_text(path);
+  std::string file = read_text(path);
   const std::string_view text = file;
-  if (text.find("compressor=\"vtkZLibDataCompressor\"") == text.npos) return;
+  if (text.find("compressor=\"vtkZLibDataCompressor\"") == text.npos) return file;
   for (auto at = text.find(binary); at != text.npos; at = text.find(binary, at + 1)) {
     const auto begin = text.find_first_not_of(white, std::min(text.find('>', at), text.size() - 1) + 1);
-    if (begin == text.npos) return;
+    if (begin == text.npos) break;
     const auto [blocks, bytes, last] = block_sizes(text.substr(begin));
     const std::uint64_t most = densest * text.size();
     if (blocks > most || bytes > most || last > most || (blocks > 1 && bytes > most / (blocks - 1)))
       damaged_frame(path);
   }
+  return file;
 }
 
 }  // namespace reye::output

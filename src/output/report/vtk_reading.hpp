@@ -25,22 +25,23 @@ struct WantedArrays {
 };
 
 inline void choose(vtkDataArraySelection& selection, const std::vector<const char*>& wanted) {
+  selection.RemoveAllObservers();  // or the reader parses the file again
   selection.DisableAllArrays();
   for (const char* name : wanted)
     if (selection.ArrayExists(name)) selection.EnableArray(name);
 }
 
-/// Throws where an array of the file would be unpacked to more than its bytes can hold, for which the reader would take
-/// all memory: a digit of its sizes is damaged.
-void refuse_impossible_sizes(const std::string& path);
+/// The text of the file at `path`. Throws where one of its arrays would be unpacked to more than its bytes can hold,
+/// for which the reader would take all memory: a digit of its sizes is damaged.
+std::string text_of_possible_sizes(const std::string& path);
 
 template <class Reader>
 vtkNew<Reader> opened(const std::string& path, const std::optional<WantedArrays>& wanted = {}) {
   vtkNew<Reader> reader;
   if (!std::filesystem::is_regular_file(path) || !reader->CanReadFile(path.c_str())) damaged_frame(path);
-  refuse_impossible_sizes(path);
   vtkObject::GlobalWarningDisplayOff();  // its error is reported below
-  reader->SetFileName(path.c_str());
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(text_of_possible_sizes(path));
   try {
     reader->UpdateInformation();
     if (wanted) choose(*reader->GetPointDataArraySelection(), wanted->of_points);
