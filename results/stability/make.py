@@ -26,7 +26,7 @@ def worsened(row, before):
     """What is worse than before, in words; empty: nothing."""
     if row["status"] != before["status"]:
         return f"{before['status']} -> {row['status']}" if before["status"] == "done" else ""
-    return ", ".join(f"{key} {before[key]} -> {row[key]}" for key in ("newton", "newton_most", "cutbacks")
+    return ", ".join(f"{key} {before[key]} -> {row[key]}" for key in ("newton", "factorisations", "newton_most", "cutbacks")
                      if float(row[key]) > MORE * float(before[key]) + 1.0)
 
 
@@ -52,6 +52,7 @@ def main():
         "not_done": len(rows) - len(done),
         "worsened": len(worse),
         "solves": sum(int(row["newton"]) for row in done),
+        "factorisations": sum(int(row["factorisations"]) for row in done),
         "cutbacks": sum(int(row["cutbacks"]) for row in done),
         "ledger": largest(rows, "ledger"),
         "balance": largest(rows, "balance"),

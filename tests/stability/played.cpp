@@ -136,6 +136,7 @@ Played play(const Member& member) {
     out.reason = summary.reason;
     out.increments = summary.counts.increments;
     out.newton = summary.counts.newton_iterations;
+    out.factorisations = summary.counts.factorisations;
     out.cutbacks = summary.counts.cutbacks;
     out.remeshes = summary.counts.remeshes;
     out.cpu_s = summary.cpu_s;

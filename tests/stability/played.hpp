@@ -10,7 +10,7 @@ namespace reye::test {
 
 struct Played {
   std::string status, reason;
-  long increments = 0, newton = 0, cutbacks = 0, remeshes = 0;
+  long increments = 0, newton = 0, factorisations = 0, cutbacks = 0, remeshes = 0;
   int newton_most = 0;   ///< solves of one accepted increment
   double ledger = 0.0;   ///< |removed volume - coefficient x work| over it
   double balance = 0.0;  ///< forces on all bodies and on each one, left over; over the largest support force of the run

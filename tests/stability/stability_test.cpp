@@ -26,12 +26,13 @@ void tell(const test::Member& m, const test::Played& p, double difference) {
   if (!file) return;
   std::ofstream out(file, std::ios::app);
   if (out.tellp() == 0)
-    out << "group,member,status,increments,newton,newton_most,cutbacks,remeshes,ledger,balance,multiplier,difference,"
+    out << "group,member,status,increments,newton,factorisations,newton_most,cutbacks,remeshes,ledger,balance,"
+           "multiplier,difference,"
            "cpu_s,reason\n";
   out.precision(3);
-  out << m.group << ',' << m.name << ',' << p.status << ',' << p.increments << ',' << p.newton << ',' << p.newton_most
-      << ',' << p.cutbacks << ',' << p.remeshes << ',' << p.ledger << ',' << p.balance << ',' << p.multiplier << ','
-      << difference << ',' << p.cpu_s << ",\"";
+  out << m.group << ',' << m.name << ',' << p.status << ',' << p.increments << ',' << p.newton << ','
+      << p.factorisations << ',' << p.newton_most << ',' << p.cutbacks << ',' << p.remeshes << ',' << p.ledger << ','
+      << p.balance << ',' << p.multiplier << ',' << difference << ',' << p.cpu_s << ",\"";
   for (char c : p.reason) out << (c == '"' ? '\'' : c == '\n' ? ' ' : c);
   out << "\"\n";
 }
