@@ -232,6 +232,12 @@ TEST(Jump, SlipsThroughout) {
   EXPECT_TRUE(sim::slips_throughout(start, start));
 }
 
+// The error of a block must be the difference of its plays where all slips, and more where some sticks.
+TEST(Jump, BlockError) {
+  EXPECT_EQ(sim::block_error(0.01, true), 0.01);
+  EXPECT_EQ(sim::block_error(0.01, false), 0.0125);
+}
+
 // The next block must grow with what is worn where the error is as aimed at, shrink in proportion to an error above it,
 // and never by leaps.
 TEST(Jump, NextJump) {

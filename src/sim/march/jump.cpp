@@ -25,6 +25,8 @@ constexpr double most_early = 1.5;  ///< times the tolerance, for a block far fr
 constexpr double most_cut = 0.3;    ///< of the cycles from one block to the next
 constexpr double most_steeper =
     1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
+constexpr double edge_share =
+    1.25;  ///< times the difference where some sticks (results/tolerance: errors of up to 1.7)
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
@@ -136,7 +138,6 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
 /// Corrects the halves of an attempt, and the measures of the limits half way, by the wear of both plays.
 void extrapolate_trial(const Problem& problem, const solver::System& system, const State& start, bool level,
                        TwicePlayed& attempt, Trial& trial) {
-  trial.slips_throughout = slips_throughout(start, attempt.halves);
   trial.uncorrected = wear_of(problem, system, attempt.halves);
   const auto by_halves = limit_measures(problem, system, attempt.halves);
   extrapolate(system, {start, attempt.once, attempt.half_way}, attempt.halves);
@@ -160,7 +161,9 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   if (!attempt.failure.empty() || attempt.interrupted) return;
   // Nothing here holds the system: `shaped` makes the next one, when the factors of the old shapes are released.
   const auto system = [&] { return system_of(problem, attempt.halves, cache); };
-  trial.error = wear_difference(*system(), {start, attempt.once, attempt.half_way}, attempt.halves);
+  trial.slips_throughout = slips_throughout(start, attempt.halves);
+  trial.error = block_error(wear_difference(*system(), {start, attempt.once, attempt.half_way}, attempt.halves),
+                            trial.slips_throughout);
   trial.too_long = trial.error > error_allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
   extrapolate_trial(problem, *system(), start, span.level, attempt, trial);
@@ -222,6 +225,10 @@ double allowed(const std::vector<scene::Limit>& limits, const std::map<std::stri
     growth = std::min(growth, bound_of(limit) / now->second * step_cycles / end);
   }
   return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+}
+
+double block_error(double difference, bool slips_throughout) {
+  return slips_throughout ? difference : edge_share * difference;
 }
 
 double shortened(bool too_long, double allowed, double error) {

@@ -133,9 +133,9 @@ void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const So
     return play_solid_trial(problem, player, again, span, observer, trial);
   }
   const SolidTwice twice{begin, attempt.once.state, attempt.half_way};
-  trial.error = skin_wear_difference(player.system(), twice, halves);
-  trial.too_long = trial.error > allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
   trial.throughout = slides_throughout(begin, halves);
+  trial.error = block_error(skin_wear_difference(player.system(), twice, halves), trial.throughout);
+  trial.too_long = trial.error > allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
   trial.uncorrected = row_of(problem, player.system(), halves);
   const auto by_halves = solid_limit_measures(problem, player.system(), halves);
   extrapolate_skins(player.system(), twice, halves);
