@@ -104,6 +104,14 @@ Vec3 SkinFrame::across(const Vec3& v) const {
   return sum;
 }
 
+SkinFrame turned_least(SkinFrame frame, const SkinFrame& before) {
+  const Vec3 along = frame.tangential(before.tangent[0]);
+  if (frame.free < 2 || along.squaredNorm() < 0.25) return frame;
+  frame.tangent[0] = along.normalized();
+  frame.tangent[1] = frame.normal.cross(frame.tangent[0]);
+  return frame;
+}
+
 SkinPlace place_skins(const SkinSetup& setup, const Vector& displacement, const std::vector<HeldDirections>& held,
                       int points, mortar::SkinPairs& pairs) {
   const auto integrals = mortar::integrate(moved(setup.secondary, displacement), moved(setup.primary, displacement),

@@ -30,6 +30,11 @@ struct SkinFrame {
   base::Vec3 tangential(const base::Vec3& v) const { return v - normal.dot(v) * normal; }
 };
 
+/// The frame with its free tangents turned as little as possible from those of `before`. Which axis a tangent is made
+/// from depends on digits of the normal that say nothing: unknowns along the tangents would mean something else from one
+/// iteration to the next.
+SkinFrame turned_least(SkinFrame frame, const SkinFrame& before);
+
 /// A contact where its sides are at present: integrals and frames, held while a system of equations is solved.
 ///   covered_j w_j = sum_k Q_jk x_k,  Q = (D, -M)   (w: secondary against primary; the gap is -n.w)
 /// With tractions z on the points (z.n the pressure, along the slip where friction acts) the forces are f = -Q^T z.

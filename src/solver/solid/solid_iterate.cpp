@@ -60,11 +60,13 @@ void SolidIterate::integrate() {
   evaluate();
 }
 
-/// Pressure stays pressure as normals turn.
+/// Pressure stays pressure as normals turn, and tangents turn with them.
 void SolidIterate::turn_tractions(std::size_t c, const std::vector<contact::SkinFrame>& before) {
   for (int j = 0; j < place_[c].count(); ++j) {
     Vec3& z = now_.traction[c][j];
-    const auto &frame = place_[c].frame[j], &known = before[j];
+    auto& frame = place_[c].frame[j];
+    const auto& known = before[j];
+    frame = contact::turned_least(frame, known);
     if (!place_[c].carries[j])
       z.setZero();
     else if (target_.friction[c] == 0.0)

@@ -61,15 +61,12 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
   SolidIterate iterate(system, old, target, start);
   const double least = faint_traction(system);
   std::vector<double> errors;
-  bool kept = false, keeping_serves = true;  // the matrix of the step before
   for (int i = 0;; ++i) {
     bool changed = iterate.classify(i > patience);
     const auto error = iterate.error();
     const double relative = error.traction_MPa / std::max(error.largest_MPa, least);
     if (!std::isfinite(relative)) return failed("Newton's iteration left the numbers", i, errors);
     errors.push_back(relative);
-    // Under large pressures a kept matrix may throw the iterate far back, again and again.
-    if (kept && relative > near_solution) keeping_serves = false;
     const bool small = relative <= options.tolerance && error.balance <= balance_tolerance(target, options);
     if (small && !changed && !iterate.shear_is_kept()) {
       iterate.finish();
@@ -90,9 +87,8 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
                         base::formatted("%.1e", relative) + " of the largest traction is left",
                     i, errors);
     if (iterate.came_apart() > 3) return loose("the bodies come apart", i, errors);
-    kept = keeping_serves && !changed && falls_fast(errors);
     try {
-      iterate.step(kept, relative < 0.1);
+      iterate.step(!changed && falls_fast(errors), relative < 0.1);
     } catch (const base::SolveError& singular) {
       return system.free() > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
     }
