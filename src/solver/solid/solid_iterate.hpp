@@ -15,6 +15,8 @@ class SolidIterate {
 
   /// Integrates where the points are now.
   void integrate();
+  /// Evaluates the conditions where the points are now, with the integrals at hand.
+  void evaluate();
   /// Decides which points are open, stick or slip, and puts the shear of slipping ones onto the cone along their
   /// direction; true where any point changed, or should. `with_care`: only those change that are due the most.
   bool classify(bool with_care = false);
@@ -43,7 +45,6 @@ class SolidIterate {
 
  private:
   using Status = contact::SkinStatus;
-  void evaluate();
   void wear();
   void seed();
   bool project();
