@@ -31,8 +31,8 @@ struct SkinFrame {
 };
 
 /// The frame with its free tangents turned as little as possible from those of `before`. Which axis a tangent is made
-/// from depends on digits of the normal that say nothing: unknowns along the tangents would mean something else from one
-/// iteration to the next.
+/// from depends on digits of the normal that say nothing: unknowns along the tangents would mean something else from
+/// one iteration to the next.
 SkinFrame turned_least(SkinFrame frame, const SkinFrame& before);
 
 /// A contact where its sides are at present: integrals and frames, held while a system of equations is solved.
