@@ -9,7 +9,7 @@
 #include "factorisations.hpp"
 #include "fem/solid/solid_stiffness.hpp"
 #include "scene/solid/solid_scene.hpp"
-#include "support/solid_mindlin.hpp"
+#include "support/solid_slip_limit.hpp"
 
 /// What solids cost: condensing in plain factorisations, and cycles of gross slip; and how Cattaneo's and Mindlin's
 /// balls come out. CPU time.
@@ -145,6 +145,30 @@ void two_balls(benchmark::State& run) {
   }
 }
 
+/// Two balls of which one wears until nothing slips any more. range(0): q in per cent; range(1): hexahedra per radius.
+void worn_balls(benchmark::State& run) {
+  support::SlipLimitCase c;
+  c.q = 0.01 * static_cast<double>(run.range(0));
+  c.elements = static_cast<double>(run.range(1));
+  const double exact = c.mindlin().stick_radius();
+  for (auto _ : run) {
+    const auto worn = support::play_slip_limit(c);
+    const auto& summary = worn.played.summary;
+    if (summary.status != sim::RunStatus::done) throw std::runtime_error(summary.reason);
+    const auto limit = c.limit(exact).depth_and_volume(), own = c.limit(worn.stick_radius).depth_and_volume();
+    run.counters["stick_radius_over_exact"] = worn.stick_radius / exact;
+    run.counters["stick_radius_error_in_elements"] = (worn.stick_radius - exact) / (c.hertz().a_mm / c.elements);
+    run.counters["depth_over_limit"] = worn.depth / limit[0];
+    run.counters["volume_over_limit"] = worn.volume / limit[1];
+    run.counters["depth_over_limit_of_own_radius"] = worn.depth / own[0];
+    run.counters["volume_over_limit_of_own_radius"] = worn.volume / own[1];
+    run.counters["cycles_solved"] = static_cast<double>(summary.counts.cycles_solved);
+    run.counters["estimated_error"] = summary.error_cycle_jump.value_or(0.0);
+    run.counters["cutbacks"] = static_cast<double>(summary.counts.cutbacks);
+    run.counters["cpu_s"] = summary.cpu_s;
+  }
+}
+
 /// A run that fails is not a measurement: reported, and the other benchmarks continue.
 template <void (*measure)(benchmark::State&)>
 void reported(benchmark::State& run) {
@@ -175,6 +199,15 @@ BENCHMARK(reported<two_balls>)
     ->Args({50, 10})
     ->Args({75, 10})
     ->Args({25, 20})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK(reported<worn_balls>)
+    ->Name("worn_balls")
+    ->Args({50, 8})
+    ->Args({50, 12})
+    ->Args({50, 24})
+    ->Args({75, 12})
+    ->Args({75, 24})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 
