@@ -12,7 +12,7 @@
 #include "support/solid_slip_limit.hpp"
 
 /// What solids cost: condensing in plain factorisations, and cycles of gross slip; and how Cattaneo's and Mindlin's
-/// balls come out. CPU time.
+/// balls come out, as they are and worn. CPU time.
 namespace {
 
 using namespace reye;
@@ -97,6 +97,15 @@ void tell_phases(benchmark::State& run, const support::PlayedSolids& played, dou
   run.counters["interface_s"] = s.phase_seconds.at("interface");
 }
 
+void require_done(const sim::SolidSummary& summary) {
+  if (summary.status != sim::RunStatus::done) throw std::runtime_error(summary.reason);
+}
+
+void tell_stick_radius(benchmark::State& run, double radius, double exact, const support::HertzCase& c) {
+  run.counters["stick_radius_over_exact"] = radius / exact;
+  run.counters["stick_radius_error_in_elements"] = (radius - exact) / (c.a_mm / c.elements);
+}
+
 /// geo/sliding_ball with facets of range(0) micrometres: a cycle of 40 increments in gross slip. range(1): 0 as it is,
 /// 1 its flat secondary, 2 its ball rigid as well.
 void sliding_ball(benchmark::State& run) {
@@ -119,7 +128,7 @@ void sliding_ball(benchmark::State& run) {
       played.rows.push_back(row);
     };
     played.summary = sim::run_solid(problem, observer);
-    if (played.summary.status != sim::RunStatus::done) throw std::runtime_error(played.summary.reason);
+    require_done(played.summary);
     tell_phases(run, played, seconds_of_cpu() - start);
   }
 }
@@ -136,10 +145,8 @@ void two_balls(benchmark::State& run) {
   c.growth = 1.6;
   for (auto _ : run) {
     const auto mindlin = support::play_mindlin(0.01 * static_cast<double>(run.range(0)), c, 40);
-    if (mindlin.played.summary.status != sim::RunStatus::done) throw std::runtime_error(mindlin.played.summary.reason);
-    run.counters["stick_radius_over_exact"] = mindlin.stick_radius / mindlin.exact.stick_radius();
-    run.counters["stick_radius_error_in_elements"] =
-        (mindlin.stick_radius - mindlin.exact.stick_radius()) / (c.a_mm / c.elements);
+    require_done(mindlin.played.summary);
+    tell_stick_radius(run, mindlin.stick_radius, mindlin.exact.stick_radius(), c);
     run.counters["loop_over_exact"] = mindlin.loop / mindlin.exact.loop();
     tell_phases(run, mindlin.played, mindlin.played.summary.cpu_s);
   }
@@ -154,10 +161,9 @@ void worn_balls(benchmark::State& run) {
   for (auto _ : run) {
     const auto worn = support::play_slip_limit(c);
     const auto& summary = worn.played.summary;
-    if (summary.status != sim::RunStatus::done) throw std::runtime_error(summary.reason);
+    require_done(summary);
+    tell_stick_radius(run, worn.stick_radius, exact, c.hertz());
     const auto limit = c.limit(exact).depth_and_volume(), own = c.limit(worn.stick_radius).depth_and_volume();
-    run.counters["stick_radius_over_exact"] = worn.stick_radius / exact;
-    run.counters["stick_radius_error_in_elements"] = (worn.stick_radius - exact) / (c.hertz().a_mm / c.elements);
     run.counters["depth_over_limit"] = worn.depth / limit[0];
     run.counters["volume_over_limit"] = worn.volume / limit[1];
     run.counters["depth_over_limit_of_own_radius"] = worn.depth / own[0];
@@ -201,14 +207,6 @@ BENCHMARK(reported<two_balls>)
     ->Args({25, 20})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
-BENCHMARK(reported<worn_balls>)
-    ->Name("worn_balls")
-    ->Args({50, 8})
-    ->Args({50, 12})
-    ->Args({50, 24})
-    ->Args({75, 12})
-    ->Args({75, 24})
-    ->Iterations(1)
-    ->Unit(benchmark::kSecond);
+BENCHMARK(reported<worn_balls>)->Name("worn_balls")->Args({50, 8})->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace

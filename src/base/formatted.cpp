@@ -25,7 +25,7 @@ std::string formatted(const char* format, ...) {
 }
 
 std::string fixed(double value, int decimals) {
-  std::array<char, 400> digits;  // 309 before the point
+  std::array<char, 400> digits{};  // 309 before the point
   const auto end =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals);
   return {digits.data(), end.ptr};

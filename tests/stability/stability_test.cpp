@@ -27,8 +27,7 @@ void tell(const test::Member& m, const test::Played& p, double difference) {
   std::ofstream out(file, std::ios::app);
   if (out.tellp() == 0)
     out << "group,member,status,increments,newton,factorisations,newton_most,cutbacks,remeshes,ledger,balance,"
-           "multiplier,difference,"
-           "cpu_s,reason\n";
+           "multiplier,difference,cpu_s,reason\n";
   out.precision(3);
   out << m.group << ',' << m.name << ',' << p.status << ',' << p.increments << ',' << p.newton << ','
       << p.factorisations << ',' << p.newton_most << ',' << p.cutbacks << ',' << p.remeshes << ',' << p.ledger << ','

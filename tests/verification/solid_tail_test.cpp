@@ -35,7 +35,10 @@ std::vector<double> errors_with_held_integrals(const support::HertzCase& c) {
     if (changed) errors.clear();
     if (!errors.empty() || (!changed && error < 0.1)) errors.push_back(error);
     iterate.step(false, false);
-    errors.empty() ? iterate.integrate() : iterate.evaluate();
+    if (errors.empty())
+      iterate.integrate();
+    else
+      iterate.evaluate();
   }
   return errors;
 }

@@ -1,6 +1,7 @@
 #include "output/report/isobands.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <iterator>
 #include <set>

@@ -25,8 +25,7 @@ constexpr double most_early = 1.5;  ///< times the tolerance, for a block far fr
 constexpr double most_cut = 0.3;    ///< of the cycles from one block to the next
 constexpr double most_steeper =
     1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
-constexpr double edge_share =
-    1.25;  ///< times the difference where some sticks (results/tolerance: errors of up to 1.7)
+constexpr double edge_share = 1.25;  ///< times the difference where some sticks
 
 double removed(const State& state) {
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };

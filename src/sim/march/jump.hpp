@@ -20,7 +20,7 @@ double allowed(const std::vector<scene::Limit>& limits, const std::map<std::stri
                const std::map<std::string, double>& reached, const scene::Step& step, double step_cycles, double end);
 
 /// The error of a block whose two halves are so far from the block as a whole. Where some of the contact sticks, the
-/// edge of that recedes from node to node, and halves keep more of the error than half: a share is added.
+/// edge of the stick zone recedes from node to node, and halves keep more of the error than half: a share is added.
 double block_error(double difference, bool slips_throughout);
 
 /// The factor by which the cycles of a block are cut that has failed, or had an error beyond the one that is allowed.

@@ -36,14 +36,11 @@ SolidSolution loose(std::string reason, int iterations, std::vector<double> erro
   return solution;
 }
 
-/// Error within which a matrix may serve again.
-constexpr double near_solution = 1e-2;
-
 /// Whether the last step served so well that its matrix will serve again, at a fraction of the cost of another: what is
 /// left of the error is that of integrals which no matrix holds.
 bool falls_fast(const std::vector<double>& errors) {
-  constexpr double fast = 0.05;
-  return errors.size() > 1 && errors.back() < near_solution && errors.back() < fast * errors[errors.size() - 2];
+  constexpr double near = 1e-2, fast = 0.05;
+  return errors.size() > 1 && errors.back() < near && errors.back() < fast * errors[errors.size() - 2];
 }
 
 double balance_tolerance(const SolidTarget& target, const SolidOptions& options) {
