@@ -12,7 +12,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(
   g++ cmake ninja-build make pkg-config git ca-certificates python3
-  libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libcgal-dev libvtk9-dev
+  libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libvtk9-dev
   libtomlplusplus-dev libmuparser-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libcereal-dev
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox clang-format
 )

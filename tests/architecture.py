@@ -10,7 +10,7 @@ import sys
 
 OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"mortar", "adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"output"}, "cereal": {"output"},
           "toml": {"scene"}, "cholmod": {"algebra"}, "umfpack": {"algebra"}, "suitesparse": {"algebra"}, "Support>": {"algebra"},
-          "CLI/": {"apps"}, "spdlog": {"apps"}, "muParser": {"wear"}}
+          "tbb/": {"base"}, "CLI/": {"apps"}, "spdlog": {"apps"}, "muParser": {"wear"}}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)
 
 

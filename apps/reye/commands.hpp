@@ -9,6 +9,7 @@ struct Request {
   std::string out;
   std::string picture;   ///< file for a picture of the scene; empty: none
   double trial_s = 2.0;  ///< how long `plan` plays the run to judge its time; 0: not at all
+  int threads = 0;       ///< cores to compute on; 0: all physical ones
   bool restart = false, force = false, quiet = false, animation = false;
   bool trust_geometry = false;  ///< geometry scripts may use all of gmsh's language
 };

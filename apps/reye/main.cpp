@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/cores.hpp"
 #include "base/errors.hpp"
 #include "base/printable.hpp"
 #include "commands.hpp"
@@ -59,10 +60,16 @@ int main(int argc, char** argv) {
                 "last step or other limits");
   run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
   run->add_flag("--quiet", request.quiet, "no progress, errors only");
+  const auto with_threads = [&request](CLI::App* command) {
+    command->add_option("--threads", request.threads, "cores to compute on (default: all physical ones)")
+        ->check(CLI::Range(1, 1024));
+  };
+  with_threads(run);
   auto* plan =
       with_scene("plan", "say what each body and contact is, what is skipped and why, and what the run will take");
   plan->add_option("--trial", request.trial_s, "seconds of the run to play for that (default: 2; 0: none)")
       ->check(CLI::NonNegativeNumber);
+  with_threads(plan);
   auto* check = with_scene("check", "read scene and geometry, mesh in memory, write nothing");
   check->add_option("--picture", request.picture, "draw the scene into this file (.svg)");
   auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");
@@ -84,6 +91,7 @@ int main(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   try {
+    const base::Cores cores(request.threads > 0 ? request.threads : base::physical_cores());
     if (*run) return apps::run(request);
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);

@@ -1,4 +1,5 @@
 #pragma once
+#include "base/cores.hpp"
 
 // The few BLAS and LAPACK routines used (Fortran calling convention, column-major, 32-bit integers).
 extern "C" {
@@ -33,5 +34,24 @@ inline void single_thread() {
   static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;
 }
+
+/// BLAS on all cores that may be used (base/cores.hpp) while it lives, for matrices of so many rows that threads are
+/// worth their start; on one else. Not to be used inside `base::side_by_side`.
+class WideBlas {
+ public:
+  explicit WideBlas(int rows) : wide_(rows >= least_rows && base::cores() > 1) {
+    single_thread();
+    if (wide_) openblas_set_num_threads(base::cores());
+  }
+  ~WideBlas() {
+    if (wide_) openblas_set_num_threads(1);
+  }
+  WideBlas(const WideBlas&) = delete;
+  WideBlas& operator=(const WideBlas&) = delete;
+
+ private:
+  static constexpr int least_rows = 400;
+  bool wide_;
+};
 
 }  // namespace reye::algebra

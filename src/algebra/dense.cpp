@@ -54,7 +54,7 @@ bool doubtful(const Matrix& LU) {
 }  // namespace
 
 void DenseFactor::factor(Matrix& A) {
-  single_thread();
+  const WideBlas wide(static_cast<int>(A.rows()));
   LU_.swap(A);
   const int n = static_cast<int>(LU_.rows());
   if (LU_.cols() != n) throw SolveError("dense solve: the matrix is not square");
@@ -90,7 +90,7 @@ Vector DenseFactor::solve(const Vector& b, const char* trans) const {
 }
 
 DenseCholesky::DenseCholesky(Matrix A) : L_(std::move(A)) {
-  single_thread();
+  const WideBlas wide(static_cast<int>(L_.rows()));
   const int n = static_cast<int>(L_.rows());
   int info = 0;
   dpotrf_("L", &n, L_.data(), &n, &info);
@@ -108,6 +108,7 @@ Matrix DenseCholesky::condense(Matrix& B) const {
   const int n = static_cast<int>(B.rows()), m = static_cast<int>(B.cols());
   Matrix C = Matrix::Zero(m, m);
   if (m == 0) return C;
+  const WideBlas wide(n);
   const double one = 1.0, zero = 0.0;
   dtrsm_("L", "L", "N", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
   dsyrk_("L", "T", &m, &n, &one, B.data(), &n, &zero, C.data(), &m);
@@ -117,7 +118,7 @@ Matrix DenseCholesky::condense(Matrix& B) const {
 }
 
 void invert(Matrix& A) {
-  single_thread();
+  const WideBlas wide(static_cast<int>(A.rows()));
   const int n = static_cast<int>(A.rows());
   int info = 0;
   dpotrf_("L", &n, A.data(), &n, &info);

@@ -80,12 +80,14 @@ Matrix gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatr
   const auto rows = touched_rows(L, 0, static_cast<int>(L.cols()));
   std::vector<std::vector<int>> place;
   for (const auto& block : left) place.push_back(places(block.rows, rows));
-  for (const auto& right : gathered(R)) {
+  const auto all_right = gathered(R);
+  base::side_by_side(static_cast<int>(all_right.size()), [&](int k) {
+    const auto& right = all_right[static_cast<std::size_t>(k)];
     const Matrix moved = multiplied("N", C(rows, right.rows), right.values);
     for (std::size_t b = 0; b < left.size(); ++b)
       product.block(left[b].first, right.first, left[b].values.cols(), right.values.cols()) =
           multiplied("T", left[b].values, moved(place[b], Eigen::all));
-  }
+  });
   return product;
 }
 

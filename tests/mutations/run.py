@@ -5,6 +5,7 @@ A mutation is {"name", "file", "find", "replace", "tests": {executable: gtest fi
 `file`; with `replace` in its place every executable named must fail under its filter (a crash or a hang counts).
 The same filters pass before anything is changed, so that only the mutation can be what is seen.
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -42,7 +43,7 @@ def copy_file(source, target):
 
 
 def copy_tree(scratch):
-    """The working tree as it is now."""
+    """The working tree as it is now; a mutation that an interrupted run left in the copy is undone."""
     for name in COPIED:
         source = ROOT / name
         if source.is_file():
@@ -75,7 +76,6 @@ def passes(scratch, executable, pattern):
 
 
 def prepare(scratch, mutations):
-    copy_tree(scratch)
     done = quiet(["cmake", "-S", str(scratch), "-B", str(scratch / "build"), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"])
     if done.returncode:
         raise SystemExit(done.stdout[-3000:])
@@ -100,13 +100,41 @@ def survivors(scratch, mutation):
         file.write_text(whole, encoding="utf-8")
 
 
+def fingerprint(scratch):
+    """Of everything that was copied: what was caught in one tree says nothing about another."""
+    total = hashlib.sha256()
+    for name in COPIED:
+        for file in sorted([scratch / name] if (scratch / name).is_file() else (scratch / name).rglob("*")):
+            if file.is_file():
+                total.update(str(file.relative_to(scratch)).encode() + b"\0" + file.read_bytes())
+    return total.hexdigest()
+
+
+def caught_before(record, tree):
+    """Names of the mutations that an interrupted run of the same tree has caught."""
+    try:
+        kept = json.loads(record.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return []
+    return kept["caught"] if kept["tree"] == tree else []
+
+
 def run(scratch, mutations):
-    prepare(scratch, mutations)
+    copy_tree(scratch)
+    record, tree = scratch / "caught.json", fingerprint(scratch)
+    caught = caught_before(record, tree)
+    left = [m for m in mutations if m["name"] not in caught]
+    print(f"{len(mutations) - len(left)} of {len(mutations)} were caught by an earlier run", flush=True)
+    if left:
+        prepare(scratch, left)
     missed = 0
-    for mutation in mutations:
+    for mutation in left:
         alive = survivors(scratch, mutation)
         missed += bool(alive)
         print(f"  {'MISSED by ' + ', '.join(alive) if alive else 'caught'}  {mutation['name']}", flush=True)
+        if not alive:
+            caught.append(mutation["name"])
+            record.write_text(json.dumps({"tree": tree, "caught": caught}), encoding="utf-8")
     print(f"{len(mutations) - missed} of {len(mutations)} mutations caught")
     return 1 if missed else 0
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/cores.hpp"
 #include "base/errors.hpp"
 #include "mortar/solid/facet_geometry.hpp"
 #include "mortar/solid/facet_integrals.hpp"
@@ -18,19 +19,15 @@ using base::Vector;
 using mesh::Facet;
 using mesh::FacetKind;
 
-/// The integrals of one facet, whose columns stand in a list of all.
+/// The integrals of one facet, before they are added up.
 struct FacetBlock {
   int facet = 0;
-  std::size_t first = 0, count = 0;
+  FacetValues covered{};  ///< int N_j over the covered part
   std::array<FacetValues, mesh::most_facet_nodes> D{};
+  std::vector<SkinColumn> columns;
 };
 
-/// What the facets give, before they are added up.
-struct FacetBlocks {
-  std::vector<FacetBlock> blocks;
-  std::vector<SkinColumn> columns;
-  Vector covered;  ///< int N_j over the covered part
-};
+constexpr int facets_at_once = 32;  ///< that share a work space
 
 void check_side(const Skin& skin) {
   for (const auto& x : skin.x)
@@ -82,50 +79,62 @@ std::vector<char> eligible(const Skin& skin, SkinDual dual) {
   return marks;
 }
 
-void take(const SkinWorkspace& w, FacetBlock& block, FacetBlocks& all) {
-  block.D = w.D;
-  std::copy(w.columns.begin(), w.columns.end(), all.columns.begin() + static_cast<std::ptrdiff_t>(block.first));
+std::span<const int> facets_opposite(const SkinPairs& pairs, int facet) {
+  return std::span(pairs.opposite).subspan(pairs.first[facet], pairs.first[facet + 1] - pairs.first[facet]);
 }
 
-FacetBlocks all_facets(const SkinSides& sides, const SkinPairs& pairs, const std::vector<char>& carries,
-                       SkinWorkspace& w) {
-  FacetBlocks all;
-  all.covered = Vector::Zero(static_cast<Eigen::Index>(sides.secondary.x.size()));
-  for (int f = 0; f < static_cast<int>(sides.secondary.facets.size()); ++f) {
-    const auto opposite = std::span(pairs.opposite).subspan(pairs.first[f], pairs.first[f + 1] - pairs.first[f]);
-    if (!place_points(sides, f, opposite, w)) continue;
-    const Facet& facet = sides.secondary.facets[f];
-    const auto areas = covered_areas(w);
-    for (int j = 0; j < facet.count(); ++j) all.covered[facet.nodes[j]] += areas[j];
-    integrate_points(sides, cut_of(facet, carries), w);
-    FacetBlock block{f, all.columns.size(), w.columns.size(), {}};
-    all.columns.resize(block.first + block.count);
-    take(w, block, all);
-    all.blocks.push_back(block);
-  }
+/// The integrals of all facets that take part, in their order.
+std::vector<FacetBlock> all_facets(const SkinSides& sides, const SkinPairs& pairs, const std::vector<char>& carries) {
+  const int count = static_cast<int>(sides.secondary.facets.size());
+  std::vector<FacetBlock> all(static_cast<std::size_t>(count));
+  base::side_by_side(count, facets_at_once, [&](int first, int end) {
+    SkinWorkspace w;
+    for (int f = first; f < end; ++f) {
+      auto& block = all[static_cast<std::size_t>(f)];
+      block.facet = -1;
+      if (!place_points(sides, f, facets_opposite(pairs, f), w)) continue;
+      integrate_points(sides, cut_of(sides.secondary.facets[f], carries), w);
+      block = {f, covered_areas(w), w.D, w.columns};
+    }
+  });
+  std::erase_if(all, [](const FacetBlock& block) { return block.facet < 0; });
   return all;
+}
+
+/// int N_j over the covered part of the side.
+Vector covered_by(const Skin& secondary, const std::vector<FacetBlock>& all) {
+  Vector covered = Vector::Zero(static_cast<Eigen::Index>(secondary.x.size()));
+  for (const auto& block : all) {
+    const Facet& facet = secondary.facets[block.facet];
+    for (int j = 0; j < facet.count(); ++j) covered[facet.nodes[j]] += block.covered[j];
+  }
+  return covered;
 }
 
 /// Integrates facets again of which a point turned out to be hardly covered.
 void renew(const SkinSides& sides, const SkinPairs& pairs, const std::vector<char>& before,
-           const std::vector<char>& carries, SkinWorkspace& w, FacetBlocks& all) {
-  for (auto& block : all.blocks) {
-    const Facet& facet = sides.secondary.facets[block.facet];
-    const auto cut = cut_of(facet, carries);
-    if (cut == cut_of(facet, before)) continue;
-    const int first = pairs.first[block.facet];
-    place_points(sides, block.facet, std::span(pairs.opposite).subspan(first, pairs.first[block.facet + 1] - first), w);
-    integrate_points(sides, cut, w);
-    take(w, block, all);
-  }
+           const std::vector<char>& carries, std::vector<FacetBlock>& all) {
+  base::side_by_side(static_cast<int>(all.size()), facets_at_once, [&](int first, int end) {
+    SkinWorkspace w;
+    for (int k = first; k < end; ++k) {
+      auto& block = all[static_cast<std::size_t>(k)];
+      const Facet& facet = sides.secondary.facets[block.facet];
+      const auto cut = cut_of(facet, carries);
+      if (cut == cut_of(facet, before)) continue;
+      place_points(sides, block.facet, facets_opposite(pairs, block.facet), w);
+      integrate_points(sides, cut, w);
+      block.D = w.D;
+      block.columns = w.columns;
+    }
+  });
 }
 
 /// One matrix from its entries per facet: `entries(block, j, add)` adds those of row j.
 template <class Entries>
-SparseMatrix assembled(const SkinSides& sides, const FacetBlocks& all, const std::vector<char>& carries,
+SparseMatrix assembled(const SkinSides& sides, const std::vector<FacetBlock>& all, const std::vector<char>& carries,
                        std::size_t columns, Entries entries) {
   std::vector<Triplet> triplets;
-  for (const auto& block : all.blocks) {
+  for (const auto& block : all) {
     const Facet& facet = sides.secondary.facets[block.facet];
     for (int j = 0; j < facet.count(); ++j)
       if (carries[facet.nodes[j]])
@@ -148,7 +157,7 @@ bool drop_bare(const Vector& covered, const Vector& area, std::vector<char>& car
   return dropped;
 }
 
-void assemble(const SkinSides& sides, const FacetBlocks& all, SkinIntegrals& out) {
+void assemble(const SkinSides& sides, const std::vector<FacetBlock>& all, SkinIntegrals& out) {
   const std::size_t own = sides.secondary.x.size(), others = sides.primary.x.size();
   out.D = assembled(sides, all, out.carries, own, [&](const FacetBlock& block, int j, auto add) {
     const Facet& facet = sides.secondary.facets[block.facet];
@@ -157,8 +166,7 @@ void assemble(const SkinSides& sides, const FacetBlocks& all, SkinIntegrals& out
   });
   const auto over_columns = [&](FacetValues SkinColumn::*values) {
     return assembled(sides, all, out.carries, others, [&, values](const FacetBlock& block, int j, auto add) {
-      for (std::size_t c = block.first; c < block.first + block.count; ++c)
-        add(all.columns[c].primary, (all.columns[c].*values)[j]);
+      for (const auto& column : block.columns) add(column.primary, (column.*values)[j]);
     });
   };
   out.M = over_columns(&SkinColumn::M);
@@ -180,15 +188,14 @@ SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOp
   const Points3 normals = facet_normals(primary);
   const Vector around = radii(primary);
   const SkinSides sides{secondary, primary, normals, around, options.search_mm};
-  SkinWorkspace w;
   SkinIntegrals out;
   out.carries = eligible(secondary, options.dual);
   out.area = nodal_areas(secondary);
-  auto all = all_facets(sides, pairs, out.carries, w);
+  auto all = all_facets(sides, pairs, out.carries);
   auto before = out.carries;
-  bool bare = drop_bare(all.covered, out.area, out.carries);
+  bool bare = drop_bare(covered_by(secondary, all), out.area, out.carries);
   for (;;) {
-    if (bare) renew(sides, pairs, before, out.carries, w, all);
+    if (bare) renew(sides, pairs, before, out.carries, all);
     assemble(sides, all, out);
     before = out.carries;
     // The basis beside a point that lost its multiplier is another one, and may leave its neighbours bare.
@@ -196,7 +203,7 @@ SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOp
     if (!bare) break;
   }
   out.covers.assign(secondary.facets.size(), 0);
-  for (const auto& block : all.blocks) out.covers[block.facet] = 1;
+  for (const auto& block : all) out.covers[block.facet] = 1;
   out.normal = nodal_normals(secondary, out.covers);
   return out;
 }

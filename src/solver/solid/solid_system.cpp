@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "base/cores.hpp"
+
 namespace reye::solver {
 
 namespace {
@@ -58,12 +60,17 @@ namespace {
 
 /// u += C f, with the columns of points that bear no force left out: most are open.
 void add_compliance(const Matrix& C, const Vector& force, Eigen::Ref<Vector> u) {
-  for (Eigen::Index first = 0; first < force.size(); first += 3) {
-    Eigen::Index end = first;
-    while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
-    if (end > first) u.noalias() += C.middleCols(first, end - first) * force.segment(first, end - first);
-    first = end;
-  }
+  constexpr int rows_at_once = 512;
+  base::side_by_side(static_cast<int>(C.rows()), rows_at_once, [&](int top, int bottom) {
+    for (Eigen::Index first = 0; first < force.size(); first += 3) {
+      Eigen::Index end = first;
+      while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
+      if (end > first)
+        u.segment(top, bottom - top).noalias() +=
+            C.block(top, first, bottom - top, end - first) * force.segment(first, end - first);
+      first = end;
+    }
+  });
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+#define TBB_PREVIEW_TASK_ARENA_CONSTRAINTS_EXTENSION 1  // threads per core, to tell physical cores
+
+#include "base/cores.hpp"
+
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <vector>
+
+namespace reye::base {
+
+namespace {
+
+std::atomic<int> allowed = 1;
+
+}  // namespace
+
+int cores() { return allowed; }
+
+int physical_cores() {
+  return std::max(1, tbb::info::default_concurrency(tbb::task_arena::constraints{}.set_max_threads_per_core(1)));
+}
+
+Cores::Cores(int count) : before_(allowed.exchange(std::max(1, count))) {}
+Cores::~Cores() { allowed = before_; }
+
+void side_by_side(int count, const std::function<void(int)>& work) {
+  if (cores() == 1 || count < 2) {
+    for (int i = 0; i < count; ++i) work(i);
+    return;
+  }
+  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
+  tbb::task_arena arena(cores());
+  arena.execute([&] {
+    tbb::parallel_for(0, count, [&](int i) {
+      try {
+        work(i);
+      } catch (...) {
+        thrown[static_cast<std::size_t>(i)] = std::current_exception();
+      }
+    });
+  });
+  for (const auto& exception : thrown)
+    if (exception) std::rethrow_exception(exception);
+}
+
+void side_by_side(int count, int share, const std::function<void(int first, int end)>& work) {
+  side_by_side((count + share - 1) / share,
+               [&](int k) { work(k * share, std::min(count, (k + 1) * share)); });
+}
+
+}  // namespace reye::base
