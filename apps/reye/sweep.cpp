@@ -147,7 +147,8 @@ std::string this_program() { return fs::read_symlink("/proc/self/exe"); }
 
 Child child_of(const Job& job, std::size_t i) {
   const auto& place = job.places[i];
-  Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--threads", "1", "--quiet"}, errors_of(place)};
+  Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--threads", "1", "--quiet"},
+              errors_of(place)};
   if (job.request.trust_geometry) child.words.push_back("--trust-geometry");
   if (job.request.force)
     child.words.push_back("--force");

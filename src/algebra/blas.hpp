@@ -50,7 +50,7 @@ class WideBlas {
   WideBlas& operator=(const WideBlas&) = delete;
 
  private:
-  static constexpr int least_rows = 400;
+  static constexpr int least_rows = 1000;
   bool wide_;
 };
 

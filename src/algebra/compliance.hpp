@@ -14,8 +14,8 @@ using base::Vector;
 /// at the price of n, not of f: one inversion serves every choice.
 class Compliance {
  public:
-  /// `held`: columns that must never be left out; S with springs on them is definite, else throws base::SolveError. A
-  /// spring is as stiff as its column.
+  /// `held`: columns that must never be left out; S with springs on them is definite, and so well that its inverse
+  /// returns a vector to eight digits, else throws base::SolveError. A spring is as stiff as its column.
   Compliance(Matrix S, const std::vector<int>& held);
 
   /// S' and G = S_ff^-1 S_fn of a choice.

@@ -49,8 +49,7 @@ void side_by_side(int count, const std::function<void(int)>& work) {
 }
 
 void side_by_side(int count, int share, const std::function<void(int first, int end)>& work) {
-  side_by_side((count + share - 1) / share,
-               [&](int k) { work(k * share, std::min(count, (k + 1) * share)); });
+  side_by_side((count + share - 1) / share, [&](int k) { work(k * share, std::min(count, (k + 1) * share)); });
 }
 
 }  // namespace reye::base

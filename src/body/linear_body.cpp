@@ -178,9 +178,17 @@ const Matrix& LinearBody::stiffness() const { return impl_->S(); }
 std::shared_ptr<const Matrix> LinearBody::shared_stiffness() const { return {impl_, &impl_->S()}; }
 
 std::shared_ptr<const algebra::Compliance> LinearBody::compliance() const {
-  if (!impl_->turning) return {};
   std::call_once(impl_->inverted, [this] {
-    impl_->compliance = std::make_shared<const algebra::Compliance>(impl_->S(), impl_->turning->named());
+    std::vector<int> held;
+    if (impl_->turning)
+      held = impl_->turning->named();
+    else
+      for (const auto& support : impl_->columns.supports) held.push_back(support.column);
+    try {
+      impl_->compliance = std::make_shared<const algebra::Compliance>(impl_->S(), held);
+    } catch (const base::SolveError&) {
+      if (impl_->turning) throw;
+    }
   });
   return impl_->compliance;
 }

@@ -28,10 +28,21 @@ void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, co
 bool ContactsInReach::choose(const System& system, const SolverState& before, bool everything, bool limited) {
   if (chosen_ && !everything) return false;
   limited_ = limited;
-  reach_ = everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin);
-  reduction_ = Reduction(system, reach_);
-  // Before anything touches, or where contact outran its reach, the next increment chooses again.
+  take(system,
+       everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin));
   chosen_ = !(reach_ == Reach::all(system)) || !limited;
+  return true;
+}
+
+bool ContactsInReach::look_ahead(const System& system, const SolverState& before, const Controls& controls,
+                                 const Multipliers& lambda, const Vector& q) {
+  if (!chosen_ || !limited_) return false;
+  begin(system, before, controls, controls.guess);
+  place_all(system, q);
+  for (std::size_t c = 0; c < faces_.size(); ++c) faces_[c].decide(lambda[c], 0, contact::Start::predicted);
+  if (enclosed()) return false;
+  take(system, reach_round_faces(system));
+  chosen_ = !(reach_ == Reach::all(system));
   return true;
 }
 
@@ -56,10 +67,21 @@ void ContactsInReach::limit_faces() {
   for (std::size_t c = 0; c < faces_.size(); ++c) faces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
 }
 
+void ContactsInReach::take(const System& system, Reach reach) {
+  reach_ = std::move(reach);
+  constexpr int a_few = 4;  // choices cost as much as the inverse that serves any number
+  reduction_ = Reduction(system, reach_, ++choices_ > a_few);
+}
+
+/// Round the contact that was found among all nodes, or all nodes.
+Reach ContactsInReach::reach_round_faces(const System& system) const {
+  Reach reach = Reach::round_contact(system, faces_, reach_margin);
+  return enclosed_by(reach) ? reach : Reach::all(system);
+}
+
 void ContactsInReach::change(const System& system, Reach reach, const Reduction::Loads& loads, base::TwoPart& q) {
   const auto all = reduction_.expand(q, loads);
-  reach_ = std::move(reach);
-  reduction_ = Reduction(system, reach_);
+  take(system, std::move(reach));
   limit_faces();
   q = {reduction_.restrict_to(all.high), reduction_.restrict_to(all.low)};
 }
@@ -92,10 +114,8 @@ std::string ContactsInReach::passed_through() const {
 }
 
 void ContactsInReach::follow(const System& system, const Reduction::Loads& loads, base::TwoPart& q) {
-  Reach reach = Reach::round_contact(system, faces_, reach_margin);
-  if (!enclosed_by(reach)) reach = Reach::all(system);
-  chosen_ = !(reach == Reach::all(system));
-  change(system, std::move(reach), loads, q);
+  change(system, reach_round_faces(system), loads, q);
+  chosen_ = !(reach_ == Reach::all(system));
 }
 
 /// Moves the surface nodes in reach (or all) to where the full vector q puts them, and integrates.

@@ -10,10 +10,17 @@ namespace reye::solver {
 /// there. The reach is kept between increments until `forget`.
 class ContactsInReach {
  public:
-  void forget() { chosen_ = false; }
+  void forget() {
+    chosen_ = false;
+    choices_ = 0;
+  }
   /// Chooses the nodes that take part; `limited`: those near the contact, unless `everything` is set. False: the choice
   /// is unchanged.
   bool choose(const System& system, const SolverState& before, bool everything, bool limited);
+  /// Chooses a reach round the contact at the predicted q, where it outruns the present one. False: it does not.
+  /// `lambda`: the multipliers expected there.
+  bool look_ahead(const System& system, const SolverState& before, const Controls& controls, const Multipliers& lambda,
+                  const Vector& q);
   /// Starts an increment from the accepted state.
   void begin(const System& system, const SolverState& before, const Controls& controls, const Guess* guess);
 
@@ -45,13 +52,17 @@ class ContactsInReach {
 
  private:
   bool enclosed_by(const Reach& reach) const;
+  void take(const System& system, Reach reach);
+  Reach reach_round_faces(const System& system) const;
   void change(const System& system, Reach reach, const Reduction::Loads& loads, base::TwoPart& q);
   void limit_faces();
   void integrate(const System& system, const Vector& q, bool everything);
 
   Reach reach_;
   Reduction reduction_;
-  bool chosen_ = false, limited_ = true;
+  bool chosen_ = false;  ///< false before anything touches and where contact outran its reach: to be chosen again
+  int choices_ = 0;      ///< made since then
+  bool limited_ = true;
   std::vector<contact::Interface> faces_;
   std::vector<Sides> sides_, start_;  ///< positions of the surface nodes, now and at the start of the increment
   std::vector<std::vector<PlacedNode>> nodes_;

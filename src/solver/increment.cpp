@@ -21,6 +21,15 @@ std::vector<Vec2> along_sliding(const contact::ContactState& before, double slip
   return lambda;
 }
 
+/// Those that an increment starts with.
+Multipliers multipliers(const SolverState& before, const Controls& controls, const Guess* guess) {
+  if (guess) return guess->lambda;
+  Multipliers lambda;
+  for (std::size_t c = 0; c < before.contacts.size(); ++c)
+    lambda.push_back(along_sliding(before.contacts[c], controls.contacts[c].imposed_slip));
+  return lambda;
+}
+
 }  // namespace
 
 void Increment::forget() {
@@ -38,15 +47,29 @@ void Increment::choose_reach(const System& system, const SolverState& before, bo
   if (contacts_.choose(system, before, everything, limited)) window_.forget();
 }
 
+/// dq that the guess, or else the last increment, lets expect.
+Vector Increment::predicted_motion(const Controls& controls) const {
+  return controls.guess ? controls.guess->dq : Vector(controls.continues * last_step_);
+}
+
+void Increment::look_ahead(const System& system, const SolverState& before, const Controls& controls) {
+  constexpr double facets = 0.5;  // contact that moves less leaves its reach after many increments, if at all
+  const Vector dq = predicted_motion(controls);
+  const double way = dq.cwiseProduct(system.arm).lpNorm<Eigen::Infinity>();
+  if (std::none_of(system.contacts.begin(), system.contacts.end(),
+                   [&](const auto& setup) { return way > facets * facet_length(setup); }))
+    return;
+  const auto lambda = multipliers(before, controls, controls.guess);
+  if (contacts_.look_ahead(system, before, controls, lambda, before.q.high + dq)) window_.forget();
+}
+
 base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls,
                                contact::Start from, body::Tangent tangent) {
   const bool predicted = from == contact::Start::predicted;
   const Guess* guess = predicted ? controls.guess : nullptr;
   const double continues = predicted && !guess ? controls.continues : 0.0;
   contacts_.begin(system, before, controls, guess);
-  lambda_.resize(system.contacts.size());
-  for (std::size_t c = 0; c < lambda_.size(); ++c)
-    lambda_[c] = guess ? guess->lambda[c] : along_sliding(before.contacts[c], controls.contacts[c].imposed_slip);
+  lambda_ = multipliers(before, controls, guess);
   take_columns(system, controls);
   suspects_ = {};
   nonlinear_.begin(system, before, controls, reduction(), guess, continues);

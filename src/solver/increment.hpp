@@ -23,6 +23,10 @@ class Increment {
   /// Chooses the contact nodes that take part; `limited`: those near the contact, unless `everything` is set.
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
+  /// Moves the reach to where the predicted motion takes the contact, if that is out of it: Newton would find out at
+  /// the end, and continue from there.
+  void look_ahead(const System& system, const SolverState& before, const Controls& controls);
+
   /// Starts from `before`, or from the state that the guess, or else the continuation of the last increment, predicts.
   /// Returns q; throws base::SolveError when a nonlinear body cannot be linearised there.
   base::TwoPart begin(const System& system, const SolverState& before, const Controls& controls, contact::Start from,
@@ -70,6 +74,7 @@ class Increment {
     double scale = 0.0;   ///< force due to the rounding of positions: where none is larger, nothing is loaded
   };
   const Reduction& reduction() const { return contacts_.reduction(); }
+  Vector predicted_motion(const Controls& controls) const;
   void take_columns(const System& system, const Controls& controls);
   void change_columns(const System& system, const Controls& controls);
   std::vector<Vector> deformations(const System& system, const base::TwoPart& q) const;

@@ -12,17 +12,6 @@ using contact::Start;
 
 namespace {
 
-/// The mean length of a facet of a contact's surfaces.
-double facet_length(const contact::Setup& setup) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const auto* surface : {&setup.secondary, &setup.primary}) {
-    for (const auto& facet : surface->facets) sum += (surface->X[facet[1]] - surface->X[facet[0]]).norm();
-    count += surface->facets.size();
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 /// Whether a body is turned so far in one increment that contact moves to nodes out of reach.
 bool turns_beyond_reach(const System& system, const SolverState& before, const Controls& controls) {
   constexpr double facets = 4.0;  // the reach has a margin of six
@@ -64,6 +53,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   std::vector<Attempt> attempts;
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
     attempts.push_back({Start::predicted, options_.chords});
+  if (!attempts.empty()) increment_.look_ahead(system, before, controls);
   attempts.push_back({Start::sticking, options_.chords});
   // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is then
   // lost. Such an increment starts with the former friction, which then yields.

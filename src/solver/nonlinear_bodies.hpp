@@ -6,9 +6,6 @@
 
 namespace reye::solver {
 
-/// Multipliers per contact and secondary node.
-using Multipliers = std::vector<std::vector<Vec2>>;
-
 /// The nonlinear bodies of a system while one increment is solved: linear ones that are renewed.   [README (4)]
 /// Holds their interiors and their last linearisation, about an anchor. All calls but `begin` and `any` refer to the
 /// increment that `begin` started; its arguments must live as long.

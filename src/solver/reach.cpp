@@ -139,6 +139,16 @@ std::vector<char> Reach::columns_out(const System& system) const {
   return far;
 }
 
+double facet_length(const contact::Setup& setup) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const auto* surface : {&setup.secondary, &setup.primary}) {
+    for (const auto& facet : surface->facets) sum += (surface->X[facet[1]] - surface->X[facet[0]]).norm();
+    count += surface->facets.size();
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
 bool Reach::encloses(int contact, const contact::Interface& face) const {
   const auto& setup = face.setup();
   const auto &near_secondary = secondary[contact], &near_primary = primary[contact];

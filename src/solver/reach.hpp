@@ -6,6 +6,9 @@
 
 namespace reye::solver {
 
+/// The mean length of a facet of a contact's surfaces [mm].
+double facet_length(const contact::Setup& setup);
+
 /// Contact nodes that can take part for now; the others are condensed out, exactly.
 struct Reach {
   std::vector<std::vector<char>> secondary, primary;  ///< per contact, per surface node: 1 when it may touch

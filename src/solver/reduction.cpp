@@ -4,7 +4,7 @@
 
 namespace reye::solver {
 
-Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.offset) {
+Reduction::Reduction(const System& system, const Reach& reach, bool moving) : offset_(system.offset) {
   const auto out = reach.columns_out(system);
   parts_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
@@ -15,7 +15,8 @@ Reduction::Reduction(const System& system, const Reach& reach) : offset_(system.
       auto near_translation = translation.part(near), far_translation = translation.part(far);
       std::optional<body::Turning> turning;
       if (linear->turning()) turning = linear->turning()->part(near);
-      parts_[b] = {Condensed(linear->shared_stiffness(), linear->compliance(), std::move(near), std::move(far)),
+      auto inverse = moving || turning ? linear->compliance() : nullptr;
+      parts_[b] = {Condensed(linear->shared_stiffness(), std::move(inverse), std::move(near), std::move(far)),
                    std::move(near_translation), std::move(far_translation), std::move(turning)};
     }
   }

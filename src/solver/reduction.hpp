@@ -13,7 +13,8 @@ namespace reye::solver {
 class Reduction {
  public:
   Reduction() = default;
-  Reduction(const System& system, const Reach& reach);
+  /// `moving`: contact moves along the bodies, so that one choice of columns follows another.
+  Reduction(const System& system, const Reach& reach, bool moving);
 
   int size() const { return columns_.size(); }
   int index(int column) const { return columns_.index[column]; }  ///< reduced index of a global column, -1 out of reach

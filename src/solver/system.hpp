@@ -53,11 +53,14 @@ struct SolverState {
   std::vector<contact::ContactState> contacts;
 };
 
+/// Multipliers per contact and secondary node.
+using Multipliers = std::vector<std::vector<Vec2>>;
+
 /// The expected end of an increment, from which Newton starts. It speeds up the search and does not decide the result.
 struct Guess {
   Vector dq;
-  std::vector<Vector> inside;             ///< change of Interior::y, per body; empty but for nonlinear ones
-  std::vector<std::vector<Vec2>> lambda;  ///< per contact
+  std::vector<Vector> inside;  ///< change of Interior::y, per body; empty but for nonlinear ones
+  Multipliers lambda;
   std::vector<std::vector<contact::ContactStatus>> status;  ///< per contact
 };
 

@@ -177,6 +177,30 @@ TEST(condensation, slides_past_the_rim_of_the_reach) {
   }
 }
 
+// Where increments continue one another, the reach must follow the contact before Newton begins: no more steps than
+// with all nodes in reach, to the same state, also once an inverse of the body serves all reaches.
+TEST(condensation, reach_goes_ahead_of_a_long_slide) {
+  const auto system = support::system_of(wide_slider(0.0));
+  solver::NewtonOptions all;
+  all.limit_reach = false;
+  solver::Newton limited, whole(all);
+  auto state = support::fresh(system), other = state;
+  for (int k = 0; k <= 12; ++k) {
+    const auto a = wide_slider(0.07 * k);
+    auto controls = support::controls_of(a, system, 1.0);
+    controls.continues = k > 1 ? 1.0 : 0.0;
+    const auto one = limited.solve(system, state, controls), two = whole.solve(system, other, controls);
+    ASSERT_TRUE(one.report.converged) << "slide " << k << ": " << one.report.reason;
+    ASSERT_TRUE(two.report.converged) << "slide " << k << ": " << two.report.reason;
+    if (k > 1) {
+      EXPECT_LE(one.report.solves, two.report.solves) << "slide " << k;
+    }
+    state = one.state;
+    other = two.state;
+    EXPECT_LT((state.q.high - other.q.high).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.high.lpNorm<Eigen::Infinity>());
+  }
+}
+
 /// Largest force of a support on one of the bodies, and the sum over all of them.
 std::pair<double, base::Vec2> carried(const solver::System& system, const base::Vector& reactions) {
   double largest = 0.0;

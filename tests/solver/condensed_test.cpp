@@ -1,4 +1,5 @@
 #include "solver/condensed.hpp"
+#include "base/errors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,17 @@ TEST(condensed, where_nothing_holds) {
   const Vector f = Vector::LinSpaced(9, -1.0, 1.0);
   EXPECT_LT((inversely.load(f).near - directly.load(f).near).norm(), 1e-13);
   EXPECT_LT((inversely.load(f).own - directly.load(f).own).norm(), 1e-13);
+}
+
+// Where springs leave a motion free, round-off is all that an inverse would be made of, and must be refused.
+TEST(condensed, no_inverse_of_a_free_motion) {
+  Matrix S = Matrix::Zero(18, 18);
+  for (int part : {0, 9}) {
+    S.block(part, part, 9, 9) = -stiffness(9);
+    for (int i = 0; i < 9; ++i) S(part + i, part + i) -= S.block(part, part, 9, 9).row(i).sum();
+  }
+  EXPECT_NO_THROW(reye::algebra::Compliance(S, {3, 12}));
+  EXPECT_THROW(reye::algebra::Compliance(S, {3, 4}), reye::base::SolveError);
 }
 
 // With nothing to condense everything must pass as it is.

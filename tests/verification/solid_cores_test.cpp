@@ -7,7 +7,7 @@ using namespace reye;
 
 namespace {
 
-/// Two balls pressed and pushed to one side, on so many cores; the matrices of Newton have more than 400 rows.
+/// Two balls pressed and pushed to one side, on so many cores.
 support::PlayedSolids pushed_on(int count) {
   const base::Cores cores(count);
   support::HertzCase c;
@@ -26,8 +26,8 @@ double difference(const support::PlayedSolids& a, const support::PlayedSolids& b
   double largest = 0.0, apart = 0.0;
   for (std::size_t j = 0; j < one.pressure_MPa.size(); ++j) {
     largest = std::max(largest, one.pressure_MPa[j]);
-    apart = std::max({apart, std::abs(one.pressure_MPa[j] - other.pressure_MPa[j]),
-                      (one.shear_MPa[j] - other.shear_MPa[j]).norm()});
+    apart = std::max(
+        {apart, std::abs(one.pressure_MPa[j] - other.pressure_MPa[j]), (one.shear_MPa[j] - other.shear_MPa[j]).norm()});
   }
   return apart / largest;
 }
