@@ -77,7 +77,8 @@ def run(scene, name, replacements=()):
     WORK.mkdir(parents=True, exist_ok=True)
     file, out = WORK / f"{name}.toml", WORK / name
     file.write_text(text, encoding="utf-8")
-    subprocess.run([REYE, "run", str(file), "--out", str(out), "--force", "--quiet"], check=True)
+    subprocess.run([REYE, "run", str(file), "--out", str(out), "--threads", "1", "--force", "--quiet"],
+                   check=True)
     return Run(out)
 
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algebra/factor.hpp"
+#include "cores.hpp"
 #include "factorisations.hpp"
 #include "scene/read.hpp"
 #include "sim/march/block.hpp"
@@ -148,13 +149,18 @@ void told(benchmark::State& run) {
 
 BENCHMARK(told<floor_of_a_cycle>)->Name("floor")->Arg(0)->Arg(10)->Arg(60)->Iterations(5)->Unit(benchmark::kSecond);
 
+double dofs_of(const Fretting& played) {
+  double dofs = 0.0;
+  for (const auto& shape : played.state.shapes) dofs += 2.0 * static_cast<double>(shape->mesh.X.size());
+  return dofs;
+}
+
 /// Time of a block and memory over the number of dofs, at some 240 contact nodes a side: the largest resident memory of
 /// this program so far, meshing included.
 void scaling_of_a_block(benchmark::State& run, Fretting& played) {
   std::vector<double> cycles;
   for (auto _ : run) cycles.push_back(played.cycle());
-  double dofs = 0.0;
-  for (const auto& shape : played.state.shapes) dofs += 2.0 * static_cast<double>(shape->mesh.X.size());
+  const double dofs = dofs_of(played);
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   run.counters["dofs"] = dofs;
@@ -172,6 +178,35 @@ void scaling_plastic(benchmark::State& run) {
   Fretting played(plastic_fretting(run.range(0)));
   scaling_of_a_block(run, played);
 }
+
+/// Wall time of wear blocks of linear bodies, which cost the same one after another, on one core and on as many as the
+/// machine has.
+void cores_linear(benchmark::State& run) {
+  Fretting played(fretting(run.range(0)));
+  played.cycle();
+  std::vector<double> one, all;
+  for (auto _ : run) {
+    one.push_back(bench::wall_on(1, [&] { played.cycle(); }));
+    all.push_back(bench::wall_on(base::physical_cores(), [&] { played.cycle(); }));
+  }
+  run.counters["dofs"] = dofs_of(played);
+  bench::tell_cores(run, one, all);
+}
+
+/// The same of bodies that yield, whose blocks differ: each time the first one after the press.
+void cores_plastic(benchmark::State& run) {
+  std::vector<double> one, all;
+  for (auto _ : run)
+    for (const int count : {1, base::physical_cores()}) {
+      Fretting played(plastic_fretting(run.range(0)));
+      (count == 1 ? one : all).push_back(bench::wall_on(count, [&] { played.cycle(); }));
+      run.counters["dofs"] = dofs_of(played);
+    }
+  bench::tell_cores(run, one, all);
+}
+
+BENCHMARK(told<cores_linear>)->Name("cores_block")->Arg(200)->Iterations(3)->Unit(benchmark::kSecond);
+BENCHMARK(told<cores_plastic>)->Name("cores_plastic")->Arg(4)->Iterations(1)->Unit(benchmark::kSecond);
 
 BENCHMARK(told<scaling_linear>)
     ->Name("scaling")

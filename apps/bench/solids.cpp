@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "algebra/factor.hpp"
+#include "cores.hpp"
 #include "factorisations.hpp"
 #include "fem/solid/solid_stiffness.hpp"
 #include "scene/solid/solid_scene.hpp"
@@ -106,19 +107,23 @@ void tell_stick_radius(benchmark::State& run, double radius, double exact, const
   run.counters["stick_radius_error_in_elements"] = (radius - exact) / (c.a_mm / c.elements);
 }
 
-/// geo/sliding_ball with facets of range(0) micrometres: a cycle of 40 increments in gross slip. range(1): 0 as it is,
-/// 1 its flat secondary, 2 its ball rigid as well.
-void sliding_ball(benchmark::State& run) {
+/// geo/sliding_ball with facets of so many micrometres: 0 as it is, 1 its flat secondary, 2 its ball rigid as well.
+sim::SolidProblem sliding_ball_of(long facet_um, long variant) {
   auto scene = scene::read_solid(std::string(REYE_SOURCE_DIR) + "/geo/sliding_ball/scene.toml");
-  for (auto& zone : scene.geometry.fine_zones) zone.size_mm = 1e-3 * static_cast<double>(run.range(0));
-  if (run.range(0) > 100)  // 1e5 dofs for both patches: this one has less of them
+  for (auto& zone : scene.geometry.fine_zones) zone.size_mm = 1e-3 * static_cast<double>(facet_um);
+  if (facet_um > 100)  // 1e5 dofs for both patches: this one has less of them
     for (auto& body : scene.geometry.bodies) body.mesh.far_size_mm = 5.0;
-  if (run.range(1) > 0) {
+  if (variant > 0) {
     auto& contact = scene.contacts.front();
     std::swap(contact.secondary, contact.primary.front());
-    for (auto& body : scene.geometry.bodies) body.rigid = run.range(1) == 2 && body.name == "ball";
+    for (auto& body : scene.geometry.bodies) body.rigid = variant == 2 && body.name == "ball";
   }
-  const auto problem = sim::prepare_solid(std::move(scene));
+  return sim::prepare_solid(std::move(scene));
+}
+
+/// A cycle of 40 increments in gross slip.
+void sliding_ball(benchmark::State& run) {
+  const auto problem = sliding_ball_of(run.range(0), run.range(1));
   for (auto _ : run) {
     support::PlayedSolids played;
     double start = 0.0;
@@ -131,6 +136,27 @@ void sliding_ball(benchmark::State& run) {
     require_done(played.summary);
     tell_phases(run, played, seconds_of_cpu() - start);
   }
+}
+
+/// Wall time of press and cycle on one core and on as many as the machine has, and what the number of cores changes.
+void cores_sliding_ball(benchmark::State& run) {
+  const auto problem = sliding_ball_of(run.range(0), 0);
+  std::vector<double> one, all;
+  std::array<double, 2> energy{};
+  double dofs = 0.0;
+  const auto played = [&](double& dissipated) {
+    const auto summary = support::play(problem).summary;
+    require_done(summary);
+    dofs = summary.size.dofs;
+    dissipated = summary.contacts[0].dissipated_energy_mJ;
+  };
+  for (auto _ : run) {
+    one.push_back(bench::wall_on(1, [&] { played(energy[0]); }));
+    all.push_back(bench::wall_on(base::physical_cores(), [&] { played(energy[1]); }));
+  }
+  run.counters["dofs"] = dofs;
+  run.counters["change_of_energy"] = std::abs(energy[1] / energy[0] - 1.0);
+  bench::tell_cores(run, one, all);
 }
 
 /// range(0): q = Q / (mu P) in per cent; range(1): hexahedra per radius.
@@ -199,6 +225,7 @@ BENCHMARK(reported<sliding_ball>)
     ->Args({94, 2})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
+BENCHMARK(reported<cores_sliding_ball>)->Name("cores_ball")->Arg(94)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK(reported<two_balls>)
     ->Name("two_balls")
     ->Args({25, 10})

@@ -27,7 +27,7 @@ def planned(scene):
 def taken(scene, name):
     import json
     start = time.monotonic()
-    subprocess.run([os.environ["REYE"], "run", scene, "--out", WORK / name, "--force", "--quiet"], check=True,
+    subprocess.run([os.environ["REYE"], "run", scene, "--out", WORK / name, "--threads", "1", "--force", "--quiet"], check=True,
                    stdout=subprocess.DEVNULL)
     seconds = time.monotonic() - start
     return seconds, json.loads((WORK / name / "summary.json").read_text())["counts"]["increments"]

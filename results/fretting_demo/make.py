@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SCENE = HERE.parent.parent / "geo" / "fretting_demo" / "scene.toml"
 OUT = pathlib.Path(os.environ["REYE_WORK"]) / "demo.out"
 
-subprocess.run([os.environ["REYE"], "run", str(SCENE), "--out", str(OUT), "--quiet", "--force"], check=True)
+subprocess.run([os.environ["REYE"], "run", str(SCENE), "--out", str(OUT), "--threads", "1", "--quiet", "--force"], check=True)
 summary = json.loads((OUT / "summary.json").read_text())
 pad = summary["contacts"]["pad"]
 shutil.copy(OUT / "figures" / "overview-pad.svg", HERE / "overview.svg")

@@ -60,7 +60,7 @@ def main():
     rows = []
     for name in SCENES:
         folder = WORK / name
-        run = seconds(reye, "run", ROOT / "geo" / name / "scene.toml", "--out", folder, "--force", "--quiet")
+        run = seconds(reye, "run", ROOT / "geo" / name / "scene.toml", "--out", folder, "--threads", "1", "--force", "--quiet")
         report = float(re.search(r"report made in (\S+) s", (folder / "log.txt").read_text(encoding="utf-8")).group(1))
         seconds(reye, "report", folder, "--animation")
         page = folder / "report.html"

@@ -1,5 +1,4 @@
 #pragma once
-#include "base/cores.hpp"
 
 // The few BLAS and LAPACK routines used (Fortran calling convention, column-major, 32-bit integers).
 extern "C" {
@@ -18,6 +17,8 @@ void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a, const int* lda, double* b,
              const int* ldb, int* info);
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
+void dlaswp_(const int* columns, double* a, const int* lda, const int* first, const int* last, const int* pivots,
+             const int* step);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* pivots,
              double* b, const int* ldb, int* info);
 void dgecon_(const char* norm, const int* n, const double* a, const int* lda, const double* anorm, double* rcond,
@@ -34,24 +35,5 @@ inline void single_thread() {
   static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;
 }
-
-/// BLAS on all cores that may be used (base/cores.hpp) while it lives, for matrices of so many rows that threads are
-/// worth their start; on one else. Not to be used inside `base::side_by_side`.
-class WideBlas {
- public:
-  explicit WideBlas(int rows) : wide_(rows >= least_rows && base::cores() > 1) {
-    single_thread();
-    if (wide_) openblas_set_num_threads(base::cores());
-  }
-  ~WideBlas() {
-    if (wide_) openblas_set_num_threads(1);
-  }
-  WideBlas(const WideBlas&) = delete;
-  WideBlas& operator=(const WideBlas&) = delete;
-
- private:
-  static constexpr int least_rows = 1000;
-  bool wide_;
-};
 
 }  // namespace reye::algebra

@@ -6,6 +6,7 @@
 
 #include "algebra/blas.hpp"
 #include "algebra/factor.hpp"
+#include "base/cores.hpp"
 #include "base/errors.hpp"
 
 namespace reye::algebra {
@@ -44,6 +45,35 @@ double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   return norm;
 }
 
+/// The factors of A, as LAPACK's dgetrf gives them, in panels of columns: what a panel leaves to do in the others is
+/// done side by side. Returns 0, or the number of the first pivot that is zero, counted from 1.
+int factorise_in_panels(Matrix& A, std::vector<int>& pivots) {
+  constexpr int width = 128;
+  const int n = static_cast<int>(A.rows()), step = 1;
+  const double one = 1.0, minus = -1.0;
+  int zero_pivot = 0;
+  for (int first = 0; first < n; first += width) {
+    const int wide = std::min(width, n - first), tall = n - first, below = tall - wide, top = first + 1;
+    const int end = first + wide;
+    double* panel = A.data() + first + static_cast<std::ptrdiff_t>(first) * n;
+    int info = 0;
+    dgetrf_(&tall, &wide, panel, &n, pivots.data() + first, &info);
+    if (info > 0 && zero_pivot == 0) zero_pivot = first + info;
+    for (int k = first; k < end; ++k) pivots[static_cast<std::size_t>(k)] += first;
+    base::side_by_side((n + width - 1) / width, [&](int block) {
+      const int from = block * width, count = std::min(width, n - from);
+      if (from == first) return;
+      double* columns = A.data() + static_cast<std::ptrdiff_t>(from) * n;
+      dlaswp_(&count, columns, &n, &top, &end, pivots.data(), &step);
+      if (from < first) return;
+      dtrsm_("L", "L", "N", "U", &wide, &count, &one, panel, &n, columns + first, &n);
+      if (below > 0)
+        dgemm_("N", "N", &below, &count, &wide, &minus, panel + wide, &n, columns + first, &n, &one, columns + end, &n);
+    });
+  }
+  return zero_pivot;
+}
+
 /// Whether a pivot is so small against the largest that the condition has to be estimated. This is not a bound: a
 /// nearly singular matrix may pass and give a large solution, which the next residual of Newton then shows.
 bool doubtful(const Matrix& LU) {
@@ -54,7 +84,7 @@ bool doubtful(const Matrix& LU) {
 }  // namespace
 
 void DenseFactor::factor(Matrix& A) {
-  const WideBlas wide(static_cast<int>(A.rows()));
+  single_thread();
   LU_.swap(A);
   const int n = static_cast<int>(LU_.rows());
   if (LU_.cols() != n) throw SolveError("dense solve: the matrix is not square");
@@ -63,8 +93,7 @@ void DenseFactor::factor(Matrix& A) {
   if (n == 0) return;
   const double norm = equilibrate(LU_, rows_, columns_);
   pivots_.resize(static_cast<size_t>(n));
-  int info = 0;
-  dgetrf_(&n, &n, LU_.data(), &n, pivots_.data(), &info);
+  int info = factorise_in_panels(LU_, pivots_);
   double rcond = 1.0;
   if (info == 0 && doubtful(LU_)) {
     work_.resize(4 * n);
@@ -90,7 +119,7 @@ Vector DenseFactor::solve(const Vector& b, const char* trans) const {
 }
 
 DenseCholesky::DenseCholesky(Matrix A) : L_(std::move(A)) {
-  const WideBlas wide(static_cast<int>(L_.rows()));
+  single_thread();
   const int n = static_cast<int>(L_.rows());
   int info = 0;
   dpotrf_("L", &n, L_.data(), &n, &info);
@@ -108,7 +137,6 @@ Matrix DenseCholesky::condense(Matrix& B) const {
   const int n = static_cast<int>(B.rows()), m = static_cast<int>(B.cols());
   Matrix C = Matrix::Zero(m, m);
   if (m == 0) return C;
-  const WideBlas wide(n);
   const double one = 1.0, zero = 0.0;
   dtrsm_("L", "L", "N", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
   dsyrk_("L", "T", &m, &n, &one, B.data(), &n, &zero, C.data(), &m);
@@ -118,7 +146,7 @@ Matrix DenseCholesky::condense(Matrix& B) const {
 }
 
 void invert(Matrix& A) {
-  const WideBlas wide(static_cast<int>(A.rows()));
+  single_thread();
   const int n = static_cast<int>(A.rows());
   int info = 0;
   dpotrf_("L", &n, A.data(), &n, &info);

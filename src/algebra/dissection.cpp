@@ -1,6 +1,7 @@
 #include <cholmod.h>
 
 #include <cstdint>
+#include <mutex>
 #include <numeric>
 
 #include "algebra/supernodal.hpp"
@@ -73,6 +74,8 @@ std::vector<int> nested_dissection(const base::SparseMatrix& K, int count) {
   cholmod_sparse A = graph.view();
   std::vector<int> of_points(A.ncol);
   Workspace workspace;
+  static std::mutex one_at_a_time;  // METIS draws its random numbers from a sequence of the whole process
+  const std::lock_guard lock(one_at_a_time);
   cholmod_metis(&A, nullptr, 0, 1, of_points.data(), &workspace.common);
   workspace.check("nested dissection");
   std::vector<int> first(A.ncol + 1, 0);

@@ -83,7 +83,6 @@ Matrix product(const Matrix& L, const Vector& shift) {
   const int n = static_cast<int>(L.rows());
   Matrix U = L.reverse();
   int info = 0;
-  const WideBlas wide(n);
   if (n > 0) dlauum_("U", &n, U.data(), &n, &info);
   Matrix S = U.reverse();
   S.diagonal() -= shift;

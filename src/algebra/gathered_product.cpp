@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algebra/blas.hpp"
+#include "base/cores.hpp"
 
 namespace reye::algebra {
 

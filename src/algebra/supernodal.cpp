@@ -92,7 +92,6 @@ void Supernodal::start(const Symbolic& symbolic) {
 }
 
 void Supernodal::factorise(SparseMatrix& K) {
-  const WideBlas wide(static_cast<int>(K.rows()) / 20);
   cholmod_sparse A = view(K);
   cholmod_factorize(&A, factor_, &workspace_.common);
   workspace_.check("sparse Cholesky", factor_);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <utility>
 #include <vector>
 
 namespace reye::base {
@@ -16,10 +17,23 @@ namespace reye::base {
 namespace {
 
 std::atomic<int> allowed = 1;
+thread_local bool beside = false;  ///< this thread works side by side with others
+
+/// Marks a thread while it does a share of the work.
+class Beside {
+ public:
+  Beside() : before_(std::exchange(beside, true)) {}
+  ~Beside() { beside = before_; }
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+ private:
+  bool before_;
+};
 
 }  // namespace
 
-int cores() { return allowed; }
+int cores() { return beside ? 1 : allowed.load(); }
 
 int physical_cores() {
   return std::max(1, tbb::info::default_concurrency(tbb::task_arena::constraints{}.set_max_threads_per_core(1)));
@@ -37,6 +51,7 @@ void side_by_side(int count, const std::function<void(int)>& work) {
   tbb::task_arena arena(cores());
   arena.execute([&] {
     tbb::parallel_for(0, count, [&](int i) {
+      const Beside mark;
       try {
         work(i);
       } catch (...) {

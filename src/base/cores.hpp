@@ -5,7 +5,7 @@
 /// the libraries below: it is the only setting that is not passed on as a value.
 namespace reye::base {
 
-/// Cores that loops and matrices may use at once; 1 unless a `Cores` lives.
+/// Cores that loops and matrices may use at once; 1 unless a `Cores` lives, and inside `side_by_side`.
 int cores();
 
 /// Physical cores that this process may run on.

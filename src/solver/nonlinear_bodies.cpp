@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/cores.hpp"
 #include "base/errors.hpp"
 
 namespace reye::solver {
@@ -32,24 +33,31 @@ void NonlinearBodies::begin(const System& system, const SolverState& before, con
   }
 }
 
+template <class Work>
+void NonlinearBodies::for_each(Work work) const {
+  base::side_by_side(static_cast<int>(interior_.size()), [&](int b) {
+    if (const auto* own = body(static_cast<std::size_t>(b))) work(static_cast<std::size_t>(b), *own);
+  });
+}
+
 bool NonlinearBodies::own(int column) const {
   const auto next = std::upper_bound(system_->offset.begin(), system_->offset.end(), column);
   return body(static_cast<std::size_t>(next - system_->offset.begin()) - 1) != nullptr;
 }
 
 void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
-  for (std::size_t b = 0; b < interior_.size(); ++b)
-    if (const auto* own = body(b))
-      own->linearise(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b],
-                     tangent);
+  for_each([&](std::size_t b, const body::NonlinearBody& own) {
+    own.linearise(before_->interiors[b], interior_[b], part(own, b, q), controls_->load_factors[b], linearised_[b],
+                  tangent);
+  });
   anchor_ = q;
   anchor_lambda_ = lambda;
 }
 
 void NonlinearBodies::measure(const base::TwoPart& q, const Multipliers& lambda) {
-  for (std::size_t b = 0; b < interior_.size(); ++b)
-    if (const auto* own = body(b))
-      own->measure(before_->interiors[b], interior_[b], part(*own, b, q), controls_->load_factors[b], linearised_[b]);
+  for_each([&](std::size_t b, const body::NonlinearBody& own) {
+    own.measure(before_->interiors[b], interior_[b], part(own, b, q), controls_->load_factors[b], linearised_[b]);
+  });
   anchor_ = q;
   anchor_lambda_ = lambda;
 }

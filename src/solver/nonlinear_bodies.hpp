@@ -47,6 +47,8 @@ class NonlinearBodies {
   void forget() { last_step_.clear(); }
 
  private:
+  template <class Work>
+  void for_each(Work work) const;  ///< work(b, body) of every nonlinear body
   void measure(const base::TwoPart& q, const Multipliers& lambda);
   using Linearised = body::NonlinearBody::Linearised;
   const body::NonlinearBody* body(std::size_t b) const { return std::get_if<body::NonlinearBody>(&system_->bodies[b]); }

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "algebra/dense.hpp"
+#include "base/cores.hpp"
 #include "base/errors.hpp"
 
 namespace {
@@ -216,6 +219,25 @@ TEST(dense, solves_badly_scaled_systems) {
 }
 
 // A singular matrix must be a SolveError: a zero row, equal columns, a value that is not finite.
+TEST(dense, same_bits_on_any_number_of_cores) {
+  // Several panels of columns, of which the last is narrower, solve as another library does, and alike on all cores.
+  const int n = 300;
+  Matrix A(n, n);
+  std::mt19937 random(1);
+  for (double& entry : A.reshaped()) entry = std::ldexp(static_cast<double>(random()), -32) - 0.5;
+  const Vector b = wave(n);
+  const Vector expected = A.partialPivLu().solve(b);
+  std::vector<Vector> solutions;
+  for (const int count : {1, 2, 3}) {
+    const base::Cores cores(count);
+    Matrix copy = A;
+    solutions.push_back(algebra::solve_dense(copy, b));
+  }
+  EXPECT_LT((solutions[0] - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_EQ(solutions[1], solutions[0]);
+  EXPECT_EQ(solutions[2], solutions[0]);
+}
+
 TEST(dense, singular_is_a_solve_error) {
   Matrix zero_row = Matrix::Identity(4, 4);
   zero_row(2, 2) = 0.0;

@@ -14,7 +14,7 @@ support::PlayedSolids pushed_on(int count) {
   c.mu = 0.5;
   c.nu = 0.0;
   c.half = c.two_balls = true;
-  c.elements = 10.0;
+  c.elements = 8.0;
   auto problem = support::swinging_balls(0.5, c);
   problem.scene.steps = {support::step_of(1, {"press"}), support::step_of(1, {"slide"})};
   return support::play(problem);
@@ -34,11 +34,10 @@ double difference(const support::PlayedSolids& a, const support::PlayedSolids& b
 
 }  // namespace
 
-TEST(SolidCores, ResultsRepeatAndAgreeBetweenNumbersOfCores) {
-  // The same number of cores gives the same bits; another one gives the same increments to 1e-10.
-  const auto one = pushed_on(1), two = pushed_on(2), again = pushed_on(2);
+TEST(SolidCores, BitsDoNotDependOnTheNumberOfCores) {
+  // Bodies, facets, matrices and motions are divided in shares that are the same on any number of cores.
+  const auto one = pushed_on(1), two = pushed_on(2), three = pushed_on(3);
   ASSERT_EQ(one.summary.status, sim::RunStatus::done) << one.summary.reason;
-  EXPECT_EQ(one.summary.counts.newton_iterations, two.summary.counts.newton_iterations);
-  EXPECT_LE(difference(one, two), 1e-10);
-  EXPECT_EQ(difference(two, again), 0.0);
+  EXPECT_EQ(difference(one, two), 0.0);
+  EXPECT_EQ(difference(one, three), 0.0);
 }

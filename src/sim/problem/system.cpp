@@ -1,7 +1,10 @@
 #include "sim/problem/system.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+
+#include "base/cores.hpp"
 
 namespace reye::sim {
 
@@ -46,15 +49,25 @@ body::Operator made(const body::ShapePtr& shape, const body::BodyInput& input, b
   return body::LinearBody(shape, input, std::move(legacy.analysis));
 }
 
+std::vector<body::Operator> made_side_by_side(const Problem& problem, const State& state,
+                                              std::vector<Legacy>& legacies) {
+  std::vector<std::optional<body::Operator>> made_ones(legacies.size());
+  base::side_by_side(static_cast<int>(legacies.size()), [&](int body) {
+    const auto b = static_cast<std::size_t>(body);
+    made_ones[b] = made(state.shapes[b], problem.inputs[b], problem.rigid[b], legacies[b]);
+  });
+  std::vector<body::Operator> bodies;
+  for (auto& one : made_ones) bodies.push_back(std::move(*one));
+  return bodies;
+}
+
 }  // namespace
 
 SystemPtr system_of(const Problem& problem, const State& state, Cache& cache) {
   if (made_of(cache.key, problem, state)) return cache.system;
   auto key = key_of(problem, state);
   auto legacies = take_over(key, cache);
-  std::vector<body::Operator> bodies;
-  for (std::size_t b = 0; b < state.shapes.size(); ++b)
-    bodies.push_back(made(state.shapes[b], problem.inputs[b], problem.rigid[b], legacies[b]));
+  auto bodies = made_side_by_side(problem, state, legacies);
   std::vector<contact::Setup> contacts;
   for (const auto& c : problem.contacts)
     contacts.push_back(contact::make_setup(c.options, problem.scene.analysis, c.secondary, c.primary, state.shapes,

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/cores.hpp"
 #include "sim/problem/timer.hpp"
 
 namespace reye::sim {
@@ -66,18 +67,22 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
                        std::optional<SolidAssembly> old) {
   const double start = cpu_seconds();
   SolidAssembly assembly;
+  std::vector<std::optional<body::SolidBody>> made(problem.inputs.size());
+  for (std::size_t b = 0; b < made.size(); ++b) {
+    made[b] = kept(old, b, meshes[b].get(), chosen(touchable[b]));
+    assembly.factorised += !made[b];
+  }
+  base::side_by_side(static_cast<int>(made.size()), [&](int body) {
+    const auto b = static_cast<std::size_t>(body);
+    if (made[b]) return;
+    auto input = problem.inputs[b];
+    input.mesh = meshes[b];
+    made[b].emplace(std::move(input), chosen(touchable[b]));
+  });
   std::vector<body::SolidBody> bodies;
   int next = 0;
-  for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
-    const auto nodes = chosen(touchable[b]);
-    if (auto body = kept(old, b, meshes[b].get(), nodes)) {
-      bodies.push_back(std::move(*body));
-    } else {
-      auto input = problem.inputs[b];
-      input.mesh = meshes[b];
-      bodies.emplace_back(std::move(input), nodes);
-      ++assembly.factorised;
-    }
+  for (std::size_t b = 0; b < made.size(); ++b) {
+    bodies.push_back(std::move(*made[b]));
     auto& columns = assembly.columns.emplace_back(touchable[b].size(), -1);
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
