@@ -193,7 +193,7 @@ void cores_linear(benchmark::State& run) {
   bench::tell_cores(run, one, all);
 }
 
-/// The same of bodies that yield, whose blocks differ: each time the first one after the press.
+/// Wall times of bodies that yield, whose blocks differ: each time of the first one after the press.
 void cores_plastic(benchmark::State& run) {
   std::vector<double> one, all;
   for (auto _ : run)

@@ -1,4 +1,4 @@
-#define TBB_PREVIEW_TASK_ARENA_CONSTRAINTS_EXTENSION 1  // threads per core, to tell physical cores
+#define TBB_PREVIEW_TASK_ARENA_CONSTRAINTS_EXTENSION 1  // threads per core, to count physical cores
 
 #include "base/cores.hpp"
 

@@ -28,8 +28,8 @@ class Cores {
 /// lowest number is thrown on.
 void side_by_side(int count, const std::function<void(int)>& work);
 
-/// The same for shares of 0, ..., count - 1 with `share` numbers each: work(first, end). The shares do not depend on
-/// the number of cores.
+/// Work on shares of 0, ..., count - 1 with `share` numbers each: work(first, end). The shares do not depend on the
+/// number of cores.
 void side_by_side(int count, int share, const std::function<void(int first, int end)>& work);
 
 }  // namespace reye::base

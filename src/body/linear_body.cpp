@@ -186,8 +186,7 @@ std::shared_ptr<const algebra::Compliance> LinearBody::compliance() const {
       for (const auto& support : impl_->columns.supports) held.push_back(support.column);
     try {
       impl_->compliance = std::make_shared<const algebra::Compliance>(impl_->S(), held);
-    } catch (const base::SolveError&) {
-      if (impl_->turning) throw;
+    } catch (const base::SolveError&) {  // S serves as well, at the price of all columns that are left out
     }
   });
   return impl_->compliance;

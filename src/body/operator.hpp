@@ -120,8 +120,8 @@ class LinearBody {
   const std::vector<mesh::LineFacet>& curved_edges() const;  ///< on contact boundaries, mesh nodes
   const Matrix& stiffness() const;                           ///< S, constant, in the body's frame
   std::shared_ptr<const Matrix> shared_stiffness() const;
-  /// The inverse that replaces S where contact moves along the body, made on first use; null where the supports of a
-  /// body that does not turn leave a motion free.
+  /// The inverse that replaces S where contact moves along the body, made on first use; null where the supports, or
+  /// the frame of a body that turns, leave a motion free or hold it by round-off alone.
   std::shared_ptr<const algebra::Compliance> compliance() const;
   const Turning* turning() const;       ///< null where the body keeps its direction
   double angle(const Vector& q) const;  ///< rotation of the body; 0 where it keeps its direction
