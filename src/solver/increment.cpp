@@ -52,15 +52,17 @@ Vector Increment::predicted_motion(const Controls& controls) const {
   return controls.guess ? controls.guess->dq : Vector(controls.continues * last_step_);
 }
 
-void Increment::look_ahead(const System& system, const SolverState& before, const Controls& controls) {
+bool Increment::look_ahead(const System& system, const SolverState& before, const Controls& controls) {
   constexpr double facets = 0.5;  // contact that moves less leaves its reach after many increments, if at all
   const Vector dq = predicted_motion(controls);
   const double way = dq.cwiseProduct(system.arm).lpNorm<Eigen::Infinity>();
   if (std::none_of(system.contacts.begin(), system.contacts.end(),
                    [&](const auto& setup) { return way > facets * facet_length(setup); }))
-    return;
+    return false;
   const auto lambda = multipliers(before, controls, controls.guess);
-  if (contacts_.look_ahead(system, before, controls, lambda, before.q.high + dq)) window_.forget();
+  if (!contacts_.look_ahead(system, before, controls, lambda, before.q.high + dq)) return false;
+  window_.forget();
+  return true;
 }
 
 base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls,

@@ -24,8 +24,8 @@ class Increment {
   void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
 
   /// Moves the reach to where the predicted motion takes the contact, if that is out of it: Newton would find out at
-  /// the end, and continue from there.
-  void look_ahead(const System& system, const SolverState& before, const Controls& controls);
+  /// the end, and continue from there. True: the reach was moved.
+  bool look_ahead(const System& system, const SolverState& before, const Controls& controls);
 
   /// Starts from `before`, or from the state that the guess, or else the continuation of the last increment, predicts.
   /// Returns q; throws base::SolveError when a nonlinear body cannot be linearised there.

@@ -53,7 +53,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   std::vector<Attempt> attempts;
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
     attempts.push_back({Start::predicted, options_.chords});
-  if (!attempts.empty()) increment_.look_ahead(system, before, controls);
+  const bool ahead = !attempts.empty() && increment_.look_ahead(system, before, controls);
   attempts.push_back({Start::sticking, options_.chords});
   // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is then
   // lost. Such an increment starts with the former friction, which then yields.
@@ -66,8 +66,9 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   SolveResult result;
   int solves = 0, matrices = 0, tangents = 0;
   for (const auto& attempt : attempts) {
-    // The previous start may have moved the reach away from contact.
-    if (attempt.from == Start::sheared) increment_.choose_reach(system, before, true, options_.limit_reach);
+    // The previous start, or the prediction that it came from, may have moved the reach away from contact.
+    if (attempt.from == Start::sheared || (ahead && attempt.from == Start::sticking))
+      increment_.choose_reach(system, before, true, options_.limit_reach);
     SolveResult found =
         NewtonPath(increment_, options_, system, before, controls, attempt).follow(options_.limit_reach);
     solves += found.report.solves;
