@@ -31,6 +31,18 @@ class Beside {
   bool before_;
 };
 
+/// The threads of so many cores. They are kept from loop to loop: starting them for each let a life of many blocks
+/// grow.
+tbb::task_arena& arena_of(int count) {
+  static tbb::task_arena arena(count);
+  static int size = count;
+  if (size != std::exchange(size, count)) {
+    arena.terminate();
+    arena.initialize(count);
+  }
+  return arena;
+}
+
 }  // namespace
 
 int cores() { return beside ? 1 : allowed.load(); }
@@ -48,8 +60,7 @@ void side_by_side(int count, const std::function<void(int)>& work) {
     return;
   }
   std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
-  tbb::task_arena arena(cores());
-  arena.execute([&] {
+  arena_of(cores()).execute([&] {
     tbb::parallel_for(0, count, [&](int i) {
       const Beside mark;
       try {
