@@ -19,8 +19,6 @@ void keep_heap() {
   mallopt(M_MMAP_THRESHOLD, largest_array);
   mallopt(M_TRIM_THRESHOLD, ahead);
   mallopt(M_TOP_PAD, ahead);
-  // One heap for all threads: what one of them allocates is freed by another, and heaps of their own grew over a life.
-  mallopt(M_ARENA_MAX, 1);
   // The first array of the heap covers the range of the large pages, which take memory only when they are written to.
   if (void* block = std::malloc(largest_array - page / 2)) {
     const auto from = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
