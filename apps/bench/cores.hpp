@@ -6,7 +6,7 @@
 #include "base/cores.hpp"
 #include "factorisations.hpp"
 
-/// Common parts of the benches of several cores.
+/// Common parts of the benches of one core and two.
 namespace reye::bench {
 
 /// Wall time of the work on so many cores [s].
@@ -18,11 +18,10 @@ double wall_on(int count, Work work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-inline void tell_cores(benchmark::State& run, const std::vector<double>& one, const std::vector<double>& all) {
-  run.counters["cores"] = base::physical_cores();
+inline void tell_cores(benchmark::State& run, const std::vector<double>& one, const std::vector<double>& two) {
   run.counters["one_core_s"] = median(one);
-  run.counters["all_cores_s"] = median(all);
-  run.counters["times_faster"] = median(one) / median(all);
+  run.counters["two_cores_s"] = median(two);
+  run.counters["times_faster"] = median(one) / median(two);
 }
 
 }  // namespace reye::bench

@@ -66,8 +66,9 @@ void tell(const scene::Scene& scene, const std::vector<sim::Warning>& warnings) 
 void begin_folder(const sim::Problem& problem, const sim::State& state, output::RunWriter& writer,
                   Checkpoints& checkpoints) {
   writer.begin();
-  checkpoints.start(snapshot_of(problem, state, writer.counters()));
+  // Before the checkpoint: a run that resumes from it finds the picture.
   output::atomic_write(writer.dir() + "/scene.svg", output::scene_picture(problem));
+  checkpoints.start(snapshot_of(problem, state, writer.counters()));
 }
 
 sim::Observer observer_of(const sim::Problem& problem, output::RunWriter& writer, Checkpoints& checkpoints,

@@ -104,8 +104,8 @@ void begin_solid_folder(const SolidCheckpoints& run, const sim::SolidRunState& s
                         Checkpoints& checkpoints) {
   writer.begin();
   output::save_meshes(writer.dir(), run.problem);
-  checkpoints.start(snapshot_of(run, state, writer.counters()));
   output::atomic_write(writer.dir() + "/scene.svg", output::solid_picture(run.problem.scene, run.problem.inputs));
+  checkpoints.start(snapshot_of(run, state, writer.counters()));
 }
 
 /// Plays the scene and writes everything, as for the plane.

@@ -18,7 +18,7 @@ UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 
 def planned(scene):
     """Seconds and increments, as the command prints them."""
-    text = subprocess.run([os.environ["REYE"], "plan", scene], capture_output=True, text=True, check=True).stdout
+    text = subprocess.run([os.environ["REYE"], "plan", scene, "--threads", "1"], capture_output=True, text=True, check=True).stdout
     number, unit = re.search(r"^time: about ([\d.]+) (\w+)", text, re.M).groups()
     increments = re.search(r"cycles, (\d+) increments$", text, re.M).group(1)
     return float(number) * UNITS[unit], float(increments)

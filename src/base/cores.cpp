@@ -31,8 +31,8 @@ class Beside {
   bool before_;
 };
 
-/// The threads of so many cores. They are kept from loop to loop: starting them for each let a life of many blocks
-/// grow.
+/// The threads of so many cores, as far as the machine has them. They are kept from loop to loop: starting them for
+/// each let a life of many blocks grow.
 tbb::task_arena& arena_of(int count) {
   static tbb::task_arena arena(count);
   static int size = count;
@@ -60,7 +60,7 @@ void side_by_side(int count, const std::function<void(int)>& work) {
     return;
   }
   std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
-  arena_of(cores()).execute([&] {
+  arena_of(std::min(cores(), tbb::info::default_concurrency())).execute([&] {
     tbb::parallel_for(0, count, [&](int i) {
       const Beside mark;
       try {

@@ -24,8 +24,8 @@ class Cores {
 };
 
 /// work(0), ..., work(count - 1), side by side. Each call writes what no other one reads or writes, so that the result
-/// is the same to the last bit on any number of cores. All are called; of the exceptions that some throw, that of the
-/// lowest number is thrown on.
+/// is the same to the last bit on any number of cores. Of the exceptions that some throw, that of the lowest number is
+/// thrown on. One loop at a time: from one thread, or inside a share.
 void side_by_side(int count, const std::function<void(int)>& work);
 
 /// Work on shares of 0, ..., count - 1 with `share` numbers each: work(first, end). The shares do not depend on the

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "solver/blocks.hpp"
 #include "solver/uncondensed.hpp"
 
@@ -156,49 +159,53 @@ Assembly wide_slider(double drag) {
   return a;
 }
 
-// A slide of more than a facet in one increment must converge, in as many steps and to the same state as with all nodes
-// in reach.
-TEST(condensation, slides_past_the_rim_of_the_reach) {
+/// The steps that Newton takes with nodes in reach, and with all of them.
+struct Steps {
+  int limited, whole;
+};
+
+/// Drags the slider so far, one increment after another, with nodes in reach and with all of them, to the same states.
+/// `continues`: of each increment.
+void expect_same_slide(const std::vector<double>& drags, auto continues, auto compare) {
   const auto system = support::system_of(wide_slider(0.0));
   solver::NewtonOptions all;
   all.limit_reach = false;
   solver::Newton limited, whole(all);
   auto state = support::fresh(system), other = state;
-  for (double drag : {0.0, 0.07, 0.14, 0.21}) {
-    const auto a = wide_slider(drag);
-    const auto controls = support::controls_of(a, system, 1.0);
+  for (std::size_t k = 0; k < drags.size(); ++k) {
+    SCOPED_TRACE("drag " + std::to_string(drags[k]));
+    auto controls = support::controls_of(wide_slider(drags[k]), system, 1.0);
+    controls.continues = continues(k);
     const auto one = limited.solve(system, state, controls), two = whole.solve(system, other, controls);
-    ASSERT_TRUE(one.report.converged) << "drag " << drag << ": " << one.report.reason;
-    ASSERT_TRUE(two.report.converged) << "drag " << drag << ": " << two.report.reason;
-    EXPECT_LE(one.report.solves, two.report.solves + 1) << "drag " << drag;
+    ASSERT_TRUE(one.report.converged) << one.report.reason;
+    ASSERT_TRUE(two.report.converged) << two.report.reason;
+    compare(k, Steps{one.report.solves, two.report.solves});
     state = one.state;
     other = two.state;
     EXPECT_LT((state.q.high - other.q.high).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.high.lpNorm<Eigen::Infinity>());
   }
 }
 
+// A slide of more than a facet in one increment must converge, in as many steps and to the same state as with all nodes
+// in reach.
+TEST(condensation, slides_past_the_rim_of_the_reach) {
+  expect_same_slide(
+      {0.0, 0.07, 0.14, 0.21}, [](std::size_t) { return 0.0; },
+      [](std::size_t, const Steps& steps) { EXPECT_LE(steps.limited, steps.whole + 1); });
+}
+
 // Where increments continue one another, the reach must follow the contact before Newton begins: no more steps than
 // with all nodes in reach, to the same state, also once an inverse of the body serves all reaches.
 TEST(condensation, reach_goes_ahead_of_a_long_slide) {
-  const auto system = support::system_of(wide_slider(0.0));
-  solver::NewtonOptions all;
-  all.limit_reach = false;
-  solver::Newton limited, whole(all);
-  auto state = support::fresh(system), other = state;
-  for (int k = 0; k <= 12; ++k) {
-    const auto a = wide_slider(0.07 * k);
-    auto controls = support::controls_of(a, system, 1.0);
-    controls.continues = k > 1 ? 1.0 : 0.0;
-    const auto one = limited.solve(system, state, controls), two = whole.solve(system, other, controls);
-    ASSERT_TRUE(one.report.converged) << "slide " << k << ": " << one.report.reason;
-    ASSERT_TRUE(two.report.converged) << "slide " << k << ": " << two.report.reason;
-    if (k > 1) {
-      EXPECT_LE(one.report.solves, two.report.solves) << "slide " << k;
-    }
-    state = one.state;
-    other = two.state;
-    EXPECT_LT((state.q.high - other.q.high).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.high.lpNorm<Eigen::Infinity>());
-  }
+  std::vector<double> drags;
+  for (int k = 0; k <= 12; ++k) drags.push_back(0.07 * k);
+  expect_same_slide(
+      drags, [](std::size_t k) { return k > 1 ? 1.0 : 0.0; },
+      [](std::size_t k, const Steps& steps) {
+        if (k > 1) {
+          EXPECT_LE(steps.limited, steps.whole);
+        }
+      });
 }
 
 /// Largest force of a support on one of the bodies, and the sum over all of them.

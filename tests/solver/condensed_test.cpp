@@ -1,9 +1,10 @@
 #include "solver/condensed.hpp"
-#include "base/errors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+
+#include "base/errors.hpp"
 
 namespace {
 
