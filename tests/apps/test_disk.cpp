@@ -35,13 +35,22 @@ TEST(Disk, FullInTheMiddle) {
   test::expect_same(place, "whole", "o");
 }
 
-// When not even the first checkpoint finds room, the run must end with 1 and say what could not be written.
+// When not even the first files find room, the run must end with 1, say which could not be written and leave a folder
+// that a new run takes: the picture of the scene comes first, the checkpoint after it.
 TEST(Disk, FullFromTheStart) {
-  const WornBlocks place;
-  const auto told = place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}, 2048);
-  EXPECT_EQ(told.code, 1);
-  EXPECT_EQ(told.err, "reye: cannot write o/checkpoint/fresh.bin: File too large\n");
-  EXPECT_EQ(place.reye({"run", "blocks.toml", "--out", "o", "--quiet"}).code, 0);
+  const test::WithWearing place;
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "whole", "--quiet"}).code, 0);
+  const auto picture = test::fs::file_size(place / "whole/scene.svg");
+  const std::vector<std::pair<std::string, std::uintmax_t>> rooms = {{"scene.svg", picture - 100},
+                                                                     {"checkpoint/fresh.bin", picture + 100}};
+  for (const auto& [file, bytes] : rooms) {
+    const auto told = place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}, bytes);
+    EXPECT_EQ(told.code, 1);
+    EXPECT_EQ(told.err, "reye: cannot write o/" + file + ": File too large\n");
+    EXPECT_FALSE(test::fs::exists(place / "o" / file));
+  }
+  ASSERT_EQ(place.reye({"run", "wearing.toml", "--out", "o", "--quiet"}).code, 0);
+  test::expect_same(place, "whole", "o");
 }
 
 // A checkpoint that finds no room must leave the one before it whole and nothing half written.
