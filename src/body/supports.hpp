@@ -48,4 +48,7 @@ inline bool nonzero(const Motion& m) {
   return std::any_of(m.parts.begin(), m.parts.end(), [](const base::Part& part) { return part.value != 0.0; });
 }
 
+/// Whether a motion is fixed, or imposed with nothing but zeros.
+inline bool keeps_still(const Motion& m) { return m.drive == Drive::fixed || (m.drive == Drive::moved && !nonzero(m)); }
+
 }  // namespace reye::body

@@ -26,7 +26,8 @@ sim::SolidRunState made_up_state() {
                 {},
                 base::Vector::LinSpaced(3, 0.1, 0.3),
                 base::Vector::LinSpaced(2, 1.0, 2.0),
-                base::Vector::LinSpaced(6, -0.1, 1e-310)};
+                base::Vector::LinSpaced(6, -0.1, 1e-310),
+                {base::Turn(0.5, 0.5, -0.5, 0.5)}};
   s.touchable = {{0, 1, 1}, {1, 0}};
   solver::SolidSolution solved;
   solved.converged = true;
@@ -115,6 +116,7 @@ TEST(SolidArchive, EveryMemberCounts) {
   void (*const changes[])(State&) = {
       [](State& s) { s.solution.a[0] += 1.0; },
       [](State& s) { s.solution.s[0] += 1.0; },
+      [](State& s) { s.solution.turn[0].x() = 0.1; },
       [](State& s) { s.touchable[0][0] = 1; },
       [](State& s) { s.solved->iterations = 8; },
       [](State& s) { s.solved->reason = "other"; },

@@ -58,6 +58,8 @@ TEST(SolidIntact, WhatCannotBe) {
       {[](State& s) { s.solution.wear[0].law_volume = no_number; }, "law_volume is not a number"},
       {[](State& s) { s.block_wear.clear(); }, "a contact too many or too few"},
       {[](State& s) { s.slid[0].pop_back(); }, "it slid at points that it lacks"},
+      {[](State& s) { s.solution.turn.pop_back(); }, "it has another number of bodies"},
+      {[](State& s) { s.solution.turn[0].w() = 2.0; }, "a body is turned by what is no rotation"},
       {[](State& s) { s.increment = 9; }, "at an increment that the step lacks"},
       {[](State& s) { s.cycle = no_number; }, "its number of cycles is not a number"},
       {[](State& s) { s.factors.erase("slide"); }, "a history is at no factor"},

@@ -22,10 +22,10 @@ inline std::function<Vec3(const Vec3&)> box(const Vec3& lo, const Vec3& hi) {
 }
 
 inline body::Motion fixed_motion() { return {body::Drive::fixed, {}, 0.0}; }
-inline body::Motion moved(double value, const std::string& history = {}) {
+inline body::Motion moved(double value, const std::string& history) {
   return {body::Drive::moved, {{value, history}}, 0.0};
 }
-inline body::Motion loaded(double value, const std::string& history = {}) {
+inline body::Motion loaded(double value, const std::string& history) {
   return {body::Drive::loaded, {{value, history}}, 0.0};
 }
 

@@ -62,8 +62,8 @@ sim::SolidProblem sheared_blocks(const PatchCase& c) {
       support::by_node("bottom", "z0", {support::fixed_motion(), support::fixed_motion(), support::fixed_motion()}, R)};
   const double height = c.partly ? 1.0 : 2.0;  // of what deforms
   upper.supports = {support::by_node("top", "z1",
-                                     {support::moved(height * patch_shear / (0.5 * patch_E)), support::fixed_motion(),
-                                      support::moved(-height * patch_p / patch_E)},
+                                     {support::moved(height * patch_shear / (0.5 * patch_E), ""),
+                                      support::fixed_motion(), support::moved(-height * patch_p / patch_E, "")},
                                      R)};
   for (auto* body : {&lower, &upper})
     if (!body->rigid)

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "body/solid/solid_matrices.hpp"
-#include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::body {
@@ -81,10 +80,7 @@ class RigidSolid {
   }
 
   Matrix motion_of_points(const std::vector<int>& retained) const {
-    std::vector<mesh::Facet> facets;
-    for (const auto& face : input_.contact_faces)
-      for (const auto& facet : mesh::facets_of(*input_.mesh, face)) facets.push_back(facet);
-    const Points3 points = mesh::control_points(facets, input_.mesh->X);
+    const Points3 points = contact_points(input_);
     Matrix R(3 * static_cast<Eigen::Index>(retained.size()), 6);
     for (size_t k = 0; k < retained.size(); ++k)
       R.middleRows<3>(3 * static_cast<Eigen::Index>(k)) = modes_at(points[retained[k]], out_.centre);

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "body/solid/rigid_modes.hpp"
-#include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
+#include "mesh/solid/solid_shape.hpp"
 
 namespace reye::body {
 
@@ -38,11 +38,8 @@ class SolidNumbering {
 
  private:
   void set_control_points() {
-    std::vector<mesh::Facet> facets;
-    for (const auto& face : input_.contact_faces)
-      for (const auto& facet : mesh::facets_of(*input_.mesh, face)) facets.push_back(facet);
-    out_.points = mesh::control_points(facets, input_.mesh->X);
-    for (const auto& facet : facets)
+    out_.points = contact_points(input_);
+    for (const auto& facet : contact_facets(input_))
       for (int e = 0; facet.kind == mesh::FacetKind::tri6 && e < 3; ++e) {
         const auto [i, j] = mesh::edge_of(facet.kind, e);
         out_.dofs.between[facet.nodes[3 + e]] = {facet.nodes[i], facet.nodes[j]};

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct SolidInput {
   /// Faces whose skin meets others in contact: on tri6 facets the displacements of their mid nodes are exchanged for
   /// Bernstein control points, u_m = b_m / 2 + (u_1 + u_2) / 4, and retained nodes are then these control points.
   std::vector<std::string> contact_faces;
+  /// About which it turns where no support guides it; by default the centre of its box. It does not follow the shape.
+  std::optional<Vec3> centre_mm{};
 };
 
 /// A driven quantity of a body that its equations take as given: an imposed motion [mm or rad], or a load's factor.

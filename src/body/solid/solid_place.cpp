@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "body/columns.hpp"
+#include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::body {
@@ -21,6 +22,15 @@ SolidPlace place_support(const mesh::SolidMesh& mesh, const SolidSupport& suppor
   place.centre = support.centre_mm ? *support.centre_mm : mesh::area_centroid(mesh.X, place.facets);
   return place;
 }
+
+std::vector<mesh::Facet> contact_facets(const SolidInput& input) {
+  std::vector<mesh::Facet> facets;
+  for (const auto& face : input.contact_faces)
+    for (const auto& facet : mesh::facets_of(*input.mesh, face)) facets.push_back(facet);
+  return facets;
+}
+
+Points3 contact_points(const SolidInput& input) { return mesh::control_points(contact_facets(input), input.mesh->X); }
 
 std::map<int, NodeDemands> node_demands(const SolidInput& input, const std::vector<SolidPlace>& places) {
   const auto imposed = [](const Motion& m) { return m.drive == Drive::fixed || m.drive == Drive::moved; };

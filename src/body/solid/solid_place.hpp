@@ -24,6 +24,12 @@ struct SolidPlace {
 };
 SolidPlace place_support(const mesh::SolidMesh& mesh, const SolidSupport& support);
 
+/// The facets of all contact faces.
+std::vector<mesh::Facet> contact_facets(const SolidInput& input);
+
+/// Where the points of all nodes are: the nodes, or Bernstein control points on tri6 facets of contact faces.
+Points3 contact_points(const SolidInput& input);
+
 /// A direction along which a support holds or moves a node.
 struct SolidDemand {
   int support = -1, motion = 0;

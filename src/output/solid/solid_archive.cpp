@@ -11,6 +11,15 @@
 /// Every function here takes its struct apart into all of its members: one more member, and it does not compile until
 /// the archive has it, or says why it has not.
 
+namespace Eigen {
+
+template <class Archive>
+void serialize(Archive& archive, Quaterniond& turn) {
+  archive(turn.coeffs());
+}
+
+}  // namespace Eigen
+
 namespace reye::contact {
 
 template <class Archive>
@@ -42,8 +51,8 @@ namespace reye::solver {
 
 template <class Archive>
 void serialize(Archive& archive, SolidState& s) {
-  auto& [traction, status, wear, a, driven, u] = s;
-  archive(traction, status, wear, a, driven, u);
+  auto& [traction, status, wear, a, driven, u, turn] = s;
+  archive(traction, status, wear, a, driven, u, turn);
 }
 
 template <class Archive>

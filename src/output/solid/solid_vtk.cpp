@@ -14,6 +14,7 @@
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include "base/rotation.hpp"
 #include "output/folder/vtk_pieces.hpp"
 #include "output/report/vtk_reading.hpp"
 
@@ -125,6 +126,7 @@ struct SkinPolygons {
   vtkNew<vtkDoubleArray> shear = make_array<vtkDoubleArray>("shear_MPa", xyz_names);
   vtkNew<vtkDoubleArray> slip = make_array<vtkDoubleArray>("slip_mm", xyz_names);
   vtkNew<vtkDoubleArray> normal = make_array<vtkDoubleArray>("normal", xyz_names);
+  vtkNew<vtkDoubleArray> turn = make_array<vtkDoubleArray>("turn_rad", xyz_names);
   vtkNew<vtkDoubleArray> area = make_array<vtkDoubleArray>("area_mm2");
   vtkNew<vtkDoubleArray> depth = make_array<vtkDoubleArray>("wear_depth_mm");
   vtkNew<vtkIntArray> status = make_array<vtkIntArray>("status"), surface = make_array<vtkIntArray>("surface"),
@@ -142,6 +144,7 @@ struct SkinPolygons {
       insert(*shear, skin.shear_MPa.at(i));
       insert(*slip, skin.slip_mm.at(i));
       insert(*normal, skin.normal.at(i));
+      insert(*turn, skin.turn_rad.empty() ? base::Vec3(base::Vec3::Zero()) : skin.turn_rad.at(i));
       area->InsertNextValue(skin.area_mm2.at(i));
       depth->InsertNextValue(skin.wear_depth_mm.at(i));
       status->InsertNextValue(skin.status.at(i));
@@ -188,7 +191,7 @@ std::string skins_vtp(const sim::SolidFrame& frame) {
   all.data->SetPoints(all.points);
   all.data->SetPolys(all.cells);
   for (vtkDoubleArray* array : {all.reference.Get(), all.pressure.Get(), all.shear.Get(), all.slip.Get(),
-                                all.normal.Get(), all.area.Get(), all.depth.Get()})
+                                all.normal.Get(), all.turn.Get(), all.area.Get(), all.depth.Get()})
     all.data->GetPointData()->AddArray(array);
   all.data->GetPointData()->AddArray(all.status);
   for (vtkIntArray* array : {all.surface.Get(), all.side.Get(), all.body.Get()})
@@ -203,7 +206,7 @@ namespace {
 
 /// The arrays of a file of surfaces, each whole.
 struct SkinArrays {
-  vtkDataArray &X, &pressure, &shear, &slip, &normal, &area, &depth, &status;
+  vtkDataArray &X, &pressure, &shear, &slip, &normal, &turn, &area, &depth, &status;
 
   SkinArrays(vtkPolyData& data, const std::string& path)
       : X(three(data, "reference_position", path)),
@@ -211,6 +214,7 @@ struct SkinArrays {
         shear(three(data, "shear_MPa", path)),
         slip(three(data, "slip_mm", path)),
         normal(three(data, "normal", path)),
+        turn(three(data, "turn_rad", path)),
         area(whole(data, "area_mm2", path)),
         depth(whole(data, "wear_depth_mm", path)),
         status(whole(data, "status", path)) {}
@@ -232,9 +236,10 @@ base::Vec3 row_of(vtkDataArray& array, vtkIdType i) {
 void read_rows(SkinArrays& arrays, vtkIdType first, vtkIdType count, DrawnSkin& skin) {
   for (vtkIdType i = first; i < first + count; ++i) {
     skin.X.push_back(row_of(arrays.X, i));
-    skin.shear_MPa.push_back(row_of(arrays.shear, i));
-    skin.slip_mm.push_back(row_of(arrays.slip, i));
-    skin.normal.push_back(row_of(arrays.normal, i));
+    const base::Turn back = base::turn_by(-row_of(arrays.turn, i));
+    skin.shear_MPa.push_back(back * row_of(arrays.shear, i));
+    skin.slip_mm.push_back(back * row_of(arrays.slip, i));
+    skin.normal.push_back(back * row_of(arrays.normal, i));
     skin.pressure_MPa.push_back(arrays.pressure.GetComponent(i, 0));
     skin.area_mm2.push_back(arrays.area.GetComponent(i, 0));
     skin.wear_depth_mm.push_back(arrays.depth.GetComponent(i, 0));

@@ -15,12 +15,13 @@ namespace reye::output {
 std::string solid_bodies_vtu(const sim::SolidFrame& frame);
 
 /// All contact surfaces as triangles and quadrilaterals (.vtp) on x; a facet of second order is four triangles.
-/// Points: reference_position [mm], pressure_MPa, shear_MPa, slip_mm, normal (three components each but the first),
-/// area_mm2, status. Cells: surface (index in the frame), side (0 secondary, 1 primary), body. Field data as above, and
-/// of each surface contact_names, surface_side, surface_points (how many points it has; they follow one another).
+/// Points: reference_position [mm], pressure_MPa, shear_MPa, slip_mm, normal (three components each but pressure),
+/// turn_rad (rotation vector of a body that turns), area_mm2, status. Cells: surface (index in the frame), side (0
+/// secondary, 1 primary), body. Field data as above, and of each surface contact_names, surface_side, surface_points
+/// (how many points it has; they follow one another).
 std::string skins_vtp(const sim::SolidFrame& frame);
 
-/// One side of a contact, as a frame holds it.
+/// One side of a contact, as a frame holds it, on X: vectors of a body that has turned are turned back.
 struct DrawnSkin {
   std::string contact;
   bool secondary = true;

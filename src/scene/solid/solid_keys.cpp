@@ -122,7 +122,8 @@ constexpr Key table[] = {
      "the face moves as a rigid one; by default true when a rotation is named or a motion is loaded, and of rigid "
      "bodies"},
     {"support.*.centre_mm", Type::triple, "mm", "", any,
-     "point of a rigid face about which rotations turn and moments act; by default the centroid of its area"},
+     "point of a rigid face about which rotations turn and moments act; it moves along with the body. By default the "
+     "centroid of the face's area"},
     {"support.*.{x,y,z}", Type::text, "", "free", one_of("fixed|free"),
      "motion along an axis; a table of the keys below, or a list of such tables, which add up"},
     {"support.*.{x,y,z}[?].motion_mm", Type::number, "mm", "", any, "imposed motion"},
@@ -137,14 +138,15 @@ constexpr Key table[] = {
     {"support.*.normal[?].motion_mm", Type::number, "mm", "", any, "imposed motion, outward"},
     {"support.*.normal[?].history", Type::text, "", "", any, "its factor over a step"},
     {"support.*.{rotation_x,rotation_y,rotation_z}", Type::text, "", "free", one_of("fixed|free"),
-     "rotation of a rigid face or body about an axis through the centre; a table of the keys below, or a list of such "
-     "tables, which add up"},
+     "rotation of a rigid face or body, by any angle, about an axis through the centre; a table of the keys below, or a "
+     "list of such tables, which add up"},
     {"support.*.{rotation_x,rotation_y,rotation_z}[?].motion_rad", Type::number, "rad", "", any,
-     "imposed rotation, at most 0.05 rad: rotations are linear so far"},
+     "imposed rotation; imposed rotations about several axes are the components of one rotation vector. At most 0.05 "
+     "rad where a further support keeps the body's direction"},
     {"support.*.{rotation_x,rotation_y,rotation_z}[?].moment_N_mm", Type::number, "N mm", "", any,
-     "moment about the centre"},
+     "moment about the centre; its axis keeps its direction in space"},
     {"support.*.{rotation_x,rotation_y,rotation_z}[?].spring_N_mm_per_rad", Type::number, "N mm/rad", "", positive,
-     "spring against the rotation"},
+     "spring against the rotation about this axis, summed over the increments"},
     {"support.*.{rotation_x,rotation_y,rotation_z}[?].history", Type::text, "", "", any, "its factor over a step"},
     refused("support.*.edge", takes_face),
     refused("support.*.point_mm", "is of plane scenes; solids are held at faces"),
@@ -162,7 +164,8 @@ constexpr Key table[] = {
 
     {"load.*.face", Type::text, "", "", any, "face under load; or `body`"},
     pressure,
-    {"load.*.traction_MPa", Type::triple, "MPa", "", any, "traction in x, y and z, added to the pressure"},
+    {"load.*.traction_MPa", Type::triple, "MPa", "", any, "traction in x, y and z, added to the pressure; it keeps its direction in space while the body turns, as forces do, "
+     "and a pressure follows the face"},
     {"load.*.force_N", Type::triple, "N", "", any, "force on the whole face, spread evenly over its area"},
     {"load.*.body", Type::text, "", "", any, "body under a body force"},
     {"load.*.force_N_per_mm3", Type::triple, "N/mm^3", "", any, "force per volume on the body"},

@@ -42,12 +42,22 @@ double turned_between(const scene::Scene& scene, const scene::Step& step, double
   return most;
 }
 
-/// Increments between two corners.
-double parts_between(const scene::Scene& scene, const scene::Step& step, double from, double to) {
-  return std::max(1.0, std::ceil(turned_between(scene, step, from, to) / most_turn - 1e-9));
-}
-
 }  // namespace
+
+double parts_of_turn(double turn_rad) { return std::max(1.0, std::ceil(turn_rad / most_turn - 1e-9)); }
+
+std::vector<double> divided_ends(const std::vector<double>& corners,
+                                 const std::function<double(double, double)>& turned) {
+  std::vector<double> ends;
+  double from = 0.0;
+  for (const double to : corners) {
+    const auto parts = static_cast<int>(parts_of_turn(turned(from, to)));
+    for (int i = 1; i < parts; ++i) ends.push_back(from + (to - from) * i / parts);
+    ends.push_back(to);
+    from = to;
+  }
+  return ends;
+}
 
 std::vector<double> step_corners(const Histories& histories, const scene::Step& step) {
   std::vector<double> corners;
@@ -62,21 +72,14 @@ std::vector<double> step_corners(const Histories& histories, const scene::Step& 
 }
 
 std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step& step) {
-  std::vector<double> ends;
-  double from = 0.0;
-  for (const double to : step_corners(scene.histories, step)) {
-    const auto parts = static_cast<int>(parts_between(scene, step, from, to));
-    for (int i = 1; i < parts; ++i) ends.push_back(from + (to - from) * i / parts);
-    ends.push_back(to);
-    from = to;
-  }
-  return ends;
+  return divided_ends(step_corners(scene.histories, step),
+                      [&](double from, double to) { return turned_between(scene, step, from, to); });
 }
 
 double increments_of(const scene::Scene& scene, const scene::Step& step) {
   double count = 0.0, from = 0.0;
   for (const double to : step_corners(scene.histories, step)) {
-    count += parts_between(scene, step, from, to);
+    count += parts_of_turn(turned_between(scene, step, from, to));
     from = to;
   }
   return count;

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
@@ -16,6 +18,14 @@ using Histories = std::map<std::string, scene::History>;
 
 /// Ends of the equal parts of a step, and the corners of the histories it plays.
 std::vector<double> step_corners(const Histories& histories, const scene::Step& step);
+
+/// Into how many increments a turn is divided: of at most 0.3 rad each.
+double parts_of_turn(double turn_rad);
+
+/// Ends of increments where each span between corners is divided as the turn in it, `turned(from, to)` in rad, asks
+/// for.
+std::vector<double> divided_ends(const std::vector<double>& corners,
+                                 const std::function<double(double, double)>& turned);
 
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.

@@ -18,8 +18,9 @@ bool has_springs(const body::SolidBody& body) {
 
 std::string free_bodies_in_words(const solver::SolidSystem& system) {
   std::string text, springs;
-  for (const auto& body : system.bodies) {
-    const auto motions = body.free_motions();
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    const auto& body = system.bodies[b];
+    const auto motions = system.turning[b] ? body::unheld_motions(*system.turning[b]) : body.free_motions();
     if (motions.empty()) continue;
     if (has_springs(body)) springs = body.input().name;
     text += text.empty() ? "" : "; ";

@@ -25,13 +25,30 @@ bool faces_rim(const contact::SkinPlace& place, int point, const std::vector<cha
   return false;
 }
 
+/// A body beside how it turns.
+struct CondensedBody {
+  body::SolidBody body;
+  std::optional<body::SolidTurning> turning;
+};
+
 /// A body of the old equations that serves the new ones, too; its nodes must be the same.
-std::optional<body::SolidBody> kept(std::optional<SolidAssembly>& old, std::size_t b, const mesh::SolidMesh* mesh,
-                                    const std::vector<int>& nodes) {
+std::optional<CondensedBody> kept_body(std::optional<SolidAssembly>& old, std::size_t b, const mesh::SolidMesh* mesh,
+                                       const std::vector<int>& nodes) {
   if (!old) return {};
   auto& body = old->system.bodies[b];
   if (body.input().mesh.get() != mesh || body.retained() != nodes) return {};
-  return std::move(body);
+  return CondensedBody{std::move(body), std::move(old->system.turning[b])};
+}
+
+/// A body condensed in its present shape. One that turns does so about centres as they were drawn.
+CondensedBody make_body(const body::SolidInput& drawn, const std::shared_ptr<const mesh::SolidMesh>& mesh,
+                        const std::vector<int>& nodes) {
+  auto input = drawn;
+  input.mesh = mesh;
+  const auto pivot = body::solid_pivot(drawn);
+  if (!pivot) return {{std::move(input), nodes}, {}};
+  for (auto& support : input.supports) support.centre_mm = body::place_support(*drawn.mesh, support).centre;
+  return {{body::in_frame(input, *pivot), nodes}, body::make_turning(input, *pivot, nodes)};
 }
 
 using Places = std::map<std::array<int, 2>, std::size_t>;
@@ -67,26 +84,26 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
                        std::optional<SolidAssembly> old) {
   const double start = cpu_seconds();
   SolidAssembly assembly;
-  std::vector<std::optional<body::SolidBody>> made(problem.inputs.size());
+  std::vector<std::optional<CondensedBody>> made(problem.inputs.size());
   for (std::size_t b = 0; b < made.size(); ++b) {
-    made[b] = kept(old, b, meshes[b].get(), chosen(touchable[b]));
+    made[b] = kept_body(old, b, meshes[b].get(), chosen(touchable[b]));
     assembly.factorised += !made[b];
   }
   base::side_by_side(static_cast<int>(made.size()), [&](int body) {
     const auto b = static_cast<std::size_t>(body);
-    if (made[b]) return;
-    auto input = problem.inputs[b];
-    input.mesh = meshes[b];
-    made[b].emplace(std::move(input), chosen(touchable[b]));
+    if (!made[b]) made[b] = make_body(problem.inputs[b], meshes[b], chosen(touchable[b]));
   });
   std::vector<body::SolidBody> bodies;
+  std::vector<std::optional<body::SolidTurning>> turning;
   int next = 0;
-  for (std::size_t b = 0; b < made.size(); ++b) {
-    bodies.push_back(std::move(*made[b]));
+  for (auto& one : made) {
+    bodies.push_back(std::move(one->body));
+    turning.push_back(std::move(one->turning));
+    const std::size_t b = bodies.size() - 1;
     auto& columns = assembly.columns.emplace_back(touchable[b].size(), -1);
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
-  assembly.system = solver::make_system(std::move(bodies));
+  assembly.system = solver::make_system(std::move(bodies), std::move(turning));
   std::vector<const mesh::SolidMesh*> shapes;
   for (const auto& mesh : meshes) shapes.push_back(mesh.get());
   for (const auto& contact : problem.contacts)
@@ -121,6 +138,7 @@ solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::So
   solver::SolidState fresh = solver::initial_state(to);
   fresh.a = state.a;
   fresh.s = state.s;
+  fresh.turn = state.turn;
   const auto points = points_of(to);
   for (std::size_t c = 0; c < points.size(); ++c) {
     const auto secondary = places_of(from[c].secondary);

@@ -31,13 +31,27 @@ Points3 imposed(const SolidProblem& problem, const contact::SkinSetup& setup, co
 
 }  // namespace
 
+std::vector<double> solid_increment_ends(const scene::SolidScene& scene, const scene::Step& step) {
+  return divided_ends(step_corners(scene.histories, step), [&](double from, double to) {
+    double most = 0.0;
+    for (const auto& support : scene.supports) {
+      Vec3 turn = Vec3::Zero();
+      for (int k = 0; k < 3; ++k)
+        if (support.about[k].drive == body::Drive::moved)
+          turn[k] = slid_between(scene.histories, step, support.about[k].parts, from, to, false);
+      most = std::max(most, turn.norm());
+    }
+    return most;
+  });
+}
+
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
                               const solver::SolidState& state, const std::map<std::string, double>& factors,
                               const scene::Step& step, const SolidCycles& cycles, double from, double to) {
   solver::SolidTarget target;
   target.s = base::Vector::Zero(system.driven());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const auto& driven = system.bodies[b].driven();
+    const auto& driven = system.driven_values(b);
     for (std::size_t k = 0; k < driven.size(); ++k)
       target.s[system.first_driven[b] + static_cast<int>(k)] = sum_at(driven[k].parts, factors);
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <vector>
 
 #include "sim/solid/solid_assembly.hpp"
 
@@ -10,6 +11,10 @@ namespace reye::sim {
 struct SolidCycles {
   double cycle = 0.0, jump = 1.0;
 };
+
+/// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
+/// support would turn its body by more than 0.3 rad.
+std::vector<double> solid_increment_ends(const scene::SolidScene& scene, const scene::Step& step);
 
 /// What an increment asks for at the given factors; `from`, `to`: its part of the step's play.
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,

@@ -10,18 +10,29 @@ namespace {
 
 using contact::SkinStatus;
 
-Points3 body_displacements(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t b) {
-  const auto& state = solution.state;
-  return system.bodies[b].displacements(
-      forces_on(system, solution, b),
-      state.s.segment(system.first_driven[b], system.first_driven[b + 1] - system.first_driven[b]),
-      state.a.segment(system.first_free[b], system.first_free[b + 1] - system.first_free[b]));
+/// Stress 11, 22, 33, 12, 23, 31 of a body that turns, along the axes of space.
+std::array<double, 6> turned_stress(const base::Mat3& R, const std::array<double, 6>& s) {
+  const base::Mat3 own{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}};
+  const base::Mat3 turned = R * own * R.transpose();
+  return {turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(1, 2), turned(2, 0)};
 }
 
 SolidFrameBody frame_body(const SolidAssembly& assembly, const solver::SolidSolution& solution, std::size_t b) {
-  const auto& input = assembly.system.bodies[b].input();
-  SolidFrameBody body{input.name, input.mesh, body_displacements(assembly.system, solution, b), {}};
+  const auto& system = assembly.system;
+  const auto& input = system.bodies[b].input();
+  const auto& turning = system.turning[b];
+  const body::SolidPose pose = solver::poses_of(system, solution.state)[b];
+  const base::Vector force = forces_on(system, solution, b), s = system.of_driven(solution.state.s, b);
+  const Eigen::Index modes = system.bodies[b].A().cols();
+  SolidFrameBody body{input.name, input.mesh, {}, {}};
+  body.u = turning ? system.bodies[b].displacements(body::to_frame(pose, force), body::frame_values(*turning, pose, s),
+                                                    base::Vector::Zero(modes))
+                   : system.bodies[b].displacements(force, s, system.of_free(solution.state.a, b));
   if (!input.rigid) body.stress_MPa = fem::nodal_stress(*input.mesh, input.material, body.u);
+  if (!turning) return body;
+  for (std::size_t n = 0; n < body.u.size(); ++n)
+    body.u[n] = pose.place(input.mesh->X[n], body.u[n]) - input.mesh->X[n];
+  for (auto& stress : body.stress_MPa) stress = turned_stress(pose.R, stress);
   return body;
 }
 
@@ -64,6 +75,15 @@ SkinRecord secondary_record(const solver::SolidSystem& system, const solver::Sol
     record.status[j] = status == SkinStatus::stick && setup.options.friction > 0.0 ? 1 : 2;
   }
   return record;
+}
+
+/// How the body of each row has turned.
+void add_turns(const solver::SolidSystem& system, const solver::SolidSolution& solution, SkinRecord& record) {
+  if (!system.turns()) return;
+  Points3 turns;
+  for (const auto& pose : solver::poses_of(system, solution.state))
+    turns.push_back(base::rotation_vector(base::Turn(pose.R)));
+  for (const int body : record.body) record.turn_rad.push_back(turns[body]);
 }
 
 /// The primary side repeats what the secondary points exert on it, averaged with the integrals M as weights.
@@ -114,6 +134,8 @@ SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembl
     const auto& wear = state.solution.wear[c];
     frame.surfaces.push_back(secondary_record(assembly.system, solution, wear, c));
     frame.surfaces.push_back(primary_record(assembly.system, solution, c, wear, frame.surfaces.back()));
+    for (auto* record : {&frame.surfaces.back() - 1, &frame.surfaces.back()})
+      add_turns(assembly.system, solution, *record);
   }
   return frame;
 }

@@ -3,8 +3,8 @@
 #include <type_traits>
 
 #include "scene/check.hpp"
-#include "sim/problem/drive.hpp"
 #include "sim/problem/finite.hpp"
+#include "sim/solid/solid_drive.hpp"
 
 namespace reye::sim {
 
@@ -39,8 +39,8 @@ void check_place_in_steps(const SolidProblem& problem, const SolidRunState& stat
   const double most = step ? step->cycles : 0.0;
   require(finite(state.step_cycles) && state.step_cycles >= 0.0 && state.step_cycles <= most && state.step_blocks >= 0,
           "it has done more cycles than the step has");
-  const int corners = step ? static_cast<int>(step_corners(problem.scene.histories, *step).size()) : 0;
-  require(state.increment == 0 || (counted(state.increment, corners - 1) && !is_over(*step, state)),
+  const int ends = step ? static_cast<int>(solid_increment_ends(problem.scene, *step).size()) : 0;
+  require(state.increment == 0 || (counted(state.increment, ends - 1) && !is_over(*step, state)),
           "it is at an increment that the step lacks");
   require(finite(state.cycle) && state.cycle >= 0.0, "its number of cycles is not a number");
   require(finite(state.jump) && finite(state.jump_rate) && finite(state.block_cycles) &&
@@ -99,6 +99,9 @@ void check_solid_state(const solver::SolidState& state, const solver::SolidSyste
   require(state.a.size() == system.free() && state.s.size() == system.driven() &&
               state.u.size() == 3 * system.points() && finite(state.a) && finite(state.s) && finite(state.u),
           "its displacements are not those of its meshes");
+  require(state.turn.size() == system.bodies.size(), "it has another number of bodies");
+  for (const auto& turn : state.turn)
+    require(finite(turn.coeffs()) && std::abs(turn.norm() - 1.0) < 1e-9, "a body is turned by what is no rotation");
 }
 
 void check_skin_place(const contact::SkinPlace& place, const contact::SkinSetup& setup, int points) {

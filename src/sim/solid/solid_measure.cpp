@@ -25,8 +25,35 @@ int status_number(SkinStatus status, double friction) {
   return status == SkinStatus::stick && friction > 0.0 ? 1 : 2;
 }
 
-Vector driven_of(const solver::SolidSystem& system, const solver::SolidState& state, std::size_t b) {
-  return state.s.segment(system.first_driven[b], system.first_driven[b + 1] - system.first_driven[b]);
+/// What acts on a body, in its frame and on X where it turns, else in space.
+struct Acting {
+  base::Vector forces;    ///< of contacts on its points
+  base::Vector supports;  ///< resultants, each about its centre
+  body::Mode loads;       ///< their resultant
+  Vec3 loads_about;
+};
+
+body::SolidPose pose_of(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t b) {
+  return system.turning[b] ? solver::poses_of(system, solution.state)[b] : body::SolidPose{};
+}
+
+Acting acting_on(const solver::SolidSystem& system, const solver::SolidSolution& solution, std::size_t b) {
+  const auto& body = system.bodies[b];
+  Acting all{forces_on(system, solution, b), {}, body::Mode::Zero(), body.centre()};
+  base::Vector s = system.of_driven(solution.state.s, b);
+  if (const auto& turning = system.turning[b]) {
+    const auto pose = pose_of(system, solution, b);
+    all.forces = body::to_frame(pose, all.forces);
+    s = body::frame_values(*turning, pose, s);
+    all.loads = turning->resultants * s;
+    all.loads_about = turning->pivot.centre;
+  } else {
+    for (std::size_t k = 0; k < body.driven().size(); ++k)
+      if (const int load = body.driven()[k].load; load >= 0)
+        all.loads += s[static_cast<int>(k)] * body.load_resultant()[static_cast<std::size_t>(load)];
+  }
+  all.supports = body.F() * all.forces + body.G() * s;
+  return all;
 }
 
 /// The places of all points, on X; of points that no contact has, zero: no force acts there.
@@ -102,11 +129,9 @@ base::Vector forces_on(const solver::SolidSystem& system, const solver::SolidSol
 
 std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::SolidSystem& system,
                                      const solver::SolidSolution& solution) {
-  std::vector<base::Vector> resultants;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const auto& body = system.bodies[b];
-    resultants.push_back(body.F() * forces_on(system, solution, b) + body.G() * driven_of(system, solution.state, b));
-  }
+  std::vector<base::Vector> resultants;  // in space
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    resultants.push_back(body::to_space(pose_of(system, solution, b), acting_on(system, solution, b).supports));
   std::vector<SupportRow> rows;
   for (const auto& [body, place] : problem.support_of)
     rows.push_back({resultants[body].segment<3>(6 * place), resultants[body].segment<3>(6 * place + 3)});
@@ -116,25 +141,21 @@ std::vector<SupportRow> support_rows(const SolidProblem& problem, const solver::
 BalanceOfBodies balance_of_bodies(const SolidProblem& problem, const solver::SolidSystem& system,
                                   const solver::SolidSolution& solution) {
   BalanceOfBodies all;
-  const auto supports = support_rows(problem, system, solution);
   const Points3 x = places(system);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto& body = system.bodies[b];
     Balance balance(body.centre(), mesh::box_diagonal(body.input().mesh->X));
     body::Mode contact = body::Mode::Zero();
-    const auto forces = forces_on(system, solution, b);
-    for (Eigen::Index i = 0; i < forces.size(); i += 3)
-      contact += balance.about_centre(forces.segment<3>(i), Vec3::Zero(), x[system.first_point[b] + i / 3]);
+    const auto acting = acting_on(system, solution, b);
+    for (Eigen::Index i = 0; i < acting.forces.size(); i += 3)
+      contact += balance.about_centre(acting.forces.segment<3>(i), Vec3::Zero(), x[system.first_point[b] + i / 3]);
     balance.add(contact);
-    for (std::size_t k = 0; k < supports.size(); ++k) {
-      const auto& [of_body, place] = problem.support_of[k];
-      if (of_body == static_cast<int>(b))
-        balance.add(balance.about_centre(supports[k].force_N, supports[k].moment_N_mm, body.support_centre(place)));
+    for (const auto& [of_body, place] : problem.support_of) {
+      if (of_body != static_cast<int>(b)) continue;
+      const auto wrench = acting.supports.segment<6>(6 * static_cast<Eigen::Index>(place));
+      balance.add(balance.about_centre(wrench.head<3>(), wrench.tail<3>(), body.support_centre(place)));
     }
-    const auto& driven = body.driven();
-    const auto s = driven_of(system, solution.state, b);
-    for (std::size_t k = 0; k < driven.size(); ++k)
-      if (driven[k].load >= 0) balance.add(s[static_cast<int>(k)] * body.load_resultant()[driven[k].load]);
+    balance.add(balance.about_centre(acting.loads.head<3>(), acting.loads.tail<3>(), acting.loads_about));
     all.left_N = std::max(all.left_N, balance.left_N());
     all.largest_N = std::max(all.largest_N, balance.largest_N());
   }

@@ -8,8 +8,8 @@
 #include "adapt/solid/solid_remesh.hpp"
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
-#include "sim/problem/drive.hpp"
 #include "sim/problem/rules.hpp"
+#include "sim/solid/solid_drive.hpp"
 
 namespace reye::sim {
 
@@ -41,7 +41,7 @@ double plays_of(const scene::Step& step) {
 double solid_increments(const SolidProblem& problem) {
   double count = 0.0;
   for (const auto& step : problem.scene.steps)
-    count += static_cast<double>(step_corners(problem.scene.histories, step).size()) * plays_of(step);
+    count += static_cast<double>(solid_increment_ends(problem.scene, step).size()) * plays_of(step);
   return count;
 }
 

@@ -132,14 +132,14 @@ SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const
   Playing play{span, observer, {std::move(state), {}, false}};
   auto& now = play.outcome.state;
   play.outcome.cycle = now.cycle;
-  const auto corners = step_corners(problem_.scene.histories, *span.step);
-  const auto count = static_cast<int>(corners.size());
+  const auto ends = solid_increment_ends(problem_.scene, *span.step);
+  const auto count = static_cast<int>(ends.size());
   while (now.increment < count) {
     const auto k = static_cast<std::size_t>(now.increment);
-    play.outcome.failure = play_between(play, k > 0 ? corners[k - 1] : 0.0, corners[k], problem_.scene.max_cutbacks);
+    play.outcome.failure = play_between(play, k > 0 ? ends[k - 1] : 0.0, ends[k], problem_.scene.max_cutbacks);
     if (!play.outcome.failure.empty()) return std::move(play.outcome);
     if (++now.increment == count) break;
-    show_inside(play, corners[k]);
+    show_inside(play, ends[k]);
     if (observer.state) observer.state(now);
     if (observer.interrupted && observer.interrupted()) {
       play.outcome.interrupted = true;

@@ -14,6 +14,7 @@
 #include "scene/solid/solid_located.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/solid/refused_contacts.hpp"
+#include "sim/solid/turn_issues.hpp"
 
 namespace reye::sim {
 
@@ -38,6 +39,7 @@ class Preparation {
     for (const auto& contact : scene.contacts) add_contact(contact);
     if (issues_.empty()) find_conflicts();
     if (issues_.empty()) issues_ = refused_contacts(problem_.inputs, problem_.contacts, problem_.scene.symmetry);
+    if (issues_.empty()) issues_ = turn_issues(scene, problem_.inputs);
     if (!issues_.empty()) throw scene::located(scene, issues_);
     fix_centres();
     return std::move(problem_);
@@ -54,6 +56,7 @@ class Preparation {
       input.material = scene.materials.at(name->second);
     for (const auto& [face, facets] : mesh.faces) bodies_of_face_[face].push_back(static_cast<int>(b));
     input.mesh = std::make_shared<const mesh::SolidMesh>(std::move(mesh));
+    input.centre_mm = mesh::box_centre(input.mesh->X);
     problem_.inputs.push_back(std::move(input));
   }
 

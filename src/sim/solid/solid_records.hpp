@@ -31,7 +31,7 @@ struct SkinContactRow {
 /// The resultant of a support on its body.
 struct SupportRow {
   Vec3 force_N = Vec3::Zero();
-  Vec3 moment_N_mm = Vec3::Zero();  ///< about the support's centre
+  Vec3 moment_N_mm = Vec3::Zero();  ///< about the support's centre, which moves along with its body
 };
 
 struct SolidIncrement {
@@ -60,7 +60,8 @@ struct SolidRemeshRecord {
 };
 
 /// One side of a contact: nodes that contact was prepared for, and the facets between them.
-/// status: 0 inactive, 1 stick, 2 slip; the primary side repeats the tractions of the secondary.
+/// Vectors are in space, places on X. status: 0 inactive, 1 stick, 2 slip; the primary side repeats the tractions of
+/// the secondary.
 struct SkinRecord {
   std::string contact;
   Side side = Side::secondary;
@@ -70,6 +71,7 @@ struct SkinRecord {
   std::vector<double> wear_depth_mm;  ///< worn since the start
   std::vector<int> status;
   std::vector<mesh::Facet> facets;  ///< over the rows
+  Points3 turn_rad{};               ///< rotation vector of the row's body from X; empty where no body turns
 };
 
 struct SolidFrameBody {

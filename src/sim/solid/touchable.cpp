@@ -3,8 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "body/solid/solid_turning.hpp"
 #include "mesh/solid/solid_measure.hpp"
+#include "scene/histories.hpp"
 
 namespace reye::sim {
 
@@ -54,15 +57,41 @@ bool add_ring(const FaceView& face, std::vector<char>& nodes) {
   return nodes != before;
 }
 
+/// Poses through which supports drive a body about one axis, a tenth of a radian from one to the next; else the drawn
+/// one alone.
+std::vector<body::SolidPose> driven_poses(const SolidProblem& problem, const body::SolidInput& input) {
+  std::vector<body::SolidPose> poses{body::SolidPose{}};
+  const auto pivot = body::solid_pivot(input);
+  if (!pivot) return poses;
+  Vec3 most = Vec3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (pivot->motions[3 + k].drive == body::Drive::moved)
+      most += scene::largest_value({problem.scene.histories, problem.scene.steps}, pivot->motions[3 + k].parts) *
+              pivot->axes.col(k);
+  const double angle = std::min(most.norm(), std::numbers::pi);
+  for (double turn = 0.1; turn < angle + 0.1; turn += 0.1)
+    for (const double sign : {-1.0, 1.0}) {
+      auto& pose = poses.emplace_back();
+      pose.R = base::turn_by(sign * std::min(turn, angle) * most.normalized()).toRotationMatrix();
+      pose.centre = pivot->centre;
+    }
+  return poses;
+}
+
 void take_in_zones(const SolidProblem& problem, const SolidMeshes& meshes, const std::string& contact,
                    const contact::FaceRef& ref, std::vector<char>& nodes) {
   const auto face = view(meshes, ref);
+  const auto poses = driven_poses(problem, problem.inputs[ref.body]);
+  const auto passes = [&](const cad::SolidFineZone& zone, const Vec3& X) {
+    return std::any_of(poses.begin(), poses.end(),
+                       [&](const auto& pose) { return inside(zone, pose.place(X, Vec3::Zero()), 0.0); });
+  };
   for (const int index : face.facets) {
     const auto& facet = face.mesh.skin[index];
     for (const auto& zone : problem.scene.geometry.fine_zones)
       if (zone.contact == contact)
         for (int k = 0; k < facet_corners(facet.kind); ++k)
-          if (inside(zone, face.mesh.X[facet.nodes[k]], 0.0)) take(facet, nodes);
+          if (passes(zone, face.mesh.X[facet.nodes[k]])) take(facet, nodes);
   }
 }
 

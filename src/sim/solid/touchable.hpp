@@ -16,8 +16,9 @@ SolidMeshes drawn_meshes(const SolidProblem& problem);
 /// Per body and node.
 using Touchable = std::vector<std::vector<char>>;
 
-/// Nodes of the contacts' facets in their fine zones and one ring beyond; of a contact without fine zone those nearer
-/// to the other side than the drawn distance and two facets.
+/// Nodes of the contacts' facets that lie in their fine zones, or pass through them while a support turns their body,
+/// and one ring beyond; of a contact without fine zone those nearer to the other side than the drawn distance and two
+/// facets.
 Touchable touchable_nodes(const SolidProblem& problem, const SolidMeshes& meshes);
 
 /// Nodes of all faces of contacts: touchable ones are among them.

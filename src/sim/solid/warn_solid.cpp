@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/formatted.hpp"
+#include "body/solid/solid_pivot.hpp"
 #include "mesh/solid/solid_measure.hpp"
 #include "sim/problem/warnings.hpp"
 #include "sim/solid/whole_patch.hpp"
@@ -101,12 +102,19 @@ void warn_edge(const SolidProblem& problem, const solver::SolidSystem& system, c
           strain});
 }
 
+/// Because of which support a body does not turn by any angle.
+std::string small_turn_reason(const body::SolidInput& input) {
+  const std::string support = body::solid_keeps_direction(input);
+  return support.empty() ? std::string()
+                         : ": support " + base::quoted(support) + " acts along directions that do not turn with it";
+}
+
 void warn_turn(const solver::SolidSystem& system, const solver::SolidSolution& solution,
                std::vector<Warning>& warnings) {
   constexpr double small = 0.02;
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto& A = system.bodies[b].A();
-    if (A.cols() == 0 || A.rows() < 6) continue;
+    if (system.turning[b] || A.cols() == 0 || A.rows() < 6) continue;
     const auto a = solution.state.a.segment(system.first_free[b], A.cols());
     const base::Vector moved = A * a;
     Vec3 mean = Vec3::Zero();
@@ -116,10 +124,10 @@ void warn_turn(const solver::SolidSystem& system, const solver::SolidSolution& s
     for (Eigen::Index i = 0; i < moved.size(); i += 3) spread = std::max(spread, (moved.segment<3>(i) - mean).norm());
     const double turn = 2.0 * spread / mesh::box_diagonal(system.bodies[b].input().mesh->X);
     if (turn > small)
-      warn(warnings,
-           {"turn", "body " + system.bodies[b].input().name,
-            base::formatted("the body turns by about %.2g rad: its rotation is computed as if it were small", turn),
-            turn});
+      warn(warnings, {"turn", "body " + system.bodies[b].input().name,
+                      base::formatted("the body turns by about %.2g rad, which is computed as if it were small", turn) +
+                          small_turn_reason(system.bodies[b].input()),
+                      turn});
   }
 }
 

@@ -14,6 +14,7 @@ SolidState initial_state(const SolidSystem& system) {
   state.a = Vector::Zero(system.free());
   state.s = Vector::Zero(system.driven());
   state.u = Vector::Zero(3 * system.points());
+  state.turn.assign(system.bodies.size(), base::Turn::Identity());
   return state;
 }
 
@@ -23,8 +24,25 @@ bool touched(const SolidState& state) {
   });
 }
 
+std::vector<body::SolidPose> poses_between(const SolidSystem& system, const SolidState& before, const Vector& a,
+                                           const Vector& s) {
+  std::vector<body::SolidPose> poses(system.bodies.size());
+  const Vector step = a - before.a;
+  for (std::size_t b = 0; b < poses.size(); ++b)
+    if (system.turning[b])
+      poses[b] = body::pose_of(*system.turning[b], before.turn[b], system.of_free(step, b), system.of_free(a, b),
+                               system.of_driven(s, b));
+  return poses;
+}
+
+std::vector<body::SolidPose> poses_of(const SolidSystem& system, const SolidState& state) {
+  return poses_between(system, state, state.a, state.s);
+}
+
 Vector displacements_of(const SolidSystem& system, const SolidState& state) {
-  Vector u = displacement(system, Vector::Zero(3 * system.points()), state.s, state.a);
+  const auto poses = poses_of(system, state);
+  const Vector none = Vector::Zero(3 * system.points());
+  Vector u = displacement(system, {none, state.s, state.a, poses});
   for (int turn = 0; turn < 3; ++turn) {  // the integrals follow from where the points are
     Vector force = Vector::Zero(3 * system.points());
     for (std::size_t c = 0; c < system.contacts.size(); ++c) {
@@ -32,7 +50,7 @@ Vector displacements_of(const SolidSystem& system, const SolidState& state) {
       add_contact_forces(contact::place_skins(system.contacts[c], u, system.held, system.points(), pairs),
                          state.traction[c], force);
     }
-    u = displacement(system, force, state.s, state.a);
+    u = displacement(system, {force, state.s, state.a, poses});
   }
   return u;
 }

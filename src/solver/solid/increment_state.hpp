@@ -14,10 +14,18 @@ struct SolidState {
   std::vector<Points3> traction;
   std::vector<std::vector<contact::SkinStatus>> status;
   std::vector<contact::SkinWear> wear;  ///< per contact
-  Vector a;                             ///< free motions
-  Vector s;                             ///< driven values
-  Vector u;                             ///< displacements of the points
+  Vector a;  ///< free motions; of a rotation of a body that turns the sum of what increments turned about its axis
+  Vector s;  ///< driven values
+  Vector u;  ///< displacements of the points
+  std::vector<base::Turn> turn;  ///< per body: its rotation by free motions of its pivot, unit; else none
 };
+
+/// Where the frames of all bodies are in a state; of bodies that do not turn at rest.
+std::vector<body::SolidPose> poses_of(const SolidSystem& system, const SolidState& state);
+
+/// Where they are while an increment is being solved, `before` at its beginning.
+std::vector<body::SolidPose> poses_between(const SolidSystem& system, const SolidState& before, const Vector& a,
+                                           const Vector& s);
 
 /// Before anything has happened.
 SolidState initial_state(const SolidSystem& system);
@@ -28,6 +36,9 @@ bool touched(const SolidState& state);
 /// Displacements of all points that belong to a state's tractions, drives and free motions, integrated without
 /// displacements: to begin from after the points were chosen again.
 Vector displacements_of(const SolidSystem& system, const SolidState& state);
+
+/// Whether any point is closed.
+bool touched(const SolidState& state);
 
 /// What one increment asks for.
 struct SolidTarget {

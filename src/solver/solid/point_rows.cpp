@@ -11,11 +11,11 @@ void add_rows(const ClosedPoint& at, const contact::SkinFrame& frame, const cont
   rows.push_back({c, j, frame.normal, stiffness * frame.normal, 0.0, -stiffness * node.gap});
   if (slips && (pressed || mu > 0.0)) rows.back().along += mu * slip.d;
   if (slips && frame.free == 2)
-    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e)});
+    rows.push_back({c, j, slip.e, -slip.share * stiffness * slip.e, 1.0 - slip.share, node.traction.dot(slip.e), true});
   if (!slips && mu > 0.0)
     for (int k = 0; k < frame.free; ++k)
-      rows.push_back(
-          {c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0, stiffness * frame.tangent[k].dot(node.slip)});
+      rows.push_back({c, j, frame.tangent[k], stiffness * frame.tangent[k], 0.0,
+                      stiffness * frame.tangent[k].dot(node.slip), true});
 }
 
 }  // namespace reye::solver

@@ -5,7 +5,7 @@
 
 #include "algebra/factor.hpp"
 #include "contact/solid/cone.hpp"
-#include "solver/solid/solid_system.hpp"
+#include "solver/solid/turning_motion.hpp"
 
 namespace reye::solver {
 
@@ -17,6 +17,14 @@ struct ReducedRow {
   Vec3 row = Vec3::Zero();    ///< direction in which the relative motion counts, c included [MPa/mm]
   double diagonal = 0.0;
   double residual = 0.0;
+  bool slides = false;  ///< w is the slip of the increment, else the gap
+};
+
+/// Where a matrix is formed.
+struct ReducedState {
+  std::span<const contact::SkinPlace> places;
+  const Standing& standing;
+  const TurningTangent& tangent;
 };
 
 /// The volume V that a sliding point wears off one side in the increment, beside the rows:
@@ -30,8 +38,9 @@ struct WearRow {
 
 /// The change of all unknowns in one Newton step.
 struct ReducedStep {
-  Vector z;  ///< per row
-  Vector a;  ///< free motions
+  Vector z;              ///< per row
+  Vector a;              ///< free motions
+  bool neutral = false;  ///< a motion of a body that turns costs no force at present and was left as it is
 };
 
 /// The matrix of the rows together with the balance of free motions, as dense LU. Only points in contact are unknown,
@@ -39,16 +48,20 @@ struct ReducedStep {
 /// same unknowns.
 class ReducedSystem {
  public:
-  /// Throws base::SolveError where the matrix is singular: then nothing holds a body.
-  void factor(const SolidSystem& system, std::span<const contact::SkinPlace> places,
-              const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear);
-  /// The step for the residuals of these rows. Throws base::SolveError where it is not finite.
-  ReducedStep solve(const std::vector<ReducedRow>& rows, const Vector& imbalance) const;
+  /// Throws base::SolveError where the matrix is singular: then nothing holds a body. Motions of bodies that turn which
+  /// cost no force, as those of a ball on one point, make no such matrix: `solve` leaves them as they are.
+  void factor(const SolidSystem& system, const ReducedState& state, const std::vector<ReducedRow>& rows,
+              const std::vector<WearRow>& wear);
+  /// The step for the residuals of these rows and what is left of the balance of free motions; `forces`: their sum.
+  /// Throws base::SolveError where it is not finite, or where something drives a motion that nothing holds.
+  ReducedStep solve(const std::vector<ReducedRow>& rows, const Vector& imbalance, double forces) const;
   /// Rows of the matrix that is held.
   std::size_t count() const { return count_; }
 
  private:
   algebra::DenseFactor factor_;
+  Matrix neutral_;  ///< the matrix itself where some motion costs no force; else empty
+  Vector scale_;    ///< of the free motions, which makes them comparable
   std::size_t count_ = 0;
 };
 

@@ -11,10 +11,10 @@ namespace reye::solver {
 
 /// Where a body is free to move and touches nothing, the points nearest to the other side begin in contact.
 void SolidIterate::seed() {
-  if (system_.free() == 0) return;
+  if (system_.unheld == 0) return;
   for (std::size_t c = 0; c < place_.size(); ++c) {
     const auto& place = place_[c];
-    const Points3 w = contact::relative(place, positions(system_, old_.u));
+    const Points3 w = contact::relative(place, standing_.x_old);
     const auto gap = [&](int j) { return -place.frame[j].normal.dot(w[j]); };
     double least = std::numeric_limits<double>::infinity();
     bool closed = false;
@@ -98,7 +98,7 @@ bool SolidIterate::classify(bool with_care) {
       std::accumulate(fresh.begin(), fresh.end(), std::ptrdiff_t{0}, [](std::ptrdiff_t sum, const auto& of) {
         return sum + std::count_if(of.begin(), of.end(), [](Status status) { return status != Status::open; });
       });
-  if (closed == 0 && system_.free() > 0) {
+  if (closed == 0 && system_.unheld > 0) {
     ++came_apart_;
     now_.status = fresh;
     seed();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "solver/solid/carry_along.hpp"
 #include "solver/solid/point_rows.hpp"
 
 namespace reye::solver {
@@ -36,21 +37,39 @@ SolidIterate::SolidIterate(const SolidSystem& system, const SolidState& old, con
       keep_shear_(start == SolidStart::settled),
       stick_all_(start == SolidStart::sticking),
       as_before_(start == SolidStart::natural && touched(old)) {
-  now_.s = target.s;
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {  // what is driven moves at once, the rest follows by Newton
-    const auto& U = system.bodies[b].U();
-    now_.u.segment(3 * system.first_point[b], U.rows()) +=
-        U * (target.s - old.s).segment(system.first_driven[b], U.cols());
-  }
+  standing_.old_poses = poses_of(system, old);
+  standing_.x_old = positions(system, old.u);
+  drive();
   integrate();
   seed();
+}
+
+/// What is driven moves at once, and carries along what sticks to it; the rest follows by Newton.
+void SolidIterate::drive() {
+  now_.s = target_.s;
+  pairs_.resize(system_.contacts.size());
+  stand();
+  now_.u = carried_displacements(system_, old_, now_.s, standing_);
+  if (system_.turns() && system_.free() > 0 && touched(old_)) {
+    std::vector<contact::SkinPlace> places;
+    for (std::size_t c = 0; c < system_.contacts.size(); ++c)
+      places.push_back(contact::place_skins(system_.contacts[c], old_.u, system_.held, system_.points(), pairs_[c]));
+    now_.a = carried_along_motions(system_, old_, target_, standing_.poses, now_.u, places);
+    stand();
+    now_.u = carried_displacements(system_, old_, now_.s, standing_);
+  }
+  now_.traction = carried_tractions(system_, old_, standing_);
+}
+
+void SolidIterate::stand() {
+  standing_.poses = poses_between(system_, old_, now_.a, now_.s);
+  standing_.twist = relative_twists(system_, standing_.old_poses, standing_.poses);
 }
 
 void SolidIterate::integrate() {
   const Account account(mortar_s);
   const auto before = std::move(place_);
   place_.clear();
-  pairs_.resize(system_.contacts.size());
   for (std::size_t c = 0; c < system_.contacts.size(); ++c)
     place_.push_back(contact::place_skins(system_.contacts[c], now_.u, system_.held, system_.points(), pairs_[c]));
   for (std::size_t c = 0; c < place_.size(); ++c) turn_tractions(c, before.empty() ? place_[c].frame : before[c].frame);
@@ -87,12 +106,16 @@ void SolidIterate::turn_normals() {
 
 void SolidIterate::evaluate() {
   force_ = contact_forces(system_, place_, now_.traction);
-  now_.u = displacement(system_, force_, now_.s, now_.a);
-  const Vector x = positions(system_, now_.u), moved = now_.u - old_.u;
+  stand();
+  now_.u = displacement(system_, motion());
+  standing_.x = positions(system_, now_.u);
+  const Vector moved = now_.u - old_.u;
   nodes_.resize(place_.size());
   for (std::size_t c = 0; c < place_.size(); ++c) {
     const auto& place = place_[c];
-    const Points3 w = contact::relative(place, x), slip = contact::relative(place, moved);
+    const bool turns = !standing_.twist[c].empty();
+    const Points3 w = contact::relative(place, standing_.x),
+                  slip = contact::relative(place, turns ? seen_motion(system_, standing_, c) : moved);
     nodes_[c].resize(w.size());
     for (std::size_t j = 0; j < w.size(); ++j) {
       const auto& frame = place.frame[j];
@@ -131,8 +154,8 @@ SolidIterate::Error SolidIterate::error() const {
           error.traction_MPa, contact::violation(node, place_[c].frame[j], now_.status[c][j],
                                                  friction(static_cast<int>(c)), system_.contacts[c].stiffness[j]));
     }
-  const double forces = force_.lpNorm<1>();
-  const Vector left = imbalance(system_, force_, now_.s);
+  const double forces = force_scale(system_, motion());
+  const Vector left = motion_scale(system_).cwiseProduct(imbalance(system_, motion()));
   if (left.size() > 0) error.balance = left.lpNorm<Eigen::Infinity>() / std::max(forces, 1e-300);
   return error;
 }
@@ -159,12 +182,12 @@ std::vector<WearRow> SolidIterate::wear_rows(const std::vector<ReducedRow>& rows
   return wear;
 }
 
-/// The change of displacements that a step brings.
+/// The change of displacements that a step brings, of turns to first order.
 Vector SolidIterate::moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const {
   std::vector<Points3> change;
   for (const auto& traction : now_.traction) change.emplace_back(traction.size(), Vec3::Zero());
   for (std::size_t k = 0; k < rows.size(); ++k) change[rows[k].contact][rows[k].point] += step.z[k] * rows[k].along;
-  return displacement(system_, contact_forces(system_, place_, change), Vector::Zero(system_.driven()), step.a);
+  return change_of_places(system_, standing_, contact_forces(system_, place_, change), step.a, tangent_);
 }
 
 /// No step may carry the sides past each other: at most a quarter of the reach of the search.
@@ -183,7 +206,10 @@ double SolidIterate::step_share(const Vector& moved) const {
 void SolidIterate::step(bool same_matrix, bool near) {
   const Account account(interface_s);
   const auto rows = this->rows();
-  if (!same_matrix || reduced_.count() != rows.size()) reduced_.factor(system_, place_, rows, wear_rows(rows));
+  if (!same_matrix || system_.turns() || reduced_.count() != rows.size()) {
+    tangent_ = turning_tangent(system_, standing_, force_, now_.s, now_.a - old_.a);
+    reduced_.factor(system_, {place_, standing_, tangent_}, rows, wear_rows(rows));
+  }
   apply(rows);
   if (!near) return;
   turn_normals();
@@ -191,13 +217,19 @@ void SolidIterate::step(bool same_matrix, bool near) {
 }
 
 void SolidIterate::apply(const std::vector<ReducedRow>& rows) {
-  const ReducedStep step = reduced_.solve(rows, imbalance(system_, force_, now_.s));
+  const ReducedStep step = reduced_.solve(rows, imbalance(system_, motion()), force_scale(system_, motion()));
   const Vector moved = moved_by(rows, step);
   const double share = step_share(moved);
   for (std::size_t k = 0; k < rows.size(); ++k)
     now_.traction[rows[k].contact][rows[k].point] += share * step.z[k] * rows[k].along;
   now_.a += share * step.a;
-  now_.u += share * moved;
+  if (!system_.turns()) {  // displacements are linear in the step
+    now_.u += share * moved;
+    return;
+  }
+  force_ = contact_forces(system_, place_, now_.traction);
+  stand();
+  now_.u = displacement(system_, motion());
 }
 
 void SolidIterate::let_shear_go() {
@@ -221,6 +253,9 @@ SolidSolution SolidIterate::take() {
   }
   SolidSolution solution;
   solution.converged = true;
+  for (std::size_t b = 0; b < system_.bodies.size(); ++b)
+    if (system_.turning[b])
+      now_.turn[b] = body::turned(*system_.turning[b], old_.turn[b], system_.of_free(now_.a - old_.a, b));
   solution.state = std::move(now_);
   solution.place = std::move(place_);
   solution.nodes = std::move(nodes_);

@@ -56,6 +56,9 @@ class SolidIterate {
   void apply(const std::vector<ReducedRow>& rows);
   Vector moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
   double step_share(const Vector& moved) const;
+  void drive();
+  void stand();
+  SolidMotion motion() const { return {force_, now_.s, now_.a, standing_.poses}; }
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
   double due(int contact, int point, Status now, Status fresh) const;
@@ -69,7 +72,9 @@ class SolidIterate {
   std::vector<contact::SkinPlace> place_;
   std::vector<std::vector<contact::SkinNode>> nodes_;
   std::vector<WornContact> worn_;  ///< per contact
+  Standing standing_;
   Vector force_;
+  TurningTangent tangent_;  ///< of the matrix that is held
   ReducedSystem reduced_;
   bool keep_shear_ = false, stick_all_ = false;
   bool as_before_ = false;  ///< what was closed stays closed until a step was made

@@ -87,7 +87,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
     try {
       iterate.step(!changed && falls_fast(errors), relative < 0.1);
     } catch (const base::SolveError& singular) {
-      return system.free() > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
+      return system.unheld > 0 ? loose(singular.what(), i, errors) : failed(singular.what(), i, errors);
     }
     iterate.integrate();
   }

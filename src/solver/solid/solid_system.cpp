@@ -5,15 +5,27 @@
 #include <algorithm>
 
 #include "base/cores.hpp"
+#include "mesh/solid/solid_measure.hpp"
 
 namespace reye::solver {
 
 namespace {
 
-/// The directions in which no force, drive or free motion moves a point.
-contact::HeldDirections held_directions(const body::SolidBody& body, int point, double compliance) {
-  const int row = 3 * point;
+/// The directions along which the pivot of a body that turns can move its points, as a projector; of a rotation all
+/// across its axis, since the body may have turned.
+base::Mat3 pivot_moves(const body::SolidTurning& turning) {
   base::Mat3 moves = base::Mat3::Zero();
+  for (int m = 0; m < 6; ++m) {
+    const Vec3 e = turning.pivot.axes.col(m % 3);
+    if (body::keeps_still(turning.pivot.motions[m])) continue;
+    moves += m < 3 ? base::Mat3(e * e.transpose()) : base::Mat3(base::Mat3::Identity() - e * e.transpose());
+  }
+  return moves;
+}
+
+/// The directions in which no force, drive or free motion moves a point.
+contact::HeldDirections held_directions(const body::SolidBody& body, int point, double compliance, base::Mat3 moves) {
+  const int row = 3 * point;
   if (compliance > 0.0) moves += body.C().block<3, 3>(row, row) / compliance;
   for (const Matrix* part : {&body.U(), &body.A()})
     if (part->cols() > 0) moves += part->middleRows<3>(row) * part->middleRows<3>(row).transpose();
@@ -38,20 +50,38 @@ std::vector<int> starts(const std::vector<body::SolidBody>& bodies, const auto& 
   return first;
 }
 
+/// Free motions that no spring acts against.
+int count_unheld(const body::SolidBody& body, const std::optional<body::SolidTurning>& turning) {
+  return static_cast<int>(turning ? body::unheld_motions(*turning).size() : body.A().cols());
+}
+
 }  // namespace
 
-SolidSystem make_system(std::vector<body::SolidBody> bodies) {
+bool SolidSystem::turns() const {
+  return std::any_of(turning.begin(), turning.end(), [](const auto& body) { return body.has_value(); });
+}
+
+SolidSystem make_system(std::vector<body::SolidBody> bodies, std::vector<std::optional<body::SolidTurning>> turning) {
   SolidSystem system;
   system.bodies = std::move(bodies);
+  system.turning = std::move(turning);
+  system.turning.resize(system.bodies.size());
+  const auto of = [&](const body::SolidBody& body) -> const std::optional<body::SolidTurning>& {
+    return system.turning[&body - system.bodies.data()];
+  };
   system.first_point = starts(system.bodies, [](const auto& body) { return body.retained().size(); });
-  system.first_driven = starts(system.bodies, [](const auto& body) { return body.driven().size(); });
-  system.first_free = starts(system.bodies, [](const auto& body) { return body.A().cols(); });
+  system.first_driven = starts(
+      system.bodies, [&](const auto& body) { return of(body) ? of(body)->driven.size() : body.driven().size(); });
+  system.first_free =
+      starts(system.bodies, [&](const auto& body) { return of(body) ? of(body)->count() : body.A().cols(); });
   for (const auto& body : system.bodies) {
     const double compliance = body.retained().empty() ? 0.0 : body.C().diagonal().maxCoeff();
+    const base::Mat3 moves = of(body) ? pivot_moves(*of(body)) : base::Mat3(base::Mat3::Zero());
+    system.unheld += count_unheld(body, of(body));
     system.yields.push_back(compliance > 0.0);
     system.relief.push_back(relief_of(body));
     for (int i = 0; i < static_cast<int>(body.retained().size()); ++i)
-      system.held.push_back(held_directions(body, i, compliance));
+      system.held.push_back(held_directions(body, i, compliance, moves));
   }
   return system;
 }
@@ -75,16 +105,58 @@ void add_compliance(const Matrix& C, const Vector& force, Eigen::Ref<Vector> u) 
 
 }  // namespace
 
-Vector displacement(const SolidSystem& system, const Vector& force, const Vector& s, const Vector& a) {
+Vector motion_scale(const SolidSystem& system) {
+  Vector scale = Vector::Ones(system.free());
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (!system.turning[b]) continue;
+    const double size = mesh::box_diagonal(system.bodies[b].input().mesh->X);
+    for (int k = 0; k < system.turning[b]->count(); ++k)
+      if (system.turning[b]->rotation(k)) scale[system.first_free[b] + k] = 1.0 / size;
+  }
+  return scale;
+}
+
+Vector response_in_frame(const SolidSystem& system, std::size_t b, const Vector& force, const Vector& s) {
+  const auto& body = system.bodies[b];
+  Vector w = body.U() * s;
+  if (!system.yields[b]) return w;
+  add_compliance(body.C(), force, w);
+  if (body.A().cols() > 0) w.noalias() -= system.relief[b] * (body.A().transpose() * force + body.B() * s).eval();
+  return w;
+}
+
+namespace {
+
+/// Displacements of the points of a body that turns.
+Vector turned_displacement(const SolidSystem& system, std::size_t b, const SolidMotion& motion) {
+  const auto& turning = *system.turning[b];
+  const auto& pose = motion.poses[b];
+  const Vector w = response_in_frame(system, b, body::to_frame(pose, system.of_points(motion.force, b)),
+                                     body::frame_values(turning, pose, system.of_driven(motion.s, b)));
+  Vector u(w.size());
+  for (std::size_t i = 0; i < turning.points.size(); ++i) {
+    const Vec3& X = turning.points[i];
+    u.segment<3>(3 * static_cast<Eigen::Index>(i)) = pose.place(X, w.segment<3>(3 * static_cast<Eigen::Index>(i))) - X;
+  }
+  return u;
+}
+
+}  // namespace
+
+Vector displacement(const SolidSystem& system, const SolidMotion& motion) {
   Vector u = Vector::Zero(3 * system.points());
-  const Vector left = imbalance(system, force, s);
+  const Vector left = imbalance(system, motion);
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto& body = system.bodies[b];
     const int rows = 3 * static_cast<int>(body.retained().size());
     auto own = u.segment(3 * system.first_point[b], rows);
-    if (system.yields[b]) add_compliance(body.C(), force.segment(3 * system.first_point[b], rows), own);
-    own.noalias() += body.U() * s.segment(system.first_driven[b], body.U().cols());
-    own.noalias() += body.A() * a.segment(system.first_free[b], body.A().cols());
+    if (system.turning[b]) {
+      own = turned_displacement(system, b, motion);
+      continue;
+    }
+    if (system.yields[b]) add_compliance(body.C(), motion.force.segment(3 * system.first_point[b], rows), own);
+    own.noalias() += body.U() * motion.s.segment(system.first_driven[b], body.U().cols());
+    own.noalias() += body.A() * motion.a.segment(system.first_free[b], body.A().cols());
     if (system.yields[b] && body.A().cols() > 0)
       own.noalias() -= system.relief[b] * left.segment(system.first_free[b], body.A().cols());
   }
@@ -119,16 +191,30 @@ Vector positions(const SolidSystem& system, const Vector& u) {
   return x;
 }
 
-Vector imbalance(const SolidSystem& system, const Vector& force, const Vector& s) {
+Vector imbalance(const SolidSystem& system, const SolidMotion& motion) {
   Vector left = Vector::Zero(system.free());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const auto& body = system.bodies[b];
     const int rows = 3 * static_cast<int>(body.retained().size());
+    if (system.turning[b]) {
+      left.segment(system.first_free[b], system.turning[b]->count()) =
+          body::balance_of(*system.turning[b], motion.poses[b], system.of_points(motion.force, b),
+                           system.of_free(motion.a, b), system.of_driven(motion.s, b));
+      continue;
+    }
     auto own = left.segment(system.first_free[b], body.A().cols());
-    own.noalias() += body.A().transpose() * force.segment(3 * system.first_point[b], rows);
-    own.noalias() += body.B() * s.segment(system.first_driven[b], body.B().cols());
+    own.noalias() += body.A().transpose() * motion.force.segment(3 * system.first_point[b], rows);
+    own.noalias() += body.B() * motion.s.segment(system.first_driven[b], body.B().cols());
   }
   return left;
+}
+
+double force_scale(const SolidSystem& system, const SolidMotion& motion) {
+  double sum = motion.force.lpNorm<1>();
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (system.turning[b])
+      sum += body::balance_scale(*system.turning[b], system.of_free(motion.a, b), system.of_driven(motion.s, b));
+  return sum;
 }
 
 }  // namespace reye::solver
