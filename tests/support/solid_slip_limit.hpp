@@ -37,6 +37,7 @@ struct SlipLimitCase {
   double elements = 8.0;    ///< per radius of the first contact
   double way = 10.0;        ///< cycles, over those in which the first one's wear is that of the limit
   double tolerance = 0.02;  ///< of the blocks
+  double jump = 0.0;        ///< cycles of each block; 0: chosen by the tolerance
   int increments = 8;       ///< of a cycle
 
   HertzCase hertz() const {
@@ -65,7 +66,8 @@ struct SlipLimitCase {
                        step_of(increments, {"swing"}, std::round(way * cycles_to_limit))};
     auto& rub = all.scene.steps.back();
     rub.wear = true;
-    rub.jump_tolerance = tolerance;
+    rub.jump_tolerance = jump > 0.0 ? 0.0 : tolerance;
+    if (jump > 0.0) rub.jump = jump;
     all.scene.shape = false;  // a depth of some thousandths of an element
     all.scene.frames.paraview = false;
     return all;

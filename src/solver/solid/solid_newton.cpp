@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
@@ -51,10 +53,25 @@ double balance_tolerance(const SolidTarget& target, const SolidOptions& options)
 /// So many iterations usually settle which points stick and slip; where they have not, points change with care.
 constexpr int patience = 10;
 
+/// Where a start is tried, and the error at its first evaluation above which it is given up at once.
+struct Try {
+  SolidStart start;
+  double most = std::numeric_limits<double>::infinity();  ///< of the largest traction
+};
+
+/// What slid and turns back misses by several times the largest traction in the natural start, and needs 11 to more
+/// than 30 iterations from there; where everything sticks at first it needs 6 to 12 (`worn_balls` of the benchmarks).
+/// What slides on, or turns back with the slip that its step imposes, misses by less than this.
+constexpr double turned_back = 3.0;
+constexpr std::array first_touch{Try{SolidStart::settled}, Try{SolidStart::natural}, Try{SolidStart::sticking}};
+constexpr std::array later{Try{SolidStart::natural, turned_back}, Try{SolidStart::sticking}, Try{SolidStart::settled},
+                           Try{SolidStart::natural}};
+
 /// Newton's iteration from one start. The integrals follow the bodies in every iteration; at the end they belong to the
 /// positions that were found, to the tolerance.
 SolidSolution attempt(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
-                      const SolidOptions& options, SolidStart start) {
+                      const SolidOptions& options, const Try& from) {
+  const SolidStart start = from.start;
   SolidIterate iterate(system, old, target, start);
   const double least = faint_traction(system);
   std::vector<double> errors;
@@ -64,6 +81,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
     const double relative = error.traction_MPa / std::max(error.largest_MPa, least);
     if (!std::isfinite(relative)) return failed("Newton's iteration left the numbers", i, errors);
     errors.push_back(relative);
+    if (i == 0 && relative > from.most) return failed("the start is far from the solution", i, errors);
     const bool small = relative <= options.tolerance && error.balance <= balance_tolerance(target, options);
     if (small && !changed && !iterate.shear_is_kept()) {
       iterate.finish();
@@ -98,18 +116,21 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
 SolidSolution solve_increment(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
                               const SolidOptions& options) {
   const bool first = !touched(old);
-  const auto starts = first ? std::array{SolidStart::settled, SolidStart::natural, SolidStart::sticking}
-                            : std::array{SolidStart::natural, SolidStart::settled, SolidStart::sticking};
+  const std::span<const Try> tries = first ? std::span<const Try>(first_touch) : std::span<const Try>(later);
   SolidSolution solution;
   int spent = 0;
-  for (const SolidStart start : starts) {
+  bool given_up = first;  // else the natural start was tried to its end
+  for (const Try& from : tries) {
+    const bool again = !first && from.start == SolidStart::natural && &from == &tries.back();
+    if (again && !given_up) break;
     try {
-      solution = attempt(system, old, target, options, start);
+      solution = attempt(system, old, target, options, from);
     } catch (const base::MeshError& folded) {  // an iterate with facets that nothing can be integrated over
       solution = failed(folded.what(), 0, {});
     }
     spent += solution.iterations;
     if (solution.converged) break;
+    given_up = given_up || (solution.errors.size() == 1 && std::isfinite(from.most));
   }
   solution.iterations = spent;
   return solution;
