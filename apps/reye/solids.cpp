@@ -20,8 +20,9 @@
 #include "scene/solid/solid_scene.hpp"
 #include "signals.hpp"
 #include "sim/problem/warnings.hpp"
-#include "sim/solid/solid_march.hpp"
 #include "sim/solid/solid_plan.hpp"
+#include "sim/study/run.hpp"
+#include "sim/study/solid_accuracy.hpp"
 #include "solid_resume.hpp"
 
 namespace reye::apps {
@@ -94,9 +95,8 @@ void refuse_what_does_not_fit(const sim::SolidPlan& plan) {
 /// A run that resumes takes the meshes that it had: the mesher might not make them again.
 sim::SolidProblem solid_problem(const Request& request, const scene::SolidScene& scene, const std::string& dir) {
   if (request.restart)
-    if (auto geometry = output::load_meshes(dir, scene.fixed_sha256))
-      return sim::prepare_solid(scene, std::move(*geometry));
-  return sim::prepare_solid(scene);
+    if (auto geometry = output::load_meshes(dir, scene.fixed_sha256)) return sim::prepare(scene, std::move(*geometry));
+  return sim::prepare(scene);
 }
 
 /// The folder made ready for a new run, whose start is its first checkpoint.
@@ -114,8 +114,8 @@ sim::SolidSummary play_solid(const SolidCheckpoints& run, SolidStart start, outp
   sim::SolidSummary summary;
   play_guarded(writer.dir(), run.origin, [&] {
     ProgressLine line(!quiet);
-    summary = sim::run_solid(run.problem, std::move(start.state), solid_observer(run, writer, checkpoints, line),
-                             std::move(start.assembly));
+    summary = sim::run(run.problem, std::move(start.state), solid_observer(run, writer, checkpoints, line),
+                       std::move(start.assembly));
     line.end();
     checkpoints.finish();
     writer.finish(summary);
@@ -157,7 +157,7 @@ int run_solid(const Request& request) {
 }
 
 int plan_solid(const Request& request) {
-  const sim::SolidProblem problem = sim::prepare_solid(read_solid_scene(request));
+  const sim::SolidProblem problem = sim::prepare(read_solid_scene(request));
   const sim::SolidPlan plan = sim::solid_plan(problem);
   tell_lines(plan);
   tell_warnings(problem.warnings);
@@ -166,7 +166,7 @@ int plan_solid(const Request& request) {
 }
 
 int check_solid(const Request& request) {
-  const sim::SolidProblem problem = sim::prepare_solid(read_solid_scene(request));
+  const sim::SolidProblem problem = sim::prepare(read_solid_scene(request));
   for (const auto& input : problem.inputs) {
     const auto& mesh = *input.mesh;
     const auto box = mesh::bounding_box(mesh.X);
@@ -190,7 +190,7 @@ int check_solid(const Request& request) {
 int mesh_solid(const Request& request) {
   const auto scene = read_solid_scene(request);
   const std::string dir = solid_folder(request, scene);
-  const sim::SolidProblem problem = sim::prepare_solid(scene);
+  const sim::SolidProblem problem = sim::prepare(scene);
   sim::SolidFrame frame;
   for (const auto& input : problem.inputs)
     frame.bodies.push_back({input.name, input.mesh, base::Points3(input.mesh->X.size(), base::Vec3::Zero()), {}});

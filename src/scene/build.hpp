@@ -21,6 +21,8 @@ wear::Law wear_of(const Entry& wear, Issues& issues);
 /// none above zero.
 void check_friction(const Entry& contact, const wear::Law& law, bool frictionless, bool imposed, Issues& issues);
 std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues);
+/// Reports a fine zone without a size in a scene that asks for no accuracy.
+void require_size(const Entry& root, const Entry& zone, Issues& issues);
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues);
 std::vector<body::Support> supports_of(const Entry& root, Issues& issues);

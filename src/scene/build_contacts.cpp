@@ -220,6 +220,11 @@ std::vector<contact::ContactOptions> bonds_of(const Entry& root, Issues& issues)
   return bonds;
 }
 
+void require_size(const Entry& root, const Entry& zone, Issues& issues) {
+  if (!zone.given("size_mm") && !root.given("accuracy"))
+    issues.push_back({zone.key("size_mm"), "", "missing; only a scene with accuracy may leave it out"});
+}
+
 std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<cad::BoundaryOptions>& boundaries,
                                          Issues& issues) {
   std::vector<cad::FineZone> zones;
@@ -228,8 +233,7 @@ std::vector<cad::FineZone> fine_zones_of(const Entry& root, const std::vector<ca
   for (const auto& joint : joints) {
     const auto bodies = touching_bodies(joint, boundaries);
     for (const auto& place : joint.parts("fine_zone")) {
-      if (!place.given("size_mm") && !root.given("accuracy"))
-        issues.push_back({place.key("size_mm"), "", "missing; only a scene with accuracy may leave it out"});
+      require_size(root, place, issues);
       zones.push_back(zone_of(place, joint.name(), bodies));
     }
   }

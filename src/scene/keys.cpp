@@ -16,9 +16,7 @@ constexpr Key table[] = {
     {"analysis", Type::text, "", "plane_strain", one_of("plane_strain|plane_stress|axisymmetric|solid"),
      "idealisation; axisymmetric: r = x >= 0, axis y; of a section drawn on both sides of the axis the half x >= 0 is "
      "taken; solid: three dimensions, with keys of their own, below"},
-    {"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
-     "relative error asked for, of worn profiles, or of tractions without wear: a pilot run chooses the element size "
-     "of fine zones without `size_mm`; wearing steps without `jump` get half of it as tolerance"},
+    accuracy,
     geometry,
     {"section.point_mm", Type::triple, "mm", "required", any,
      "a point of the plane that cuts every solid of the geometry files into faces"},
@@ -226,9 +224,7 @@ constexpr Key table[] = {
     frames_paraview,
     history_every_blocks,
     checkpoint,
-    {"output.estimate_error", Type::flag, "", "", any,
-     "by default true with `accuracy`, else false; true: the run is repeated on elements twice as large, which gives "
-     "the error of the mesh and takes some 0.4 of a long run's time"},
+    estimate_error,
     probe_body,
     {"output.probes.*.at_mm", Type::pair, "mm", "required", any,
      "point whose displacement is reported; on the body, or at most a quarter of an element beside it"},

@@ -136,6 +136,12 @@ inline constexpr Key step_cycles{
 inline constexpr Key step_jump{
     "step[].jump", Type::number, "", "1", at_least(1.0),
      "cycles per block, equal for all blocks; by default 1, or with `accuracy` a tolerance; or a table:"};
+inline constexpr Key accuracy{"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
+     "relative error asked for, of worn profiles, or of tractions without wear: a pilot run chooses the element size "
+     "of fine zones without `size_mm`; wearing steps without `jump` get half of it as tolerance"};
+inline constexpr Key estimate_error{"output.estimate_error", Type::flag, "", "", any,
+     "by default true with `accuracy`, else false; true: the run is repeated on elements twice as large, which gives "
+     "the error of the mesh and takes some 0.4 of a long run's time"};
 inline constexpr Key step_jump_tolerance{
     "step[].jump.tolerance", Type::number, "", "required", {.low = 1e-5, .high = 0.2},
      "error of depth profile and worn volume by which the run chooses its blocks"};

@@ -69,8 +69,6 @@ TEST(SolidSweep, BadInput) {
   };
   EXPECT_EQ(refused("contact.pad.frction=0.1"),
             "--vary = contact.pad.frction=0.1: unknown key; did you mean friction?\n");
-  EXPECT_EQ(refused("accuracy=0.01"),
-            "member_000: accuracy = 0.01: control of the error of solids is not built yet: a fine zone gives its "
-            "size_mm\n");
+  EXPECT_EQ(refused("accuracy=0.3"), "member_000: accuracy = 0.3: must lie in (0, 0.2]\n");
   EXPECT_EQ(place.files(), before);
 }

@@ -107,11 +107,10 @@ TEST(BadSolid, KeysOfThePlane) {
        {{"[output]", "[limit.life]\ncontact = \"pat\"\narea_mm2 = 1\ndepth_mm = 1\n[output]"}},
        "scene.toml:89: limit.life.contact = \"pat\": there is no contact \"pat\"; did you mean \"pad\"?\n"
        "scene.toml:90: limit.life.area_mm2 = 1: is of plane scenes; solids take volume_mm3"},
-      {"accuracy, section, bond",
-       {{"symmetry", "accuracy = 0.01\nsection = { normal = [0, 0, 1] }\nbond = {}\nsymmetry"}},
-       "scene.toml:4: accuracy = 0.01: control of the error of solids is not built yet: a fine zone gives its size_mm\n"
-       "scene.toml:5: section: cuts solids into faces of a plane scene; a scene of solids takes them whole\n"
-       "scene.toml:6: bond: bonds of solids are not built yet"},
+      {"section, bond",
+       {{"symmetry", "section = { normal = [0, 0, 1] }\nbond = {}\nsymmetry"}},
+       "scene.toml:4: section: cuts solids into faces of a plane scene; a scene of solids takes them whole\n"
+       "scene.toml:5: bond: bonds of solids are not built yet"},
       {"loads of the plane",
        {{"body            = \"flat\"", "edge = \"left\"\nforce_N_per_mm = [0, 1]"}},
        "scene.toml:70: load.weight.edge = \"left\": is of plane scenes; solids take face\n"

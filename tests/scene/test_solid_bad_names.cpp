@@ -140,6 +140,9 @@ TEST(BadSolid, Supports) {
        "scene.toml:35: contact.pad.fine_zone[0].half_widths_mm = [1, 1, -1]: must be > 0\n"
        "scene.toml:35: contact.pad.fine_zone[0]: takes only one of radius_mm, half_widths_mm\n"
        "scene.toml:36: contact.pad.fine_zone[1]: needs one of radius_mm, half_widths_mm"},
+      {"zone without a size",
+       {{", size_mm = 0.5", ""}},
+       "scene.toml:36: contact.pad.fine_zone[1].size_mm: missing; only a scene with accuracy may leave it out"},
       {"open cycle",
        {{"play = [\"rub\"]", "play = [\"rub\", \"press\"]"}},
        "scene.toml:84: step[1].play = [\"rub\", \"press\"]: history \"press\" ends a cycle at 1 and began it at 0; "

@@ -63,6 +63,7 @@ std::vector<cad::SolidFineZone> solid_zones_of(const Entry& root, const std::vec
   for (const auto& contact : root.all("contact"))
     for (const auto& place : contact.parts("fine_zone")) {
       exactly_one_of_solids(place, {"radius_mm", "half_widths_mm"}, {"half_width_mm", "depth_mm"}, issues);
+      require_size(root, place, issues);
       zones.push_back({.bodies = bodies_in_touch(contact, faces),
                        .centre_mm = place.triple("centre_mm").value_or(base::Vec3::Zero()),
                        .radius_mm = place.number("radius_mm"),

@@ -30,7 +30,7 @@ constexpr Key table[] = {
     {"symmetry", Type::texts, "", "", any,
      "faces without motion along their normal, planes of symmetry of what is drawn; results are those of the drawn "
      "part"},
-    refused("accuracy", "control of the error of solids is not built yet: a fine zone gives its size_mm"),
+    accuracy,
     refused("section", "cuts solids into faces of a plane scene; a scene of solids takes them whole"),
     shape,
 
@@ -93,7 +93,8 @@ constexpr Key table[] = {
     {"contact.*.fine_zone[?].radius_mm", Type::number, "mm", "", positive, "radius of the ball; or"},
     {"contact.*.fine_zone[?].half_widths_mm", Type::triple, "mm", "", positive,
      "half extents of the box along x, y and z"},
-    {"contact.*.fine_zone[?].size_mm", Type::number, "mm", "required", positive, "element size inside"},
+    {"contact.*.fine_zone[?].size_mm", Type::number, "mm", "", positive,
+     "element size inside; may be left out only with `accuracy`"},
     refused("contact.*.fine_zone[?].half_width_mm", takes_zone),
     refused("contact.*.fine_zone[?].depth_mm", takes_zone),
     refused("contact.*.fine_zone[?].angle_deg", takes_zone),
@@ -233,7 +234,7 @@ constexpr Key table[] = {
     frames_at_remeshes,
     history_every_blocks,
     checkpoint,
-    refused("output.estimate_error", "control of the error of solids is not built yet"),
+    estimate_error,
     probe_body,
     {"output.probes.*.at_mm", Type::triple, "mm", "required", any,
      "point whose displacement is reported; in the body, or at most a quarter of an element beside it"},

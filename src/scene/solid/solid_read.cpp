@@ -47,6 +47,7 @@ void add_solid_output(const Entry& root, SolidScene& scene) {
   scene.frames = frames_of(output.at("frames"));
   scene.history_every_blocks = output.at("history").whole("every_blocks");
   scene.checkpoint_s = output.number("checkpoint_s");
+  scene.estimate_error = output.maybe_flag("estimate_error").value_or(root.given("accuracy"));
   for (const auto& probe : output.all("probes"))
     scene.probes.push_back({.name = probe.name(),
                             .body = probe.text("body"),
@@ -55,6 +56,7 @@ void add_solid_output(const Entry& root, SolidScene& scene) {
 
 void build_solid(const Entry& root, SolidScene& scene, Issues& issues) {
   scene.title = root.given("title") ? root.text("title") : scene.name;
+  scene.accuracy = root.number("accuracy");
   scene.geometry = solid_geometry_of(root, scene.path, issues);
   scene.materials = solid_materials_of(root);
   for (const auto& entry : root.all("body"))

@@ -28,6 +28,7 @@ struct SolidRemesh {
 /// The input of a scene with analysis = "solid".
 struct SolidScene {
   std::string title;
+  double accuracy = 0.0;  ///< relative, for sizes and jumps left open; 0: none
   cad::SolidGeometryOptions geometry;
   std::map<std::string, material::Material> materials;
   std::map<std::string, std::string> body_material;  ///< by body name; none for a rigid body
@@ -44,6 +45,7 @@ struct SolidScene {
   FrameRules frames;
   int history_every_blocks = 1;
   double checkpoint_s = 1.0;
+  bool estimate_error = false;  ///< of the mesh, by a companion run
   std::vector<SolidProbe> probes;
   int max_newton = 30;
   int max_cutbacks = 8;

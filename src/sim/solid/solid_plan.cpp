@@ -58,6 +58,7 @@ SolidSize size_of(const SolidProblem& problem, int retained) {
 
 SolidPlan solid_plan(const SolidProblem& problem) {
   SolidPlan plan;
+  plan.lines = problem.decided;
   const Touchable touchable = touchable_nodes(problem, drawn_meshes(problem));
   double active = 0.0, factors_s = 0.0;
   for (std::size_t b = 0; b < problem.inputs.size(); ++b) {

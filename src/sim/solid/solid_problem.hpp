@@ -19,6 +19,7 @@ struct SolidProblem {
   std::vector<std::array<int, 2>> support_of;  ///< per support of the scene: its body, and its place there
   std::vector<PlacedSkins> contacts;
   std::vector<Warning> warnings;  ///< known before the run
+  std::vector<std::string> decided;  ///< before the run, a sentence each
   double mesh_seconds = 0.0;
 
   int body_count() const { return static_cast<int>(inputs.size()); }

@@ -122,7 +122,7 @@ struct SolidSummary {
   std::map<std::string, std::optional<double>> life_cycles;  ///< by limit; as in Summary
   std::map<std::string, double> life_error, limit_share;
   std::map<std::string, LifeBand> life_band;
-  std::optional<double> error_cycle_jump;
+  std::optional<double> error_cycle_jump, error_discretisation, error_peak_pressure;
   std::vector<Warning> warnings;
   Counts counts;
   /// Largest sum of forces on a body over the largest force of the run, or of moments about the middle of its box over

@@ -15,25 +15,13 @@
 #include "sim/measure/surfaces.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/study/decide.hpp"
+#include "sim/study/known_orders.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr double coarsening = 2.0;
-/// Powers of the element size that the errors fall with: tractions have a root at the edge of contact, worn profiles
-/// are smooth but for a corner at the end (measured in `results/time_against_error`, `results/mesh_error`); with an
-/// edge of stick, which is found to one node, their error falls with it (`results/partial_slip_life`).
-constexpr double traction_order = 1.0, wear_order = 2.0, stick_order = 1.0;
 constexpr double margin = 3.0;  ///< elements that a zone keeps free at each end
-
-/// Error on the mesh h over the difference between h and 2 h: 1 / (2^p - 1) where both errors have the same shape,
-/// 1 / sqrt(4^p + 1) where they are independent, since an edge of contact lies anywhere in its element. The
-/// geometric mean of the two is off by at most sqrt(5^(1/2)) = 1.5 (p = 1) or sqrt(17^(1/2) / 3) = 1.2 (p = 2).
-double left(double order) {
-  const double apart = std::pow(2.0, order);
-  return 1.0 / std::sqrt((apart - 1.0) * std::sqrt(apart * apart + 1.0));
-}
 
 /// Element size away from contacts: that of the scene, or a twentieth of the body's diagonal.
 double far_size(const cad::BodyOptions& body, const mesh::Mesh& mesh) {
@@ -199,9 +187,7 @@ DiscretisationError compared(const Problem& problem, const State& state, Cache& 
   const auto apart = mesh_difference(fine, surfaces, problem.scene.analysis);
   if (!apart.wear && !apart.traction) return none(RunStatus::done, "nothing touches at the end");
   DiscretisationError error;
-  error.order = !apart.wear ? traction_order : has_stick_edge(fine) ? stick_order : wear_order;
-  error.surface = left(error.order) * (apart.wear ? *apart.wear : *apart.traction);
-  if (apart.peak) error.peak_pressure = left(traction_order) * *apart.peak;
+  add_errors(apart, has_stick_edge(fine), error);
   return error;
 }
 

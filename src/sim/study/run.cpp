@@ -2,21 +2,15 @@
 
 #include <chrono>
 
-#include "base/formatted.hpp"
 #include "sim/march/march.hpp"
 #include "sim/problem/timer.hpp"
+#include "sim/solid/solid_march.hpp"
 #include "sim/study/discretisation.hpp"
+#include "sim/study/solid_discretisation.hpp"
 
 namespace reye::sim {
 
 namespace {
-
-std::string in_words(const DiscretisationError& error) {
-  if (!error.surface) return "no estimate of the mesh's error: " + error.reason;
-  std::string words = base::formatted("estimated error of the mesh %.3g %%", 100.0 * *error.surface);
-  if (!error.peak_pressure) return words;
-  return words + base::formatted(", of the peak pressure %.3g %%", 100.0 * *error.peak_pressure);
-}
 
 /// The error of the mesh; a run interrupted here resumes with the estimate.
 void estimate(const Problem& problem, const State& state, const Observer& observer, Cache& cache, Summary& summary) {
@@ -25,6 +19,22 @@ void estimate(const Problem& problem, const State& state, const Observer& observ
   summary.error_peak_pressure = error.peak_pressure;
   summary.error_energy_norm = error.energy_norm;
   summary.room_seconds = cache.seconds;
+  if (error.companion == RunStatus::interrupted) {
+    summary.status = RunStatus::interrupted;
+    summary.reason = error.reason;
+  } else if (observer.log) {
+    observer.log(in_words(error));
+  }
+}
+
+/// As above, of solids.
+void estimate(const SolidProblem& problem, const SolidRunState& state, const SolidObserver& observer,
+              SolidSummary& summary) {
+  const double start = cpu_seconds();
+  const DiscretisationError error = mesh_error(problem, state, observer);
+  summary.phase_seconds["error"] = cpu_seconds() - start;
+  summary.error_discretisation = error.surface;
+  summary.error_peak_pressure = error.peak_pressure;
   if (error.companion == RunStatus::interrupted) {
     summary.status = RunStatus::interrupted;
     summary.reason = error.reason;
@@ -51,6 +61,25 @@ Summary run(const Problem& problem, State& state, const Observer& observer, Cach
 Summary run(const Problem& problem, State& state, const Observer& observer) {
   Cache cache;
   return run(problem, state, observer, cache);
+}
+
+SolidSummary run(const SolidProblem& problem, SolidRunState state, const SolidObserver& observer,
+                 std::optional<SolidAssembly> assembly) {
+  if (!problem.scene.estimate_error) return run_solid(problem, std::move(state), observer, std::move(assembly));
+  using clock = std::chrono::steady_clock;
+  const auto start = clock::now();
+  const double cpu = cpu_seconds();
+  SolidRunState last = state;
+  SolidObserver watched = observer;
+  watched.state = [&](const SolidRunState& now) {
+    last = now;
+    if (observer.state) observer.state(now);
+  };
+  SolidSummary summary = run_solid(problem, std::move(state), watched, std::move(assembly));
+  if (summary.status == RunStatus::done) estimate(problem, last, observer, summary);
+  summary.wall_s = std::chrono::duration<double>(clock::now() - start).count();
+  summary.cpu_s = cpu_seconds() - cpu;
+  return summary;
 }
 
 }  // namespace reye::sim
