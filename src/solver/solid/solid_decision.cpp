@@ -78,6 +78,19 @@ bool SolidIterate::project() {
   return any;
 }
 
+/// Takes back changes that round-off alone asks for, as of points that rest on the cone: both states are theirs.
+void SolidIterate::keep_what_rests(std::vector<std::vector<Status>>& fresh) const {
+  constexpr double round_off = 1e-12;
+  double largest = 0.0;
+  for (const auto& of_contact : now_.traction)
+    for (const Vec3& z : of_contact) largest = std::max(largest, z.norm());
+  for (std::size_t c = 0; c < fresh.size(); ++c)
+    for (std::size_t j = 0; j < fresh[c].size(); ++j)
+      if (place_[c].carries[j] &&
+          due(static_cast<int>(c), static_cast<int>(j), now_.status[c][j], fresh[c][j]) <= round_off * largest)
+        fresh[c][j] = now_.status[c][j];
+}
+
 /// Takes back the changes that are less due than others.
 void SolidIterate::change_with_care(std::vector<std::vector<Status>>& fresh) const {
   std::vector<std::vector<double>> dues;
@@ -94,6 +107,7 @@ bool SolidIterate::classify(bool with_care) {
   std::vector<std::vector<Status>> fresh = now_.status;
   for (std::size_t c = 0; c < place_.size(); ++c)
     for (int j = 0; j < place_[c].count(); ++j) fresh[c][j] = decide(static_cast<int>(c), j);
+  if (!stick_all_ && !as_before_) keep_what_rests(fresh);
   const auto closed =
       std::accumulate(fresh.begin(), fresh.end(), std::ptrdiff_t{0}, [](std::ptrdiff_t sum, const auto& of) {
         return sum + std::count_if(of.begin(), of.end(), [](Status status) { return status != Status::open; });

@@ -62,6 +62,7 @@ class SolidIterate {
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
   Status decide(int contact, int point) const;
   double due(int contact, int point, Status now, Status fresh) const;
+  void keep_what_rests(std::vector<std::vector<Status>>& fresh) const;
   void change_with_care(std::vector<std::vector<Status>>& fresh) const;
 
   const SolidSystem& system_;
