@@ -38,3 +38,15 @@ TEST(TurnIssues, FarTurnsAreRefusedWhereASupportKeepsTheDirection) {
   EXPECT_TRUE(issues_of(turned_block("x1", 0.02)).empty());
   EXPECT_TRUE(issues_of(turned_block("z1", 3.0)).empty());
 }
+
+TEST(TurnIssues, TurnsBeyondAnyRunAreRefused) {
+  // A turn that would take more than a million increments, as of degrees times seconds, is refused and not begun.
+  auto problem = turned_block("z1", 1e9);
+  problem.scene.steps[0].name = "spin";
+  const auto issues = sim::turn_issues(problem.scene, problem.inputs);
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].key, "step[0]");
+  EXPECT_EQ(issues[0].rule,
+            "its rotations take 6.667e+09 increments of at most 0.3 rad; at most 1e6 are played. Angles are in "
+            "rad");
+}

@@ -133,14 +133,7 @@ void refuse(const std::vector<Issue>& issues) {
 
 /// Steps whose rotations would take more increments than any run plays.
 void refuse_endless_steps(const scene::Scene& scene) {
-  constexpr double most = 1e6;
-  std::vector<Issue> issues;
-  for (const auto& step : scene.steps)
-    if (const double count = increments_of(scene, step); count > most)
-      issues.push_back({key_of_step(scene, step.name), base::quoted(step.name),
-                        "its rotations take " + shown(count) +
-                            " increments of at most 0.3 rad; at most 1e6 are played. " + "Angles are in rad"});
-  refuse(issues);
+  refuse(endless_steps(scene.steps, [&](const scene::Step& step) { return increments_of(scene, step); }));
 }
 
 void warn_of_open_reader(const cad::Geometry& geometry, std::vector<Warning>& warnings) {

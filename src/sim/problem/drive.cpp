@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/formatted.hpp"
+#include "sim/problem/scene_line.hpp"
+
 namespace reye::sim {
 
 using body::Drive;
@@ -76,13 +79,32 @@ std::vector<double> increment_ends(const scene::Scene& scene, const scene::Step&
                       [&](double from, double to) { return turned_between(scene, step, from, to); });
 }
 
-double increments_of(const scene::Scene& scene, const scene::Step& step) {
+double divided_count(const std::vector<double>& corners, const std::function<double(double, double)>& turned) {
   double count = 0.0, from = 0.0;
-  for (const double to : step_corners(scene.histories, step)) {
-    count += parts_of_turn(turned_between(scene, step, from, to));
+  for (const double to : corners) {
+    count += parts_of_turn(turned(from, to));
     from = to;
   }
   return count;
+}
+
+std::vector<base::Issue> endless_steps(const std::vector<scene::Step>& steps,
+                                       const std::function<double(const scene::Step&)>& increments) {
+  constexpr double most = 1e6;
+  std::vector<base::Issue> issues;
+  for (const auto& step : steps)
+    if (const double count = increments(step); count > most)
+      issues.push_back(
+          {key_of_step(steps, step.name), base::quoted(step.name),
+           base::formatted("its rotations take %.4g increments of at most 0.3 rad; at most 1e6 are played. "
+                           "Angles are in rad",
+                           count)});
+  return issues;
+}
+
+double increments_of(const scene::Scene& scene, const scene::Step& step) {
+  return divided_count(step_corners(scene.histories, step),
+                       [&](double from, double to) { return turned_between(scene, step, from, to); });
 }
 
 std::map<std::string, double> factors_at(const Histories& histories, const scene::Step& step, double progress,

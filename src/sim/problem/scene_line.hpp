@@ -9,6 +9,6 @@ std::string scene_line(const scene::Scene& scene, const std::string& about);
 
 /// The key of a step, which has its number in the file: that of the distinct names before it, since a spectrum repeats
 /// steps.
-std::string key_of_step(const scene::Scene& scene, const std::string& name);
+std::string key_of_step(const std::vector<scene::Step>& steps, const std::string& name);
 
 }  // namespace reye::sim

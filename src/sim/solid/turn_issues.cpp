@@ -3,12 +3,15 @@
 #include "base/formatted.hpp"
 #include "body/solid/solid_pivot.hpp"
 #include "scene/histories.hpp"
+#include "sim/problem/drive.hpp"
+#include "sim/solid/solid_drive.hpp"
 
 namespace reye::sim {
 
 std::vector<base::Issue> turn_issues(const scene::SolidScene& scene, const std::vector<body::SolidInput>& inputs) {
   constexpr double most_rad = 0.05;
-  std::vector<base::Issue> issues;
+  std::vector<base::Issue> issues =
+      endless_steps(scene.steps, [&](const scene::Step& step) { return solid_increments_of(scene, step); });
   for (const auto& input : inputs) {
     const std::string keeper = body::solid_keeps_direction(input);
     if (keeper.empty()) continue;

@@ -40,12 +40,14 @@ Matrix free_fields(const SolidSystem& system, const SolidState& old, const std::
   return fields;
 }
 
-/// Directions in which a closed point is to stay: its normal, and across it where it sticks.
-std::vector<Vec3> kept_directions(const contact::SkinFrame& frame, SkinStatus status, double friction) {
+/// Directions in which a closed point is to stay: its normal, and across it where it sticks and no slip is imposed,
+/// which no motion of a body makes.
+std::vector<Vec3> kept_directions(const contact::SkinFrame& frame, SkinStatus status, double friction,
+                                  const Vec3& imposed) {
   std::vector<Vec3> kept;
   if (status == SkinStatus::open) return kept;
   kept.push_back(frame.normal);
-  for (int k = 0; k < frame.free && status == SkinStatus::stick && friction > 0.0; ++k)
+  for (int k = 0; k < frame.free && status == SkinStatus::stick && friction > 0.0 && imposed.isZero(0.0); ++k)
     kept.push_back(frame.tangent[k]);
   return kept;
 }
@@ -55,11 +57,11 @@ struct Rows {
   std::vector<double> right;
 };
 
-void add_kept_rows(const contact::SkinPlace& place, int j, const Vec3& direction, double imposed, const Vector& driven,
+void add_kept_rows(const contact::SkinPlace& place, int j, const Vec3& direction, const Vector& driven,
                    const Matrix& fields, Rows& rows) {
   const double weight = std::sqrt(place.covered[j]);
   Eigen::RowVectorXd of_free = Eigen::RowVectorXd::Zero(fields.cols());
-  double sum = imposed * weight;
+  double sum = 0.0;
   for (contact::SkinRows::InnerIterator it(place.Q, j); it; ++it) {
     const Vec3 row = weight * it.value() / place.covered[j] * direction;
     sum += row.dot(driven.segment<3>(3 * it.col()));
@@ -96,9 +98,9 @@ Vector carried_along_motions(const SolidSystem& system, const SolidState& old, c
   for (std::size_t c = 0; c < places.size(); ++c)
     for (int j = 0; j < places[c].count(); ++j) {
       if (!places[c].carries[j]) continue;
-      for (const Vec3& direction : kept_directions(places[c].frame[j], old.status[c][j], target.friction[c]))
-        add_kept_rows(places[c], j, direction, direction.dot(places[c].frame[j].across(target.slip[c][j])), driven,
-                      fields, rows);
+      for (const Vec3& direction :
+           kept_directions(places[c].frame[j], old.status[c][j], target.friction[c], target.slip[c][j]))
+        add_kept_rows(places[c], j, direction, driven, fields, rows);
     }
   if (rows.right.empty()) return old.a;
   const Vector change = scale.cwiseProduct(least_change(system, rows));
