@@ -43,6 +43,7 @@ TEST(TurnIssues, TurnsBeyondAnyRunAreRefused) {
   // A turn that would take more than a million increments, as of degrees times seconds, is refused and not begun.
   auto problem = turned_block("z1", 1e9);
   problem.scene.steps[0].name = "spin";
+  problem.scene.supports = problem.inputs[0].supports;
   const auto issues = sim::turn_issues(problem.scene, problem.inputs);
   ASSERT_EQ(issues.size(), 1u);
   EXPECT_EQ(issues[0].key, "step[0]");

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/formatted.hpp"
-#include "sim/problem/scene_line.hpp"
-
 namespace reye::sim {
 
 using body::Drive;
@@ -86,20 +83,6 @@ double divided_count(const std::vector<double>& corners, const std::function<dou
     from = to;
   }
   return count;
-}
-
-std::vector<base::Issue> endless_steps(const std::vector<scene::Step>& steps,
-                                       const std::function<double(const scene::Step&)>& increments) {
-  constexpr double most = 1e6;
-  std::vector<base::Issue> issues;
-  for (const auto& step : steps)
-    if (const double count = increments(step); count > most)
-      issues.push_back(
-          {key_of_step(steps, step.name), base::quoted(step.name),
-           base::formatted("its rotations take %.4g increments of at most 0.3 rad; at most 1e6 are played. "
-                           "Angles are in rad",
-                           count)});
-  return issues;
 }
 
 double increments_of(const scene::Scene& scene, const scene::Step& step) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <functional>
 
-#include "base/errors.hpp"
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 
@@ -30,10 +29,6 @@ std::vector<double> divided_ends(const std::vector<double>& corners,
 
 /// Their number, which may be beyond all memory.
 double divided_count(const std::vector<double>& corners, const std::function<double(double, double)>& turned);
-
-/// Refusals of steps whose rotations would take more increments than any run plays, `increments` of each.
-std::vector<base::Issue> endless_steps(const std::vector<scene::Step>& steps,
-                                       const std::function<double(const scene::Step&)>& increments);
 
 /// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
 /// support would turn its body by more than 0.3 rad.

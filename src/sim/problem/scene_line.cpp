@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/formatted.hpp"
 #include "sim/problem/drive.hpp"
 
 namespace reye::sim {
@@ -23,6 +24,20 @@ std::string scene_line(const scene::Scene& scene, const std::string& about) {
                                      : kind == "probe" ? "output.probes." + name
                                                        : kind + "." + name);
   return line == scene.lines.end() ? std::string() : scene.path + ":" + std::to_string(line->second) + ": ";
+}
+
+std::vector<base::Issue> endless_steps(const std::vector<scene::Step>& steps,
+                                       const std::function<double(const scene::Step&)>& increments) {
+  constexpr double most = 1e6;
+  std::vector<base::Issue> issues;
+  for (const auto& step : steps)
+    if (const double count = increments(step); count > most)
+      issues.push_back(
+          {key_of_step(steps, step.name), base::quoted(step.name),
+           base::formatted("its rotations take %.4g increments of at most 0.3 rad; at most 1e6 are played. "
+                           "Angles are in rad",
+                           count)});
+  return issues;
 }
 
 }  // namespace reye::sim

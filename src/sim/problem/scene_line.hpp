@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+
+#include "base/errors.hpp"
 #include "scene/scene.hpp"
 
 namespace reye::sim {
@@ -10,5 +13,9 @@ std::string scene_line(const scene::Scene& scene, const std::string& about);
 /// The key of a step, which has its number in the file: that of the distinct names before it, since a spectrum repeats
 /// steps.
 std::string key_of_step(const std::vector<scene::Step>& steps, const std::string& name);
+
+/// Refusals of steps whose rotations would take more increments than any run plays, `increments` of each.
+std::vector<base::Issue> endless_steps(const std::vector<scene::Step>& steps,
+                                       const std::function<double(const scene::Step&)>& increments);
 
 }  // namespace reye::sim

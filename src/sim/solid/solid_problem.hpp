@@ -18,7 +18,7 @@ struct SolidProblem {
   std::vector<body::SolidInput> inputs;        ///< per body
   std::vector<std::array<int, 2>> support_of;  ///< per support of the scene: its body, and its place there
   std::vector<PlacedSkins> contacts;
-  std::vector<Warning> warnings;  ///< known before the run
+  std::vector<Warning> warnings;     ///< known before the run
   std::vector<std::string> decided;  ///< before the run, a sentence each
   double mesh_seconds = 0.0;
 

@@ -3,7 +3,7 @@
 #include "base/formatted.hpp"
 #include "body/solid/solid_pivot.hpp"
 #include "scene/histories.hpp"
-#include "sim/problem/drive.hpp"
+#include "sim/problem/scene_line.hpp"
 #include "sim/solid/solid_drive.hpp"
 
 namespace reye::sim {
