@@ -7,6 +7,7 @@
 #include "base/rotation.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_increments.hpp"
 #include "support/solid_problem.hpp"
 
 /// Scenes of solids that turn, for their tests.

@@ -29,30 +29,7 @@ Points3 imposed(const SolidProblem& problem, const contact::SkinSetup& setup, co
   return slip;
 }
 
-/// The largest turn of a support between two moments of a step [rad].
-double most_turned_between(const scene::SolidScene& scene, const scene::Step& step, double from, double to) {
-  double most = 0.0;
-  for (const auto& support : scene.supports) {
-    Vec3 turn = Vec3::Zero();
-    for (int k = 0; k < 3; ++k)
-      if (support.about[k].drive == body::Drive::moved)
-        turn[k] = slid_between(scene.histories, step, support.about[k].parts, from, to, false);
-    most = std::max(most, turn.norm());
-  }
-  return most;
-}
-
 }  // namespace
-
-std::vector<double> solid_increment_ends(const scene::SolidScene& scene, const scene::Step& step) {
-  return divided_ends(step_corners(scene.histories, step),
-                      [&](double from, double to) { return most_turned_between(scene, step, from, to); });
-}
-
-double solid_increments_of(const scene::SolidScene& scene, const scene::Step& step) {
-  return divided_count(step_corners(scene.histories, step),
-                       [&](double from, double to) { return most_turned_between(scene, step, from, to); });
-}
 
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
                               const solver::SolidState& state, const std::map<std::string, double>& factors,

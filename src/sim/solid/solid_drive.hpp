@@ -12,13 +12,6 @@ struct SolidCycles {
   double cycle = 0.0, jump = 1.0;
 };
 
-/// Ends of the increments of a step: equal parts, every corner of the histories it plays, and more between them where a
-/// support would turn its body by more than 0.3 rad.
-std::vector<double> solid_increment_ends(const scene::SolidScene& scene, const scene::Step& step);
-
-/// Their number, which may be beyond all memory.
-double solid_increments_of(const scene::SolidScene& scene, const scene::Step& step);
-
 /// What an increment asks for at the given factors; `from`, `to`: its part of the step's play.
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
                               const solver::SolidState& state, const std::map<std::string, double>& factors,

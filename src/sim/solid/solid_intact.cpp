@@ -4,7 +4,7 @@
 
 #include "scene/check.hpp"
 #include "sim/problem/finite.hpp"
-#include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_increments.hpp"
 
 namespace reye::sim {
 

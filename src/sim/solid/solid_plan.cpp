@@ -9,7 +9,7 @@
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
 #include "sim/problem/rules.hpp"
-#include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_increments.hpp"
 
 namespace reye::sim {
 

@@ -10,6 +10,7 @@
 #include "sim/solid/free_bodies.hpp"
 #include "sim/solid/skin_depth.hpp"
 #include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_increments.hpp"
 #include "sim/solid/solid_plan.hpp"
 #include "sim/solid/warn_solid.hpp"
 #include "solver/solid/fit_gaps.hpp"

@@ -4,7 +4,7 @@
 #include "body/solid/solid_pivot.hpp"
 #include "scene/histories.hpp"
 #include "sim/problem/scene_line.hpp"
-#include "sim/solid/solid_drive.hpp"
+#include "sim/solid/solid_increments.hpp"
 
 namespace reye::sim {
 
