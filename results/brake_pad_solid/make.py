@@ -54,7 +54,7 @@ case.write_csv("corners.csv", ["revolution"] + [f"{n}_mm" for n in names] + [f"r
                [(c, *(at(r, *CORNERS[n]) for n in names), *(rigid.depth(wedge_at(c), *CORNERS[n]) for n in names))
                 for c, r in run.frames("secondary")])
 case.write_csv("pressure.csv", ["x_mm", "pressure_MPa", "rigid_MPa"],
-               sorted((r["x_mm"], r["pressure_MPa"], rigid.pressure(rigid.rate(wedges[-1][1]), r["x_mm"], 100.0))
+               sorted((r["x_mm"], r["pressure_MPa"], rigid.pressure(rigid.rate(wedges[-1][1]), wedges[-1][1], r["x_mm"], 100.0))
                       for r in rows if abs(r["y_mm"] - 100.0) < 1.0))
 plots = ", ".join(f"'corners.csv' every ::1 using ($1/1e3):{k + 2} with points pt 7 lc {k + 1} title '{n.replace('_', ', ')}', "
                   f"'corners.csv' every ::1 using ($1/1e3):{k + 6} with lines lc 0 {'title ' + repr('rigid pad') if k == 3 else 'notitle'}"

@@ -1,5 +1,5 @@
 """A rigid pad that tilts freely under its piston and is worn by friction on a turning rigid disc: every turn takes off a wedge,
-whose three numbers follow from the force and the two moments about the piston."""
+whose three numbers follow from the force and the two moments about the piston, of the pad as it stands."""
 import math
 
 FORCE, MU, ALPHA = 3000.0, 0.4, 2.5e-8                # N; mm3/mJ
@@ -26,21 +26,32 @@ def depth(wedge, x, y):
     return wedge[0] + wedge[1] * x + wedge[2] * (y - 100.0)
 
 
-def pressure(rate, x, y):
-    """What wears by depth(rate, x, y) in a revolution."""
-    return depth(rate, x, y) / (2.0 * math.pi * math.hypot(x, y) * ALPHA * MU)
+def place(worn, x, y):
+    """Where a place of the sole is, from the axis and from the piston: the worn sole lies flat on the disc, so that the pad
+    has turned about its piston, and its sole, a lining's thickness below, has moved against the slope of the wedge."""
+    arm = THICK - depth(worn, x, y)
+    x, y = x - arm * worn[1], y - arm * worn[2]
+    return x, y, x - PISTON[0], y - PISTON[1]
+
+
+def pressure(rate, worn, x, y):
+    """What wears by depth(rate, x, y) in a revolution, of a pad that has lost `worn`."""
+    at = place(worn, x, y)
+    return depth(rate, x, y) / (2.0 * math.pi * math.hypot(at[0], at[1]) * ALPHA * MU)
 
 
 def rate(worn):
     """Wedge of a revolution, of a pad that has lost `worn`."""
     rows = [[0.0, 0.0, 0.0, right] for right in (FORCE, 0.0, 0.0)]
-    for x, y in CELLS:
-        r, arm = math.hypot(x, y), THICK - depth(worn, x, y)     # of friction, about the piston on the back plate
+    arm = THICK - depth(worn, *PISTON)                       # of friction, about the piston on the back plate
+    for X, Y in CELLS:
+        x, y, to_x, to_y = place(worn, X, Y)
+        r = math.hypot(x, y)
         for c, base in enumerate(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))):
-            force = pressure(base, x, y) * AREA
+            force = pressure(base, worn, X, Y) * AREA
             rows[0][c] += force
-            rows[1][c] += force * (x - PISTON[0] - arm * MU * y / r)
-            rows[2][c] += force * (y - PISTON[1] + arm * MU * x / r)
+            rows[1][c] += force * (to_x - arm * MU * y / r)
+            rows[2][c] += force * (to_y + arm * MU * x / r)
     return solved(rows)
 
 
