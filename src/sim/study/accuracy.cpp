@@ -1,26 +1,19 @@
 #include "sim/study/accuracy.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "sim/march/march.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/study/decide.hpp"
 #include "sim/study/discretisation.hpp"
+#include "sim/study/pilot.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-/// Elements per half width of a fine zone: of the first and the last pilot, and the most that are chosen.
-constexpr double first_elements = 16.0, last_elements = 128.0, most_elements = 400.0;
-constexpr double pilot_reach =
-    4.0;  ///< times the elements of a pilot, up to which the order of its error is extrapolated
-/// The share of the accuracy that the error of the mesh may take by the estimate: the cycle jump has half of it, and
-/// the true error may be 1.8 times as large as the estimate (`results/mesh_error`).
-constexpr double share = 0.4;
+constexpr PilotRule plane_rule{16.0, 128.0, 400.0, "half width"};
 
 bool sized(const cad::FineZone& zone) { return zone.size_mm > 0.0; }
 
@@ -45,40 +38,6 @@ DiscretisationError played(scene::Scene scene) {
   return mesh_error(problem, state, cache, {});
 }
 
-[[noreturn]] void refuse(const scene::Scene& scene, const std::string& rule) {
-  throw base::InputError(
-      {{"accuracy", base::formatted("%g", scene.accuracy), rule + "; give the fine zones their size_mm"}});
-}
-
-struct Pilot {
-  double elements = 0.0;
-  DiscretisationError error;
-  double suited = 0.0;  ///< elements that the accuracy asks for by this error
-};
-
-/// Whether the elements that a pilot asks for are near enough to its own, or too many in any case.
-bool reaches(const Pilot& pilot) {
-  const bool hopeless = pilot.suited > 2.0 * most_elements;
-  return pilot.elements > 0.0 && (hopeless || pilot.suited <= pilot_reach * pilot.elements);
-}
-
-/// The coarsest pilot whose extrapolation reaches the elements it asks for, or the finest that gives an error.
-Pilot piloted(const scene::Scene& scene) {
-  Pilot best;
-  std::string reason;
-  for (double n = first_elements; n <= last_elements && !reaches(best); n *= 2.0) {
-    const DiscretisationError error = played(with_elements(scene, n));
-    reason = error.reason;
-    if (!error.surface) continue;
-    const double finer = std::pow(*error.surface / (share * scene.accuracy), 1.0 / error.order);
-    best = {n, error, n * std::max(1.0, finer)};
-  }
-  if (best.elements > 0.0) return best;
-  refuse(scene, base::formatted("a pilot run on %g elements per half width of the fine zones gives no error estimate: ",
-                                last_elements) +
-                    reason);
-}
-
 /// The sizes chosen, as a scene would give them.
 std::string sizes(const scene::Scene& asked, const scene::Scene& chosen) {
   std::string list;
@@ -97,20 +56,14 @@ std::vector<std::string> choose_sizes(scene::Scene& scene, Cache& cache) {
   if (std::all_of(zones.begin(), zones.end(), sized)) return {};
   Timer timer(cache, "pilot");
   const double start = cpu_seconds();
-  const Pilot pilot = piloted(scene);
+  const Pilot pilot =
+      piloted(plane_rule, scene.accuracy, [&](double elements) { return played(with_elements(scene, elements)); });
   const scene::Scene chosen = with_elements(scene, pilot.suited);
-  const auto told = base::formatted(
-                        "with %g elements per half width of the fine zones the estimated error is %.2g %% and falls "
-                        "with size^%g; ",
-                        pilot.elements, 100.0 * *pilot.error.surface, pilot.error.order) +
-                    base::formatted("%.0f elements suit the accuracy: ", pilot.suited) + sizes(scene, chosen);
-  if (pilot.suited > most_elements)
-    refuse(scene, told + base::formatted("; more than %g are not chosen", most_elements));
-  scene = chosen;
   const double seconds = cpu_seconds() - start;
+  auto lines = decided(plane_rule, scene.accuracy, pilot, sizes(scene, chosen), seconds);
+  scene = chosen;
   cache.cpu_s += seconds;
-  return {base::formatted("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
-          base::formatted("    the pilot run took %.2g s of processor time; it is repeated at each restart", seconds)};
+  return lines;
 }
 
 }  // namespace reye::sim

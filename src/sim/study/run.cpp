@@ -12,13 +12,11 @@ namespace reye::sim {
 
 namespace {
 
-/// The error of the mesh; a run interrupted here resumes with the estimate.
-void estimate(const Problem& problem, const State& state, const Observer& observer, Cache& cache, Summary& summary) {
-  const DiscretisationError error = mesh_error(problem, state, cache, observer);
+/// Puts the error of the mesh into the summary; a run interrupted in its companion resumes with the estimate.
+template <class AnySummary, class AnyObserver>
+void add_error(const DiscretisationError& error, const AnyObserver& observer, AnySummary& summary) {
   summary.error_discretisation = error.surface;
   summary.error_peak_pressure = error.peak_pressure;
-  summary.error_energy_norm = error.energy_norm;
-  summary.room_seconds = cache.seconds;
   if (error.companion == RunStatus::interrupted) {
     summary.status = RunStatus::interrupted;
     summary.reason = error.reason;
@@ -27,20 +25,19 @@ void estimate(const Problem& problem, const State& state, const Observer& observ
   }
 }
 
-/// As above, of solids.
+void estimate(const Problem& problem, const State& state, const Observer& observer, Cache& cache, Summary& summary) {
+  const DiscretisationError error = mesh_error(problem, state, cache, observer);
+  summary.error_energy_norm = error.energy_norm;
+  summary.room_seconds = cache.seconds;
+  add_error(error, observer, summary);
+}
+
 void estimate(const SolidProblem& problem, const SolidRunState& state, const SolidObserver& observer,
               SolidSummary& summary) {
   const double start = cpu_seconds();
   const DiscretisationError error = mesh_error(problem, state, observer);
   summary.phase_seconds["error"] = cpu_seconds() - start;
-  summary.error_discretisation = error.surface;
-  summary.error_peak_pressure = error.peak_pressure;
-  if (error.companion == RunStatus::interrupted) {
-    summary.status = RunStatus::interrupted;
-    summary.reason = error.reason;
-  } else if (observer.log) {
-    observer.log(in_words(error));
-  }
+  add_error(error, observer, summary);
 }
 
 }  // namespace
@@ -79,6 +76,7 @@ SolidSummary run(const SolidProblem& problem, SolidRunState state, const SolidOb
   if (summary.status == RunStatus::done) estimate(problem, last, observer, summary);
   summary.wall_s = std::chrono::duration<double>(clock::now() - start).count();
   summary.cpu_s = cpu_seconds() - cpu;
+  summary.peak_rss_MB = peak_memory_MB();
   return summary;
 }
 

@@ -1,7 +1,6 @@
 #include "sim/study/solid_accuracy.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
@@ -9,16 +8,15 @@
 #include "sim/problem/timer.hpp"
 #include "sim/solid/solid_march.hpp"
 #include "sim/solid/solid_plan.hpp"
+#include "sim/study/pilot.hpp"
 #include "sim/study/solid_discretisation.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-/// Elements per radius, or least half width, of a fine zone: of the first and the last pilot, and the most chosen.
-constexpr double first_per_radius = 6.0, last_per_radius = 24.0, most_per_radius = 80.0;
-constexpr double reach_of_pilot = 4.0;  ///< times its elements, up to which the order of its error is extrapolated
-constexpr double share_of_mesh = 0.4;   ///< of the accuracy, by the estimate; the cycle jump has half of it
+/// Per radius, or least half width, of a zone.
+constexpr PilotRule solid_rule{6.0, 24.0, 80.0, "radius"};
 
 bool has_size(const cad::SolidFineZone& zone) { return zone.size_mm > 0.0; }
 
@@ -52,36 +50,6 @@ DiscretisationError played(scene::SolidScene scene) {
   return mesh_error(problem, end, {});
 }
 
-[[noreturn]] void refuse(const scene::SolidScene& scene, const std::string& rule) {
-  throw base::InputError(
-      {{"accuracy", base::formatted("%g", scene.accuracy), rule + "; give the fine zones their size_mm"}});
-}
-
-struct SolidPilot {
-  double elements = 0.0;
-  DiscretisationError error;
-  double suited = 0.0;  ///< elements that the accuracy asks for by this error
-};
-
-/// The coarsest pilot whose extrapolation reaches the elements it asks for, or the finest that gives an error.
-SolidPilot piloted(const scene::SolidScene& scene) {
-  SolidPilot best;
-  std::string reason;
-  for (double n = first_per_radius; n <= last_per_radius; n *= 2.0) {
-    if (best.elements > 0.0 && (best.suited > 2.0 * most_per_radius || best.suited <= reach_of_pilot * best.elements))
-      break;
-    const DiscretisationError error = played(with_per_radius(scene, n));
-    reason = error.reason;
-    if (!error.surface) continue;
-    const double finer = std::pow(*error.surface / (share_of_mesh * scene.accuracy), 1.0 / error.order);
-    best = {n, error, n * std::max(1.0, finer)};
-  }
-  if (best.elements > 0.0) return best;
-  refuse(scene, base::formatted("a pilot run on %g elements per radius of the fine zones gives no error estimate: ",
-                                last_per_radius) +
-                    reason);
-}
-
 /// The sizes chosen, as a scene would give them.
 std::string sizes(const scene::SolidScene& asked, const scene::SolidScene& chosen) {
   std::string list;
@@ -99,19 +67,12 @@ std::vector<std::string> choose_sizes(scene::SolidScene& scene) {
   const auto& zones = scene.geometry.fine_zones;
   if (std::all_of(zones.begin(), zones.end(), has_size)) return {};
   const double start = cpu_seconds();
-  const SolidPilot pilot = piloted(scene);
+  const Pilot pilot =
+      piloted(solid_rule, scene.accuracy, [&](double elements) { return played(with_per_radius(scene, elements)); });
   const auto chosen = with_per_radius(scene, pilot.suited);
-  const auto told = base::formatted(
-                        "with %g elements per radius of the fine zones the estimated error is %.2g %% and falls with "
-                        "size^%g; ",
-                        pilot.elements, 100.0 * *pilot.error.surface, pilot.error.order) +
-                    base::formatted("%.0f elements suit the accuracy: ", pilot.suited) + sizes(scene, chosen);
-  if (pilot.suited > most_per_radius)
-    refuse(scene, told + base::formatted("; more than %g are not chosen", most_per_radius));
+  auto lines = decided(solid_rule, scene.accuracy, pilot, sizes(scene, chosen), cpu_seconds() - start);
   scene = chosen;
-  return {base::formatted("accuracy %g %%: ", 100.0 * scene.accuracy) + told,
-          base::formatted("    the pilot run took %.2g s of processor time; it is repeated at each restart",
-                          cpu_seconds() - start)};
+  return lines;
 }
 
 SolidProblem prepare(scene::SolidScene scene, std::optional<cad::SolidGeometry> geometry) {

@@ -61,7 +61,7 @@ struct Try {
 
 /// What slid and turns back misses by several times the largest traction in the natural start, and needs 11 to more
 /// than 30 iterations from there; where everything sticks at first it needs 6 to 12 (`worn_balls` of the benchmarks).
-/// What slides on, or turns back with the slip that its step imposes, misses by less than this.
+/// A ball that slides on, and back by imposed slip, takes no more iterations for this bound (`sliding_ball`).
 constexpr double turned_back = 3.0;
 constexpr std::array first_touch{Try{SolidStart::settled}, Try{SolidStart::natural}, Try{SolidStart::sticking}};
 constexpr std::array later{Try{SolidStart::natural, turned_back}, Try{SolidStart::sticking}, Try{SolidStart::settled},
