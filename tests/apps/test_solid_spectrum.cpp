@@ -48,7 +48,8 @@ TEST(SolidSpectrum, IsTheStepsItStandsFor) {
 }
 
 // Cycles in which nothing moves must end, though points rest on the cone where round-off says by turns that they stick
-// and slip, without a cut-back and with at most three iterations an increment.
+// and slip, without a cut-back and with at most three iterations an increment. The first increment may take as many as
+// one that rubs: it settles what the last stroke wore off, and how many it needs depends on the mesh.
 TEST(SolidSpectrum, AStepAtRestRests) {
   const test::Place place;
   place.write("rubbing.geo", test::rubbing_geo);
@@ -58,11 +59,13 @@ TEST(SolidSpectrum, AStepAtRestRests) {
   const auto rows = test::lines(place / "rest/history.csv");
   EXPECT_EQ(rows, 1 + 4 + 8 * 5);
   std::istringstream history(test::read(place / "rest/history.csv"));
+  int resting = 0;
   for (std::string row; std::getline(history, row);) {
     if (row.rfind("rest,", 0) != 0) continue;
     std::istringstream cells(row);
     std::string cell;
     for (int k = 0; k < 4; ++k) std::getline(cells, cell, ',');
-    EXPECT_LE(std::stoi(cell), 3) << row.substr(0, 40);
+    EXPECT_LE(std::stoi(cell), resting++ == 0 ? 8 : 3) << row.substr(0, 40);
   }
+  EXPECT_EQ(resting, 8 * 3);
 }
