@@ -15,7 +15,7 @@ Physical Volume("flat") = {4};
 )";
 
 /// Four increments that press, three cycles of eight that rub in partial slip: half a second. Contact outruns its fine
-/// zone, so that nodes are kept that were not at first. The mesh depends a little on the folder.
+/// zone, so that nodes are kept that were not at first.
 inline const char* const rubbing = R"(title    = "Small rubbing ball"
 analysis = "solid"
 geometry = ["rubbing.geo"]

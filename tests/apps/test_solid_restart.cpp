@@ -20,8 +20,7 @@ test::Changes cycles(const std::string& count) { return {{"cycles = 3", "cycles 
 }  // namespace
 
 // A run of solids must be interrupted in the first step and again later, killed within a cycle, and each time resume to
-// the bytes of the unbroken run, in which nodes are added, with the meshes that the run had: geometry that is trusted
-// is read in another process, where the mesher makes others.
+// the bytes of the unbroken run, in which nodes are added, with the meshes that the run had.
 TEST(SolidRestart, SameBytesAsUnbroken) {
   const WithRubbing place;
   const auto whole = place.run("whole");
@@ -39,6 +38,23 @@ TEST(SolidRestart, SameBytesAsUnbroken) {
       place.reye({"run", "rubbing.toml", "--out", "broken", "--quiet", "--restart", "--trust-geometry"});
   ASSERT_EQ(resumed.code, 0) << resumed.err;
   test::expect_same(place, "whole", "broken");
+}
+
+// A scene must have the same meshes, fresh ones after wear, too, wherever the program is installed: gmsh orders sets by
+// addresses of memory and keeps the path of its program before them.
+TEST(SolidRestart, SameWhereverInstalled) {
+  const WithRubbing place;
+  place.write("rubbing.toml", test::worn_rubbing());
+  const test::fs::path built = test::fs::path(REYE_COMMAND).parent_path();
+  for (const std::string& home : {std::string("a"), std::string(150, 'b')}) {
+    for (const char* folder : {"bin", "lib"}) test::fs::create_directories(place / (home + "/" + folder));
+    for (const char* file : {"bin/reye", "bin/reye-import", "lib/libreye_gmsh.so"})
+      test::fs::copy_file(built.parent_path() / file, place / (home + "/" + file));
+    const auto told =
+        place.start({place / (home + "/bin/reye"), "run", "rubbing.toml", "--out", home + "/o", "--quiet"}).wait();
+    ASSERT_EQ(told.code, 0) << told.err;
+  }
+  test::expect_same(place, "a/o", std::string(150, 'b') + "/o");
 }
 
 // Killed at random moments and resumed, its tables cut besides, a run must end as the unbroken one.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "cad/gmsh/level_heap.hpp"
 #include "cad/gmsh/model.hpp"
 #include "cad/gmsh/session.hpp"
 #include "cad/solid/solid_kernel.hpp"
@@ -188,6 +189,7 @@ std::vector<RawSolid> solids_of_shapes(const Points3& probes) {
 std::vector<RawSolid> open_by_gmsh(const std::string& path, Format format, const Points3& probes) {
   static std::optional<Session> session;
   session.emplace();
+  level_heap();
   try {
     gmsh::model::add("solids");
     const bool loose = extension(path).starts_with(".ig");  // most IGES files hold a solid's faces, not the solid
