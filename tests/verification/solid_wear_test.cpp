@@ -194,6 +194,27 @@ TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
   EXPECT_LE(played.summary.balance, 1e-10);
 }
 
+TEST(SolidWear, TheEndOfARunIsNotRemeshed) {
+  // A body whose last block leaves it about to need a fresh mesh keeps the mesh whose pressures wore it; the run that
+  // goes on by one block more makes one there.
+  SlidingBlocks blocks;
+  blocks.lower = mesh::SolidKind::tet4;
+  blocks.alpha_primary = 0.0;
+  const double per_mm = blocks.mu * blocks.alpha_secondary * blocks.p;
+  const auto remeshes = [&](int cycles) {
+    return support::play(blocks.problem(0.05 / per_mm, 1, cycles, 1.0)).summary.counts.remeshes;
+  };
+  int cycles = 1;
+  while (cycles < 20 && remeshes(cycles + 1) == 0) ++cycles;
+  EXPECT_EQ(remeshes(cycles), 0);
+  std::vector<double> when;
+  sim::SolidObserver observer;
+  observer.remesh = [&](const sim::SolidRemeshRecord& record) { when.push_back(record.cycle); };
+  const auto problem = blocks.problem(0.05 / per_mm, 1, cycles + 1, 1.0);
+  sim::run_solid(problem, observer);
+  EXPECT_EQ(when, std::vector<double>{static_cast<double>(cycles)});
+}
+
 TEST(SolidWear, StrongWearNeedsFewIterations) {
   // Where an increment wears tens of times what bodies approach by their compliance, points that close wear at once:
   // Newton needs few iterations and no cut-back.

@@ -12,6 +12,7 @@
 #include "sim/problem/timer.hpp"
 #include "sim/solid/skin_depth.hpp"
 #include "sim/solid/solid_redraw.hpp"
+#include "sim/solid/solid_state.hpp"
 
 namespace reye::sim {
 
@@ -147,6 +148,7 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
   const double start = cpu_seconds();
   const auto& options = problem.scene.remesh;
   const bool due = remesh_due(problem, state);
+  const bool goes_on = !at_end(problem, state);  // else nothing is solved on a fresh mesh but what it shows at the end
   MovedSolids moved{state.meshes, std::vector<std::string>(state.meshes.size())};
   std::vector<double> ratio(state.meshes.size(), 1.0);
   for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
@@ -159,7 +161,7 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
     moved.reasons[b] = result.poor;
     if (!options.automatic && !due && !result.poor.empty())
       return "body " + problem.inputs[b].name + ": " + result.poor + ", and remesh.automatic is false";
-    if (options.automatic && result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
+    if (options.automatic && goes_on && result.poor.empty() && adapt::can_be_remeshed(*result.mesh))
       moved.reasons[b] = adapt::why_remesh(*result.mesh, *state.born[b], options.triggers);
   }
   if (due) ask_for_all(problem, player.system(), moved);
