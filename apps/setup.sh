@@ -59,7 +59,7 @@ build() {
   fi
   [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DREYE_WERROR="${REYE_WERROR:-OFF}" "${launcher[@]}"
-  cmake --build "$build" ${1:+--target "$@"}
+  cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}   # ninja alone starts two more, which share caches
 }
 
 run_demo() {

@@ -1,13 +1,11 @@
 #include <utility>
 
 #include "base/formatted.hpp"
-#include "body/condensation.hpp"
+#include "body/condensed_tangent.hpp"
 #include "body/nonlinear_equations.hpp"
 #include "body/operator.hpp"
 
 namespace reye::body {
-
-using base::SparseMatrix;
 
 namespace {
 
@@ -21,22 +19,18 @@ std::vector<Vec2> by_node(const Vector& u) {
 
 struct NonlinearBody::Linearised::Kept {
   std::shared_ptr<const Impl> owner;  ///< whose mesh the memory and the analysis below fit
-  fem::InternalForce f;
-  SparseMatrix K, B, KB, reduced;
-  Vector r;  ///< [r_i; r_c]
-  Condensation condensation;
+  CondensedTangent tangent;
 };
 
 struct NonlinearBody::Impl : NonlinearEquations {
   using NonlinearEquations::NonlinearEquations;
 
-  /// The unbalanced forces at u, r = [r_i; r_c], condensed by the factorised tangent.
-  void condense(Vector r, const Vector& u, Linearised& out) const {
-    Linearised::Kept& kept = *out.kept;
-    kept.r = std::move(r);
-    out.r = kept.condensation.condense(kept.r);
-    out.interior_residual = interior() > 0 ? kept.r.head(interior()).cwiseAbs().maxCoeff() : 0.0;
-    out.force_scale = kept.f.largest;
+  /// The unbalanced forces r = [r_i; r_c] of the tangent at u, condensed by it.
+  void condense(const Vector& u, Linearised& out) const {
+    const CondensedTangent& tangent = out.kept->tangent;
+    out.r = tangent.condense(tangent.r);
+    out.interior_residual = interior() > 0 ? tangent.r.head(interior()).cwiseAbs().maxCoeff() : 0.0;
+    out.force_scale = tangent.f.largest;
     out.deformation = u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
   }
 };
@@ -71,7 +65,7 @@ NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
   p.x = node.X;
   for (const Term& term : node.terms) {
     const int column = term.column - impl_->interior();  // all columns of a contact node are retained
-    const Path path = impl_->columns.path(term, q[column], impl_->turning());
+    const Path path = impl_->columns.path(term, q[column], impl_->turns());
     p.x += path.displacement;
     p.terms[p.count++] = {column, path.slope};
   }
@@ -84,41 +78,34 @@ Interior NonlinearBody::start() const {
 
 void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                               Linearised& out, Tangent tangent) const {
-  if (!out.kept || out.kept->owner != impl_) {
-    out.kept = std::make_shared<Linearised::Kept>();
-    out.kept->owner = impl_;
-    out.kept->K = impl_->pattern.zero();
-  }
-  Linearised::Kept& kept = *out.kept;
-  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
-  impl_->named([&] {
-    fem::tangent(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, impl_->pattern, kept.f, kept.K);
-  });
-  impl_->subtract_load_tangent(u, load_factors, kept.K);
-  kept.B = impl_->expansion(v);
-  const Vector r = impl_->unbalanced(kept.f, u, load_factors);
-  kept.KB = kept.K * kept.B;
-  kept.reduced = kept.B.transpose() * kept.KB;
-  impl_->add_turning(r, v, kept.reduced);
-  impl_->named([&] { kept.condensation.factorise(kept.reduced, dofs(), impl_->symmetric(), tangent); });
-  out.S = kept.condensation.schur();
-  impl_->condense(kept.B.transpose() * r, u, out);
+  if (!out.kept || out.kept->owner != impl_)
+    out.kept = std::make_shared<Linearised::Kept>(Linearised::Kept{impl_, CondensedTangent(*impl_)});
+  const Vector v = impl_->deformation(y, q);
+  out.kept->tangent.make(*impl_, before, v, load_factors, tangent);
+  out.S = out.kept->tangent.schur();
+  impl_->condense(impl_->displacement(v), out);
 }
 
 void NonlinearBody::measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                             Linearised& at) const {
   const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
-  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, at.kept->f); });
-  impl_->condense(impl_->expansion(v).transpose() * impl_->unbalanced(at.kept->f, u, load_factors), u, at);
+  CondensedTangent& tangent = at.kept->tangent;
+  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, tangent.f); });
+  tangent.r = impl_->expansion(v).transpose() * impl_->unbalanced(tangent.f, u, load_factors);
+  impl_->condense(u, at);
+}
+
+void NonlinearBody::forget(Linearised& at) {
+  if (at.kept) at.kept->tangent.forget();
 }
 
 Vector NonlinearBody::interior_step(const Linearised& at, const Vector& dq) const {
-  return at.kept->condensation.recover(-at.kept->r, dq).head(impl_->interior());
+  return at.kept->tangent.recover(-at.kept->tangent.r, dq).head(impl_->interior());
 }
 
 std::string NonlinearBody::least_balanced(const Linearised& at) const {
   Eigen::Index column = -1;
-  if (impl_->interior() > 0) at.kept->r.head(impl_->interior()).cwiseAbs().maxCoeff(&column);
+  if (impl_->interior() > 0) at.kept->tangent.r.head(impl_->interior()).cwiseAbs().maxCoeff(&column);
   for (int node = 0; node < impl_->mesh().node_count(); ++node)
     for (const Term& term : impl_->columns.terms[node]) {
       if (term.column != column) continue;
@@ -184,7 +171,7 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) cons
     free.clear();
     for (const Term& term : *own[node])
       if (held[term.column])
-        rest -= columns.path(term, unknowns[term.column], impl_->turning()).displacement;
+        rest -= columns.path(term, unknowns[term.column], impl_->turns()).displacement;
       else
         free.push_back(term);
     set_free(free, rest, unknowns);
@@ -195,7 +182,7 @@ void NonlinearBody::seat(const std::vector<Vec2>& u, Vector& q, TwoPart& y) cons
 
 Vector NonlinearBody::geometric(const Vector& q, const std::vector<Vec2>& contact_forces) const {
   Vector diagonal = Vector::Zero(dofs());
-  if (!impl_->turning()) return diagonal;
+  if (!impl_->turns()) return diagonal;
   for (size_t k = 0; k < contact_nodes().size(); ++k)
     for (const Term& term : impl_->columns.seen[k].terms) {
       const int column = term.column - impl_->interior();

@@ -57,7 +57,7 @@ Vector NonlinearEquations::displacement(const Vector& unknowns) const {
   Vector u = Vector::Zero(2 * mesh().node_count());
   for (int node = 0; node < mesh().node_count(); ++node)
     for (const Term& term : columns.terms[node])
-      u.segment<2>(2 * node) += columns.path(term, unknowns[term.column], turning()).displacement;
+      u.segment<2>(2 * node) += columns.path(term, unknowns[term.column], turns()).displacement;
   return u;
 }
 
@@ -65,7 +65,7 @@ SparseMatrix NonlinearEquations::expansion(const Vector& unknowns) const {
   std::vector<base::Triplet> entries;
   for (int node = 0; node < mesh().node_count(); ++node)
     for (const Term& term : columns.terms[node]) {
-      const Vec2 slope = columns.path(term, unknowns[term.column], turning()).slope;
+      const Vec2 slope = columns.path(term, unknowns[term.column], turns()).slope;
       for (int i : {0, 1}) entries.emplace_back(2 * node + i, term.column, slope[i]);
     }
   SparseMatrix B(2 * mesh().node_count(), columns.interior + columns.retained);
@@ -87,13 +87,15 @@ void NonlinearEquations::subtract_load_tangent(const Vector& u, const Vector& fa
     if (loads[i].pressure) loads[i].pressure->add_tangent(-factors[i], mesh(), u, pattern, K);
 }
 
-void NonlinearEquations::add_turning(const Vector& unbalanced, const Vector& unknowns, SparseMatrix& K) const {
-  if (!turning()) return;
+Vector NonlinearEquations::turning(const Vector& unbalanced, const Vector& unknowns) const {
+  Vector diagonal = Vector::Zero(unknowns.size());
+  if (!turns()) return diagonal;
   for (int node = 0; node < mesh().node_count(); ++node)
     for (const Term& term : columns.terms[node])
       if (columns.turns(term.column))
-        K.coeffRef(term.column, term.column) +=
+        diagonal[term.column] +=
             unbalanced.segment<2>(2 * node).dot(columns.path(term, unknowns[term.column], true).curvature);
+  return diagonal;
 }
 
 }  // namespace reye::body

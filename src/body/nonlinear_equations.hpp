@@ -31,7 +31,7 @@ struct NonlinearEquations {
 
   const mesh::Mesh& mesh() const { return shape->mesh; }
   int interior() const { return columns.interior; }
-  bool turning() const { return solid.kinematics == base::Kinematics::finite; }
+  bool turns() const { return solid.kinematics == base::Kinematics::finite; }
   bool symmetric() const;  ///< of the tangent
 
   TwoPart all(const TwoPart& y, const TwoPart& q) const;  ///< [y; q]
@@ -44,8 +44,8 @@ struct NonlinearEquations {
   /// f_int - sum factor_i f_i on the nodes.
   Vector unbalanced(const fem::InternalForce& f, const Vector& u, const Vector& factors) const;
   void subtract_load_tangent(const Vector& u, const Vector& factors, base::SparseMatrix& K) const;
-  /// Adds the term of d^2 u / dtheta^2 to the tangent: the nodes of an edge accelerate towards its centre.
-  void add_turning(const Vector& unbalanced, const Vector& unknowns, base::SparseMatrix& K) const;
+  /// The term of d^2 u / dtheta^2 on the diagonal of the tangent: the nodes of an edge accelerate towards its centre.
+  Vector turning(const Vector& unbalanced, const Vector& unknowns) const;
 
   /// Runs `task`; a failure of the material names the body.
   template <class Task>

@@ -243,6 +243,8 @@ class NonlinearBody {
   void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
+  /// What follows does not depend on the states at which it was linearised before.
+  static void forget(Linearised& at);
   /// "node 7 at (0.25, 1.5) mm inside body strip": where the largest entry of r_i is.
   std::string least_balanced(const Linearised& at) const;
 

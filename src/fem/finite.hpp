@@ -48,6 +48,12 @@ void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vect
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
              const Pattern& pattern, InternalForce& f, base::SparseMatrix& K);
 
+/// f of all cells, and K of those with `wanted` alone, whose pattern may be that of a mesh of them alone. `yields`: per
+/// cell, whether a Gauss point of it yields at u.
+void tangent_of(const std::vector<char>& wanted, const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u,
+                const GaussState& before, const Pattern& pattern, InternalForce& f, base::SparseMatrix& K,
+                std::vector<char>& yields);
+
 /// History after the deformation u; errors as above.
 History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);
 

@@ -33,6 +33,11 @@ void NonlinearBodies::begin(const System& system, const SolverState& before, con
   }
 }
 
+void NonlinearBodies::forget() {
+  last_step_.clear();
+  for (auto& at : linearised_) body::NonlinearBody::forget(at);
+}
+
 template <class Work>
 void NonlinearBodies::for_each(Work work) const {
   base::side_by_side(static_cast<int>(interior_.size()), [&](int b) {

@@ -44,7 +44,7 @@ class NonlinearBodies {
   std::vector<body::Interior> accepted(const base::TwoPart& q) const;
   /// Keeps the step of the interiors for the next `begin`.
   void remember(const SolverState& after);
-  void forget() { last_step_.clear(); }
+  void forget();
 
  private:
   template <class Work>

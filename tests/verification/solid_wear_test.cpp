@@ -196,7 +196,7 @@ TEST(SolidWear, ARemeshedBlockKeepsItsPressureAndItsBook) {
 
 TEST(SolidWear, TheEndOfARunIsNotRemeshed) {
   // A body whose last block leaves it about to need a fresh mesh keeps the mesh whose pressures wore it; the run that
-  // goes on by one block more makes one there.
+  // continues by one block more makes one there.
   SlidingBlocks blocks;
   blocks.lower = mesh::SolidKind::tet4;
   blocks.alpha_primary = 0.0;

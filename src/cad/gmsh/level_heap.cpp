@@ -18,7 +18,7 @@ constexpr std::uintptr_t megabyte = 1u << 20;
 /// First address behind all that is allocated.
 std::uintptr_t end_of_heap() { return reinterpret_cast<std::uintptr_t>(::sbrk(0)) - ::mallinfo2().keepcost; }
 
-/// Allocates for good and tells where: a compiler may leave out what is allocated and not used.
+/// Allocates for good and returns where: a compiler may leave out what is allocated and not used.
 std::uintptr_t take(std::size_t size) {
   static void* volatile taken = nullptr;
   taken = std::malloc(size);

@@ -18,7 +18,7 @@ bool remesh_due(const SolidProblem& problem, const SolidRunState& state);
 
 /// Moves the worn faces by the volumes that wait in the gaps, exactly, and makes the equations of the new shapes; the
 /// strips are entered in the ledger. Bodies whose elements have lost their shape are remeshed, those that are about to
-/// where the run goes on, and all in contact where that is due. A reason where a body cannot follow.
+/// where the run continues, and all in contact where that is due. A reason where a body cannot follow.
 std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, SolidRelocations& relocations,
                            const scene::Step& step, const SolidObserver& observer, SolidRunState& state);
 

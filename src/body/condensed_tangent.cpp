@@ -1,0 +1,228 @@
+#include "body/condensed_tangent.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace reye::body {
+
+using base::SparseMatrix;
+
+namespace {
+
+constexpr int margin = 3;          ///< rings of cells that change beside those that have
+constexpr double largest = 0.5;    ///< share of the cells beyond which all tangents are made again
+constexpr int remembered = 200;    ///< tangents for which a cell counts as changing
+constexpr int longest_wait = 256;  ///< tangents of all cells before another division is tried
+/// Turn and stretch since its tangent was kept at which a cell counts as changed: the error of Newton's steps.
+constexpr double much = 0.02;
+
+/// The columns of a sparse matrix that are listed.
+SparseMatrix chosen(const SparseMatrix& B, const std::vector<int>& columns) {
+  std::vector<base::Triplet> entries;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (SparseMatrix::InnerIterator e(B, columns[c]); e; ++e)
+      entries.emplace_back(static_cast<int>(e.row()), static_cast<int>(c), e.value());
+  SparseMatrix part(B.rows(), static_cast<Eigen::Index>(columns.size()));
+  part.setFromTriplets(entries.begin(), entries.end());
+  return part;
+}
+
+void add_to_diagonal(const Vector& terms, SparseMatrix& K) {
+  for (Eigen::Index c = 0; c < terms.size(); ++c)
+    if (terms[c] != 0.0) K.coeffRef(c, c) += terms[c];
+}
+
+mesh::Mesh cells_of(const mesh::Mesh& mesh, const std::vector<char>& wanted) {
+  mesh::Mesh part;
+  part.X = mesh.X;
+  part.kind = mesh.kind;
+  for (std::size_t cell = 0; cell < wanted.size(); ++cell)
+    if (wanted[cell]) part.cells.push_back(mesh.cells[cell]);
+  return part;
+}
+
+/// Adds the rings of cells around those that are marked.
+void widen(const mesh::Mesh& mesh, const std::vector<std::vector<int>>& cells_of, std::vector<char>& marked) {
+  const int count = mesh::nodes_per_cell(mesh.kind);
+  for (int ring = 0; ring < margin; ++ring) {
+    const auto before = marked;
+    for (std::size_t cell = 0; cell < before.size(); ++cell)
+      if (before[cell])
+        for (int a = 0; a < count; ++a)
+          for (const int beside : cells_of[static_cast<std::size_t>(mesh.cells[cell][a])])
+            marked[static_cast<std::size_t>(beside)] = 1;
+  }
+}
+
+}  // namespace
+
+CondensedTangent::CondensedTangent(const NonlinearEquations& of)
+    : cells_of_(static_cast<std::size_t>(of.mesh().node_count())), last_(of.mesh().cells.size(), -remembered) {
+  for (int cell = 0; cell < of.mesh().cell_count(); ++cell)
+    for (int a = 0; a < mesh::nodes_per_cell(of.mesh().kind); ++a)
+      cells_of_[static_cast<std::size_t>(of.mesh().cells[cell][a])].push_back(cell);
+}
+
+void CondensedTangent::forget() {
+  rest_.reset();
+  kept_at_.resize(0);
+  last_.assign(last_.size(), -remembered);
+  made_ = divided_at_ = whole_until_ = 0;
+  wait_ = 4;
+}
+
+void CondensedTangent::make(const NonlinearEquations& of, const Interior& before, const Vector& v,
+                            const Vector& load_factors, Tangent tangent) {
+  ++made_;
+  divided_ = divides(of, tangent) && make_rest(of, before, v, load_factors, tangent);
+  if (!divided_) make_whole(of, before, v, load_factors, tangent);
+}
+
+bool CondensedTangent::divides(const NonlinearEquations& of, Tangent tangent) const {
+  const bool follows = std::any_of(of.loads.begin(), of.loads.end(),
+                                   [](const NonlinearLoad& load) { return load.pressure.has_value(); });
+  const bool exactly_asked = of.turns() && tangent == Tangent::exact;
+  return !follows && made_ > whole_until_ && !exactly_asked;
+}
+
+void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v,
+                                  const Vector& load_factors, Tangent tangent) {
+  const Vector u = of.displacement(v);
+  if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
+  of.named([&] { fem::tangent(of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K); });
+  of.subtract_load_tangent(u, load_factors, whole_.K);
+  const SparseMatrix B = of.expansion(v);
+  const Vector unbalanced = of.unbalanced(f, u, load_factors);
+  whole_.reduced = B.transpose() * SparseMatrix(whole_.K * B);
+  add_to_diagonal(of.turning(unbalanced, v), whole_.reduced);
+  r = B.transpose() * unbalanced;
+  of.named([&] { whole_.condensation.factorise(whole_.reduced, of.columns.retained, of.symmetric(), tangent); });
+  changing = 1.0;
+}
+
+/// The cells that have changed: those that yield, or have turned or stretched since their tangent was kept.
+CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of, const Vector& u, const Flags& yields) {
+  Flags marked = yields;
+  const auto& mesh = of.mesh();
+  if (of.turns() && kept_at_.size() > 0) {
+    const int corners = mesh::corners(mesh.kind);
+    const auto moved = [&](int node) -> base::Vec2 { return u.segment<2>(2 * node) - kept_at_.segment<2>(2 * node); };
+    for (std::size_t cell = 0; cell < marked.size(); ++cell)
+      for (int a = 0; a < corners; ++a) {
+        const int from = mesh.cells[cell][a], to = mesh.cells[cell][(a + 1) % corners];
+        if ((moved(to) - moved(from)).norm() > much * (mesh.X[to] - mesh.X[from]).norm()) marked[cell] = 1;
+      }
+  }
+  for (std::size_t cell = 0; cell < marked.size(); ++cell)
+    if (marked[cell]) last_[cell] = made_;
+  return marked;
+}
+
+/// Chooses the cells that change, and condenses the others at u. False where that would not pay.
+bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& before, const Vector& u,
+                              const SparseMatrix& B) {
+  changing_.assign(last_.size(), 0);
+  for (std::size_t cell = 0; cell < last_.size(); ++cell) changing_[cell] = made_ - last_[cell] < remembered;
+  widen(of.mesh(), cells_of_, changing_);
+  const auto count = std::count(changing_.begin(), changing_.end(), 1);
+  if (static_cast<double>(count) > largest * static_cast<double>(changing_.size())) return false;
+  changing = static_cast<double>(count) / static_cast<double>(changing_.size());
+
+  Flags kept(changing_.size()), yields;
+  std::transform(changing_.begin(), changing_.end(), kept.begin(), [](char c) { return !c; });
+  std::vector<char> inside(static_cast<std::size_t>(of.columns.interior + of.columns.retained), 1);
+  std::fill(inside.begin() + of.columns.interior, inside.end(), 0);
+  for (std::size_t node = 0; node < cells_of_.size(); ++node)
+    for (const int cell : cells_of_[node])
+      if (changing_[static_cast<std::size_t>(cell)])
+        for (const Term& term : of.columns.terms[node]) inside[static_cast<std::size_t>(term.column)] = 0;
+  fem::tangent_of(kept, of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K, yields);
+  try {
+    Superelement element(B.transpose() * SparseMatrix(whole_.K * B), inside);
+    std::vector<int> columns, place(inside.size(), -1);
+    for (std::size_t c = 0; c < inside.size(); ++c) {
+      if (inside[c]) continue;
+      place[c] = static_cast<int>(columns.size());
+      columns.push_back(static_cast<int>(c));
+    }
+    const auto& shared = element.shared();
+    std::vector<base::Triplet> entries;
+    for (std::size_t i = 0; i < shared.size(); ++i)
+      for (std::size_t j = 0; j < shared.size(); ++j)
+        entries.emplace_back(place[static_cast<std::size_t>(shared[i])], place[static_cast<std::size_t>(shared[j])],
+                             element.stiffness()(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    const auto size = static_cast<Eigen::Index>(columns.size());
+    SparseMatrix stiffness(size, size);
+    stiffness.setFromTriplets(entries.begin(), entries.end());
+    fem::Pattern pattern(cells_of(of.mesh(), changing_));
+    SparseMatrix K = pattern.zero();
+    rest_.emplace(
+        Rest{std::move(element), std::move(columns), std::move(pattern), std::move(K), std::move(stiffness), {}, {}});
+  } catch (const base::SolveError&) {
+    return false;  // not definite
+  }
+  kept_at_ = u;
+  return true;
+}
+
+bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& before, const Vector& v,
+                                 const Vector& load_factors, Tangent tangent) {
+  const Vector u = of.displacement(v);
+  const SparseMatrix B = of.expansion(v);
+  const fem::GaussState state{before.history, before.F0};
+  Flags yields;
+  const auto make = [&] {
+    of.named([&] { fem::tangent_of(changing_, of.mesh(), of.solid, u, state, rest_->pattern, f, rest_->K, yields); });
+  };
+  const auto outside = [&](const Flags& marked) {
+    for (std::size_t cell = 0; cell < marked.size(); ++cell)
+      if (marked[cell] && !changing_[cell]) return true;
+    return false;
+  };
+  if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
+  if (rest_)
+    make();
+  else
+    of.named([&] {
+      fem::tangent_of(Flags(last_.size(), 0), of.mesh(), of.solid, u, state, of.pattern, f, whole_.K, yields);
+    });
+  const Flags marked = changed(of, u, yields);
+  if (!rest_ || outside(marked)) {
+    rest_.reset();
+    wait_ = made_ - divided_at_ > 8 ? 4 : std::min(2 * wait_, longest_wait);
+    divided_at_ = made_;
+    if (!divide(of, before, u, B)) {
+      rest_.reset();
+      kept_at_.resize(0);
+      whole_until_ = made_ + wait_;
+      return false;
+    }
+    make();
+  }
+  const SparseMatrix own = chosen(B, rest_->columns);
+  const Vector unbalanced = of.unbalanced(f, u, load_factors);
+  rest_->reduced = own.transpose() * SparseMatrix(rest_->K * own);
+  rest_->reduced += rest_->kept_stiffness;
+  add_to_diagonal(of.turning(unbalanced, v)(rest_->columns), rest_->reduced);
+  r = B.transpose() * unbalanced;
+  of.named([&] { rest_->condensation.factorise(rest_->reduced, of.columns.retained, of.symmetric(), tangent); });
+  return true;
+}
+
+Vector CondensedTangent::condense(const Vector& all) const {
+  if (!divided_) return whole_.condensation.condense(all);
+  Vector loads = all;
+  rest_->kept.condense(loads);
+  return rest_->condensation.condense(loads(rest_->columns));
+}
+
+Vector CondensedTangent::recover(const Vector& all, const Vector& retained) const {
+  if (!divided_) return whole_.condensation.recover(all, retained);
+  Vector loads = all, unknowns = Vector::Zero(all.size());
+  rest_->kept.condense(loads);
+  unknowns(rest_->columns) = rest_->condensation.recover(loads(rest_->columns), retained);
+  rest_->kept.recover(all, unknowns);
+  return unknowns;
+}
+
+}  // namespace reye::body

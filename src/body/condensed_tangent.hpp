@@ -1,0 +1,70 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "body/condensation.hpp"
+#include "body/nonlinear_equations.hpp"
+#include "body/superelement.hpp"
+
+namespace reye::body {
+
+/// The tangent of a nonlinear body, condensed to its retained columns. Only tangents that change are made again: of
+/// cells that yield or have turned or stretched, and those around them. The others keep their tangent in a superelement
+/// until one of them yields, too. Residuals are always those of all cells, so that Newton's solution does not depend on
+/// which ones those are.
+class CondensedTangent {
+ public:
+  explicit CondensedTangent(const NonlinearEquations& of);
+
+  /// At the unknowns v without translation; f and r are set as well. An exact one at finite strain is made of all
+  /// cells. Throws base::SolveError.
+  void make(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
+            Tangent tangent);
+  /// Nothing is kept: what follows does not depend on states before it.
+  void forget();
+
+  const Matrix& schur() const { return condensation().schur(); }
+  /// r of all columns, condensed to the retained ones.
+  Vector condense(const Vector& r) const;
+  /// All columns for loads r and known retained ones.
+  Vector recover(const Vector& r, const Vector& retained) const;
+
+  fem::InternalForce f;
+  Vector r;             ///< [r_i; r_c] where `make` was called
+  double changing = 1;  ///< share of the cells whose tangent `make` made
+
+ private:
+  using Flags = std::vector<char>;
+  struct Whole {
+    base::SparseMatrix K, reduced;
+    Condensation condensation;
+  };
+  /// What is left beside the superelement.
+  struct Rest {
+    Superelement kept;
+    std::vector<int> columns;  ///< of the body
+    fem::Pattern pattern;
+    base::SparseMatrix K, kept_stiffness, reduced;
+    Condensation condensation;
+  };
+
+  bool divides(const NonlinearEquations& of, Tangent tangent) const;
+  void make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
+                  Tangent tangent);
+  bool make_rest(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
+                 Tangent tangent);
+  bool divide(const NonlinearEquations& of, const Interior& before, const Vector& u, const base::SparseMatrix& B);
+  Flags changed(const NonlinearEquations& of, const Vector& u, const Flags& yields);
+  const Condensation& condensation() const { return divided_ ? rest_->condensation : whole_.condensation; }
+
+  std::vector<std::vector<int>> cells_of_;  ///< per node
+  Whole whole_;
+  std::optional<Rest> rest_;
+  bool divided_ = false;   ///< whether the present tangent is that of `rest_`
+  Flags changing_;         ///< per cell
+  std::vector<int> last_;  ///< per cell: number of the last tangent at which it changed
+  Vector kept_at_;         ///< u at which tangents were kept
+  int made_ = 0, divided_at_ = 0, whole_until_ = 0, wait_ = 4;
+};
+
+}  // namespace reye::body

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "algebra/factor.hpp"
+
+namespace reye::body {
+
+using base::SparseMatrix;
+
+/// Cells of a body whose tangent K is kept, condensed once onto the columns that they share with other cells or that
+/// are retained (a superelement):
+///   S = K_oo - K_oi K_ii^-1 K_io,   i: inside, o: shared.
+class Superelement {
+ public:
+  /// K: tangent of those cells in all columns of the body, of which the symmetric part is taken. `inside`: per column,
+  /// whether only its cells touch it. Throws base::SolveError where K_ii is not definite.
+  Superelement(const SparseMatrix& K, const std::vector<char>& inside);
+
+  const std::vector<int>& shared() const { return shared_; }
+  const base::Matrix& stiffness() const { return factor_->schur(); }  ///< S
+  /// r_o - K_oi K_ii^-1 r_i in the shared columns of r; those inside stay.
+  void condense(base::Vector& r) const;
+  /// Puts the solution for loads r, whose shared columns stand in u, into the columns inside.
+  void recover(const base::Vector& r, base::Vector& u) const;
+
+ private:
+  std::vector<int> inside_, shared_;
+  std::optional<algebra::SchurFactor> factor_;
+};
+
+}  // namespace reye::body

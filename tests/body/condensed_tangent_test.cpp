@@ -1,0 +1,110 @@
+#include "body/condensed_tangent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "solids.hpp"
+#include "support/bodies.hpp"
+#include "support/meshes.hpp"
+
+namespace {
+
+using namespace reye;
+using base::Kinematics;
+using base::Matrix;
+using base::Vec2;
+using base::Vector;
+using body::Tangent;
+
+/// A block whose upper side is pressed in at one place, so that it yields there alone.
+struct Dented {
+  mesh::Mesh mesh = support::rectangle({.size = {3, 2}, .nx = 24, .ny = 16, .distortion = 0.3});
+  body::BodyInput input;
+  body::ShapePtr shape = body::make_shape(mesh);
+
+  explicit Dented(Kinematics kinematics) : input(support::made_of(support::metal, kinematics)) {
+    input.supports = {support::fixed_edge("foot", "bottom")};
+    input.contact_boundaries = {"top"};
+  }
+
+  /// The unknowns without translation of a dent so deep.
+  Vector at(const body::NonlinearEquations& of, double depth) const {
+    base::Points u;
+    for (const Vec2& X : mesh.X)
+      u.push_back({0.0, -depth * X.y() * std::exp(-8.0 * (X - Vec2(1.5, 2.0)).squaredNorm())});
+    const body::NonlinearBody body(shape, input);
+    Vector q = Vector::Zero(of.columns.retained);
+    body::TwoPart y(Vector::Zero(of.interior()));
+    body.seat(u, q, y);
+    return of.deformation(y, body::TwoPart(q));
+  }
+};
+
+/// The tangent of all cells, condensed by dense matrices.
+struct Dense {
+  Matrix ii, ic, ci, cc;
+
+  Dense(const body::NonlinearEquations& of, const body::Interior& before, const Vector& v) {
+    base::SparseMatrix K = of.pattern.zero();
+    fem::InternalForce f;
+    fem::tangent(of.mesh(), of.solid, of.displacement(v), {before.history, before.F0}, of.pattern, f, K);
+    const base::SparseMatrix B = of.expansion(v);
+    Matrix all = B.transpose() * K * B;
+    all = 0.5 * (all + all.transpose()).eval();
+    const int n = of.interior(), m = of.columns.retained;
+    ii = all.topLeftCorner(n, n), ic = all.topRightCorner(n, m);
+    ci = all.bottomLeftCorner(m, n), cc = all.bottomRightCorner(m, m);
+  }
+  Matrix schur() const { return cc - ci * ii.lu().solve(ic); }
+  Vector condense(const Vector& r) const { return r.tail(cc.rows()) - ci * ii.lu().solve(r.head(ii.rows())); }
+  Vector recover(const Vector& r, const Vector& c) const { return ii.lu().solve(r.head(ii.rows()) - ic * c); }
+};
+
+double difference(const Matrix& a, const Matrix& b) { return (a - b).norm() / b.norm(); }
+
+class CondensedTangent : public testing::TestWithParam<Kinematics> {};
+
+// Made of cells that change and cells whose tangent is kept, the tangent must be that of all cells, loaded, yielding
+// and unloaded: exactly at small strain, at finite strain within the turn and stretch at which cells count as changed.
+TEST_P(CondensedTangent, IsThatOfAllCells) {
+  const Dented block(GetParam());
+  const body::NonlinearEquations of(block.shape, block.input);
+  const bool small = GetParam() == Kinematics::small;
+  const double near = small ? 1e-10 : 0.03;
+  body::Interior before{body::TwoPart(Vector::Zero(of.interior())), fem::virgin(of.mesh(), of.solid), {}};
+  body::CondensedTangent tangent(of);
+  double most = 0.0;
+  for (const double depth : {0.0, 1e-4, 2e-3, 3e-3, 4e-3, 3.9e-3, 1e-3, 3e-3}) {
+    const Vector v = block.at(of, depth);
+    tangent.make(of, before, v, {}, Tangent::symmetric_part);
+    const Dense dense(of, before, v);
+    EXPECT_LT(difference(tangent.schur(), dense.schur()), near) << depth;
+    const Vector loads = Vector::LinSpaced(v.size(), -1.0, 2.0).array().sin();
+    const Vector retained = Vector::LinSpaced(of.columns.retained, 0.0, 3.0).array().cos();
+    EXPECT_LT(difference(tangent.condense(loads), dense.condense(loads)), near) << depth;
+    EXPECT_LT(difference(tangent.recover(loads, retained).head(of.interior()), dense.recover(loads, retained)), near)
+        << depth;
+    EXPECT_LE(tangent.changing, 0.5) << depth;
+    most = std::max(most, tangent.changing);
+    before.history = fem::updated(of.mesh(), of.solid, of.displacement(v), {before.history, before.F0});
+  }
+  EXPECT_GT(most, 0.02);
+}
+
+// A tangent that is asked for exactly at finite strain must be made of all cells.
+TEST(CondensedTangent, ExactIsWhole) {
+  const Dented block(Kinematics::finite);
+  const body::NonlinearEquations of(block.shape, block.input);
+  const body::Interior before{body::TwoPart(Vector::Zero(of.interior())), fem::virgin(of.mesh(), of.solid), {}};
+  body::CondensedTangent tangent(of);
+  tangent.make(of, before, block.at(of, 1e-3), {}, Tangent::symmetric_part);
+  EXPECT_LT(tangent.changing, 0.5);
+  tangent.make(of, before, block.at(of, 1e-3), {}, Tangent::exact);
+  EXPECT_EQ(tangent.changing, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(strain, CondensedTangent, testing::Values(Kinematics::small, Kinematics::finite));
+
+}  // namespace
