@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
+#include <span>
 #include <type_traits>
 
 #include "base/formatted.hpp"
-#include "fem/finite.hpp"
 #include "fem/strain_measure.hpp"
 
 /// Internal to `finite`: loops over the cells and Gauss points of a mesh, with the strain measure as a type.

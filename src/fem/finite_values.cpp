@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "fem/finite.hpp"
 #include "fem/finite_cells.hpp"
 #include "fem/nodal_average.hpp"
 
