@@ -1,5 +1,7 @@
 #include "body/superelement.hpp"
 
+#include <algorithm>
+
 namespace reye::body {
 
 using base::Vector;
@@ -17,13 +19,13 @@ Superelement::Superelement(const SparseMatrix& K, const std::vector<char>& insid
       (is_inside ? inside_ : shared_).push_back(static_cast<int>(c));
     }
   std::vector<base::Triplet> entries;
-  entries.reserve(static_cast<std::size_t>(2 * K.nonZeros()));
+  entries.reserve(static_cast<std::size_t>(K.nonZeros()));
   for (int c = 0; c < K.outerSize(); ++c)
     for (SparseMatrix::InnerIterator e(K, c); e; ++e) {
       const int row = place[static_cast<std::size_t>(e.row())], column = place[static_cast<std::size_t>(c)];
       if (row < 0 || column < 0) continue;
-      entries.emplace_back(row, column, 0.5 * e.value());
-      entries.emplace_back(column, row, 0.5 * e.value());
+      const auto [above, below] = std::minmax(row, column);  // the upper triangle is read
+      entries.emplace_back(above, below, (row == column ? 1.0 : 0.5) * e.value());
     }
   const auto size = static_cast<Eigen::Index>(inside_.size() + shared_.size());
   SparseMatrix own(size, size);
