@@ -64,6 +64,7 @@ CondensedTangent::CondensedTangent(const NonlinearEquations& of)
 }
 
 void CondensedTangent::forget() {
+  divided_ = false;
   rest_.reset();
   kept_at_.resize(0);
   last_.assign(last_.size(), -remembered);
@@ -74,6 +75,7 @@ void CondensedTangent::forget() {
 void CondensedTangent::make(const NonlinearEquations& of, const Interior& before, const Vector& v,
                             const Vector& load_factors, Tangent tangent) {
   ++made_;
+  divided_ = false;  // also where what follows throws
   divided_ = divides(of, tangent) && make_rest(of, before, v, load_factors, tangent);
   if (!divided_) make_whole(of, before, v, load_factors, tangent);
 }
@@ -136,7 +138,9 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     for (const int cell : cells_of_[node])
       if (changing_[static_cast<std::size_t>(cell)])
         for (const Term& term : of.columns.terms[node]) inside[static_cast<std::size_t>(term.column)] = 0;
-  fem::tangent_of(kept, of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K, yields);
+  of.named([&] {
+    fem::tangent_of(kept, of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K, yields);
+  });
   try {
     Superelement element(B.transpose() * SparseMatrix(whole_.K * B), inside);
     std::vector<int> columns, place(inside.size(), -1);

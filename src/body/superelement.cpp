@@ -33,20 +33,22 @@ Superelement::Superelement(const SparseMatrix& K, const std::vector<char>& insid
   factor_.emplace(std::move(own), static_cast<int>(shared_.size()));
 }
 
-void Superelement::condense(Vector& r) const {
-  const auto inner = static_cast<Eigen::Index>(inside_.size());
-  Vector own = Vector::Zero(inner + static_cast<Eigen::Index>(shared_.size()));
+/// r of the columns inside, in the order of the factor, and nothing on those that are shared.
+Vector Superelement::loads_inside(const Vector& r) const {
+  Vector own = Vector::Zero(factor_->size());
   for (std::size_t k = 0; k < inside_.size(); ++k) own[static_cast<Eigen::Index>(k)] = r[inside_[k]];
-  const Vector condensed = factor_->condense(own);
+  return own;
+}
+
+void Superelement::condense(Vector& r) const {
+  const Vector condensed = factor_->condense(loads_inside(r));
   for (std::size_t k = 0; k < shared_.size(); ++k) r[shared_[k]] += condensed[static_cast<Eigen::Index>(k)];
 }
 
 void Superelement::recover(const Vector& r, Vector& u) const {
-  const auto inner = static_cast<Eigen::Index>(inside_.size());
-  Vector own = Vector::Zero(inner + static_cast<Eigen::Index>(shared_.size())), at(shared_.size());
-  for (std::size_t k = 0; k < inside_.size(); ++k) own[static_cast<Eigen::Index>(k)] = r[inside_[k]];
+  Vector at(shared_.size());
   for (std::size_t k = 0; k < shared_.size(); ++k) at[static_cast<Eigen::Index>(k)] = u[shared_[k]];
-  const Vector all = factor_->recover(own, at);
+  const Vector all = factor_->recover(loads_inside(r), at);
   for (std::size_t k = 0; k < inside_.size(); ++k) u[inside_[k]] = all[static_cast<Eigen::Index>(k)];
 }
 

@@ -25,6 +25,7 @@ class Superelement {
   void recover(const base::Vector& r, base::Vector& u) const;
 
  private:
+  base::Vector loads_inside(const base::Vector& r) const;
   std::vector<int> inside_, shared_;
   std::optional<algebra::SchurFactor> factor_;
 };

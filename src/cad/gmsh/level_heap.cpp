@@ -35,10 +35,10 @@ void level_heap() {
     }
     std::free(reinterpret_cast<void*>(hole));
   }
-  while (end_of_heap() + 2 * largest < next && take(largest) != 0) {
-  }
+  constexpr int most = 2 * megabyte / largest;  // where the heap cannot grow, pieces come from elsewhere, without end
+  for (int pieces = 0; pieces < most && end_of_heap() + 2 * largest < next; ++pieces) take(largest);
   const std::uintptr_t left = next - end_of_heap();  // of it a head of 16 bytes
-  if (left > 2 * step) take(left - step);
+  if (left > 2 * step && left <= 2 * largest) take(left - step);
 }
 
 #else
