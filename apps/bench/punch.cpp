@@ -1,9 +1,11 @@
 #include <benchmark/benchmark.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "algebra/decompose.hpp"
+#include "algebra/factor.hpp"
 #include "scene/read.hpp"
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
@@ -49,19 +51,19 @@ Compliance compliance(const contact::Setup& setup, const body::LinearBody& body,
     S.col(support.column).setZero();
     S(support.column, support.column) = 1.0;
   }
-  const Eigen::LDLT<Matrix> factor(S);
+  const algebra::DenseCholesky factor(std::move(S));
   const auto along = [&](const base::Vec2& d) {
     Matrix F(body.dofs(), static_cast<Eigen::Index>(nodes.size()));
     for (std::size_t k = 0; k < nodes.size(); ++k)
       F.col(static_cast<Eigen::Index>(k)) = unit_force(setup, body, nodes[k], d);
-    return Matrix(F.transpose() * factor.solve(F));
+    return factor.condense(F);
   };
   return {along({0.0, 1.0}), along({1.0, 0.0})};
 }
 
 /// Forces under a flat punch of unit load on the first `count` nodes.
 Vector punch(const Matrix& compliance, Eigen::Index first, Eigen::Index count) {
-  const Vector f = compliance.block(first, first, count, count).ldlt().solve(Vector::Ones(count));
+  const Vector f = algebra::solve_symmetric(compliance.block(first, first, count, count), Vector::Ones(count));
   return f / f.sum();
 }
 

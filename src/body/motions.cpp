@@ -1,8 +1,8 @@
 #include "body/motions.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "algebra/decompose.hpp"
 #include "base/formatted.hpp"
 #include "body/edges.hpp"
 #include "body/resultant.hpp"
@@ -39,10 +39,9 @@ class MotionSpace {
     Matrix A = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()) + 3, 3);  // never fewer rows than columns
     for (size_t i = 0; i < rows_.size(); ++i) A.row(i) = rows_[i];
     if (translations_only) A(A.rows() - 1, 2) = 1.0;
-    const Eigen::JacobiSVD<Matrix> svd(A, Eigen::ComputeFullV);
-    int rank = 0;
-    for (int k = 0; k < 3; ++k) rank += svd.singularValues()[k] > 1e-8;
-    return svd.matrixV().rightCols(3 - rank);
+    const auto singular = algebra::right_singular_values(A);
+    const auto rank = (singular.values.array() > 1e-8).count();
+    return singular.V.rightCols(3 - rank);
   }
 
  private:

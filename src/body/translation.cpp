@@ -1,13 +1,13 @@
 #include "body/translation.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "algebra/decompose.hpp"
 
 namespace reye::body {
 
 Translation::Translation(const Matrix& T) : T_(T) {
-  const Eigen::Matrix2d square = T.transpose() * T;
-  mean_ = square.completeOrthogonalDecomposition().pseudoInverse() * T.transpose();
+  mean_ = algebra::pseudo_inverse(T.transpose() * T) * T.transpose();
 }
 
 /// A row of T a, with twice the digits.

@@ -1,6 +1,5 @@
 #pragma once
-#include <Eigen/LU>
-
+#include "algebra/decompose.hpp"
 #include "base/linalg.hpp"
 
 /// What the tests of sparse factors compare with and load.
@@ -12,7 +11,7 @@ inline base::Matrix dense_schur(const base::SparseMatrix& K, int c) {
   const int i = static_cast<int>(D.rows()) - c;
   if (i == 0) return D;
   return D.bottomRightCorner(c, c) -
-         D.bottomLeftCorner(c, i) * D.topLeftCorner(i, i).partialPivLu().solve(D.topRightCorner(i, c));
+         D.bottomLeftCorner(c, i) * algebra::least_squares(D.topLeftCorner(i, i), D.topRightCorner(i, c));
 }
 
 inline base::Vector wave(Eigen::Index n) { return base::Vector::LinSpaced(n, 0.0, 9.0).array().sin() + 0.3; }

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 
+#include "algebra/decompose.hpp"
 #include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
@@ -57,9 +57,13 @@ struct Dense {
     ii = all.topLeftCorner(n, n), ic = all.topRightCorner(n, m);
     ci = all.bottomLeftCorner(m, n), cc = all.bottomRightCorner(m, m);
   }
-  Matrix schur() const { return cc - ci * ii.lu().solve(ic); }
-  Vector condense(const Vector& r) const { return r.tail(cc.rows()) - ci * ii.lu().solve(r.head(ii.rows())); }
-  Vector recover(const Vector& r, const Vector& c) const { return ii.lu().solve(r.head(ii.rows()) - ic * c); }
+  Matrix schur() const { return cc - ci * algebra::least_squares(ii, ic); }
+  Vector condense(const Vector& r) const {
+    return r.tail(cc.rows()) - ci * algebra::least_squares(ii, r.head(ii.rows()));
+  }
+  Vector recover(const Vector& r, const Vector& c) const {
+    return algebra::least_squares(ii, r.head(ii.rows()) - ic * c);
+  }
 };
 
 double difference(const Matrix& a, const Matrix& b) { return (a - b).norm() / b.norm(); }

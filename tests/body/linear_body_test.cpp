@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
 #include <cmath>
 #include <numbers>
 
+#include "algebra/decompose.hpp"
 #include "body/turning.hpp"
 #include "fem/assemble_loads.hpp"
 #include "fem/stiffness.hpp"
@@ -51,7 +50,7 @@ base::Points clamped_reference(const mesh::Mesh& mesh, const body::BodyInput& in
       K(dof, dof) = 1.0;
       rhs[dof] = 0.0;
     }
-  const Vector u = K.ldlt().solve(rhs);
+  const Vector u = algebra::solve_symmetric(K, rhs);
   base::Points points;
   for (int k = 0; k < mesh.node_count(); ++k) points.push_back(u.segment<2>(2 * k));
   return points;

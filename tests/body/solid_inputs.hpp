@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "algebra/decompose.hpp"
 #include "body/solid/solid_body.hpp"
 #include "mesh/solid/facet_control_points.hpp"
 #include "support/solid_blocks.hpp"
@@ -101,7 +102,7 @@ inline SolidInput rigid_input() {
 /// Forces on what is retained that balance the loads s in the free motions: A^T f + B s = 0.
 inline Vector balanced(const SolidBody& b, const Vector& s) {
   Vector f = wave(b.C().rows());
-  f -= b.A() * (b.A().transpose() * b.A()).ldlt().solve(b.A().transpose() * f + b.B() * s);
+  f -= b.A() * algebra::solve_symmetric(b.A().transpose() * b.A(), b.A().transpose() * f + b.B() * s);
   return f;
 }
 

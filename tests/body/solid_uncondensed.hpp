@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <map>
 
+#include "algebra/decompose.hpp"
 #include "body/solid_inputs.hpp"
 #include "fem/solid/solid_loads.hpp"
 #include "fem/solid/solid_stiffness.hpp"
@@ -127,7 +128,7 @@ struct Uncondensed {
       A.block(0, n + j, n, 1) = 300.0 * rows[j].first;
       rhs[n + j] = 300.0 * rows[j].second;
     }
-    return A.completeOrthogonalDecomposition().solve(rhs).head(n);
+    return algebra::least_squares(A, rhs).topRows(n);
   }
 };
 

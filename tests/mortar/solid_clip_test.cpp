@@ -46,26 +46,28 @@ TEST(solid_clip, coincident_facets) {
   }
 }
 
+ConvexPolygon triangle(const Vec2& a, const Vec2& b, const Vec2& c) {
+  ConvexPolygon result;
+  result.corners.fill(c);  // copied as a whole
+  result.corners[0] = a;
+  result.corners[1] = b;
+  result.count = 3;
+  return result;
+}
+
 /// Splits the unit square into triangles: each step puts a random point, at times very near to an edge, into a
 /// triangle.
 std::vector<ConvexPolygon> random_triangulation(std::mt19937_64& random, int steps) {
   std::uniform_real_distribution<double> number(0.0, 1.0);
-  ConvexPolygon lower, upper;
-  lower.count = upper.count = 3;
-  lower.corners = {Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}};
-  upper.corners = {Vec2{0, 0}, Vec2{1, 1}, Vec2{0, 1}};
-  std::vector<ConvexPolygon> parts{lower, upper};
+  const Vec2 low(0, 0), high(1, 1);
+  std::vector<ConvexPolygon> parts{triangle(low, {1, 0}, high), triangle(low, high, {0, 1})};
   for (int step = 0; step < steps; ++step) {
     const std::size_t chosen = random() % parts.size();
     const auto [a, b, c] = std::array{parts[chosen].corners[0], parts[chosen].corners[1], parts[chosen].corners[2]};
     const double r = number(random), s = (1 - r) * (step % 4 == 0 ? 1e-9 : number(random));
     const Vec2 inside = a + r * (b - a) + s * (c - a);
-    parts[chosen].corners = {a, b, inside};
-    ConvexPolygon second, third;
-    second.count = third.count = 3;
-    second.corners = {b, c, inside};
-    third.corners = {c, a, inside};
-    parts.insert(parts.end(), {second, third});
+    parts[chosen] = triangle(a, b, inside);
+    parts.insert(parts.end(), {triangle(b, c, inside), triangle(c, a, inside)});
   }
   return parts;
 }

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-
+#include "algebra/decompose.hpp"
 #include "mortar/solid/clip.hpp"
 
 namespace {
@@ -70,7 +69,7 @@ Eigen::MatrixXd in_shape_functions(FacetKind kind, const FacetCut& cut, const st
       for (int l = 0; l < count; ++l) sum += basis.a[j][l] * points[q].P[l];
       psi(static_cast<Eigen::Index>(q), j) = sum;
     }
-  return N.colPivHouseholderQr().solve(psi).transpose();
+  return algebra::least_squares(N, psi).transpose();
 }
 
 Eigen::MatrixXd basis_over(FacetKind kind, const FacetCut& cut, const ConvexPolygon& p) {

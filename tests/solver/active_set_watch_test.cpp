@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
-
+#include "algebra/decompose.hpp"
 #include "base/linalg.hpp"
 #include "solver/active_set_watch.hpp"
 
@@ -28,7 +27,7 @@ struct Complementarity {
         A.row(i) = M.row(i);
         b[i] = -q[i];
       }
-    return A.partialPivLu().solve(b);
+    return algebra::least_squares(A, b);
   }
 
   bool settles(bool watched) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/LU>
 
+#include "algebra/factor.hpp"
 #include "solver/mobility.hpp"
 #include "solver/newton.hpp"
 
@@ -31,7 +32,7 @@ class Uncondensed {
   void step(int iteration) {
     decide(iteration);
     assemble();
-    const Vector d = A_.partialPivLu().solve(b_);
+    const Vector d = algebra::solve_dense(A_, b_);
     q += d.head(system_.dofs);
     for (std::size_t c = 0; c < faces_.size(); ++c)
       for (std::size_t j = 0; j < lambda[c].size(); ++j)

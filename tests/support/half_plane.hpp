@@ -1,9 +1,9 @@
 #pragma once
-#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
+#include "algebra/factor.hpp"
 #include "base/linalg.hpp"
 
 /// A line contact of two half-planes of one material, with friction, under a constant normal force P and a cyclic
@@ -78,7 +78,7 @@ inline Pressed press(const Grid& grid, const Vector& shape, double load, const V
     A.row(m).head(m) = grid.width(in);
     Vector b(m + 1);
     b << -shape(in), load;
-    const Vector solution = A.partialPivLu().solve(b);
+    const Vector solution = algebra::solve_dense(A, b);
     Pressed found{Vector::Zero(n), {}, solution[m]};
     found.p(in) = solution.head(m);
     found.gap = grid.u * found.p + shape + soft.cwiseProduct(found.p) - Vector::Constant(n, found.approach);

@@ -1,7 +1,8 @@
 #include "adapt/solid/meeting_planes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "algebra/decompose.hpp"
 
 namespace reye::adapt {
 
@@ -25,12 +26,11 @@ void add_direction(const Vec3& v, std::vector<Vec3>& directions) {
 /// which is zero in all of them is zero in d.
 Vec3 shortest(const Eigen::Matrix3Xd& rows, const Eigen::VectorXd& depths) {
   if (rows.cols() == 1) return -depths[0] / rows.col(0).squaredNorm() * rows.col(0);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(rows.transpose() * rows);
-  const auto& lambda = gram.eigenvalues();
-  Eigen::VectorXd shares = -(gram.eigenvectors().transpose() * depths);
+  const auto [lambda, vectors] = algebra::eigenpairs(rows.transpose() * rows);
+  Eigen::VectorXd shares = -(vectors.transpose() * depths);
   for (int k = 0; k < lambda.size(); ++k)
     shares[k] = lambda[k] > least_sine * least_sine * lambda[lambda.size() - 1] ? shares[k] / lambda[k] : 0.0;
-  return rows * (gram.eigenvectors() * shares);
+  return rows * (vectors * shares);
 }
 
 }  // namespace

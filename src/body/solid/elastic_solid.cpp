@@ -1,8 +1,8 @@
 #include "body/solid/elastic_solid.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "algebra/decompose.hpp"
 #include "base/errors.hpp"
 #include "fem/solid/solid_stiffness.hpp"
 #include "mesh/solid/solid_measure.hpp"
@@ -147,13 +147,10 @@ void ElasticSolid::hold_free_modes(Matrix& S) const {
     throw base::SolveError("a rigid motion is free, and too few nodes are retained to hold it");
   Matrix scaled = modes_;
   for (int k = 0; k < count; ++k) scaled.col(k) /= std::max(scaled.col(k).cwiseAbs().maxCoeff(), 1e-300);
-  const Eigen::ColPivHouseholderQR<Matrix> qr(scaled.transpose());
-  if (!(std::abs(qr.matrixR()(count - 1, count - 1)) > 1e-6 * std::abs(qr.matrixR()(0, 0))))
+  const auto [leading, lengths] = algebra::leading_columns(scaled.transpose());
+  if (!(lengths[count - 1] > 1e-6 * lengths[0]))
     throw base::SolveError("a rigid motion is free, and the retained nodes do not show it");
-  for (int k = 0; k < count; ++k) {
-    const auto held = qr.colsPermutation().indices()[k];
-    S(held, held) *= 2.0;
-  }
+  for (const int held : leading) S(held, held) *= 2.0;
 }
 
 void ElasticSolid::condense(const SolidInput& input, Split S, SolidMatrices& out) {

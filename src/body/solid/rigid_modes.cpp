@@ -1,10 +1,9 @@
 #include "body/solid/rigid_modes.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <cmath>
 
+#include "algebra/decompose.hpp"
 #include "base/formatted.hpp"
 
 namespace reye::body {
@@ -78,12 +77,9 @@ Modes free_modes(const std::vector<ModeRow>& rows, double size) {
   Matrix M = Matrix::Zero(static_cast<Eigen::Index>(rows.size()) + 6, 6);  // never fewer rows than columns
   for (size_t k = 0; k < rows.size(); ++k)
     M.row(static_cast<Eigen::Index>(k)) = rows[k].row.cwiseProduct(scale).transpose();
-  const Eigen::HouseholderQR<Matrix> qr(M);
-  const Matrix R = qr.matrixQR().topRows<6>().triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Matrix> svd(R, Eigen::ComputeFullV);
-  int rank = 0;
-  for (int k = 0; k < 6; ++k) rank += svd.singularValues()[k] > 1e-8;
-  Matrix W = svd.matrixV().rightCols(6 - rank).transpose();
+  const auto singular = algebra::right_singular_values(M);
+  const auto rank = (singular.values.array() > 1e-8).count();
+  Matrix W = singular.V.rightCols(6 - rank).transpose();
   reduce_rows(W);
   Modes modes = (W * scale.asDiagonal()).transpose();
   for (int k = 0; k < modes.cols(); ++k) {

@@ -1,7 +1,6 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "algebra/decompose.hpp"
 #include "body/solid/solid_matrices.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
@@ -102,7 +101,7 @@ class RigidSolid {
   Matrix normal_inverse(const Matrix& columns) const {
     if (rows_.empty()) return columns;
     const Matrix scaled = H_ * scale_.asDiagonal();
-    return Matrix(scaled * scaled.transpose()).ldlt().solve(columns);
+    return algebra::solve_symmetric(scaled * scaled.transpose(), columns);
   }
 
   /// The motion that springs allow: N (N^T K N)^+ N^T on the motions N that nothing holds. Motions without a spring
@@ -111,10 +110,10 @@ class RigidSolid {
     if (pushed_.empty() || N.cols() == 0) return Matrix::Zero(6, 6);
     Matrix scaled = N;
     for (int k = 0; k < scaled.cols(); ++k) scaled.col(k) /= scaled.col(k).cwiseQuotient(scale_).norm();
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scaled.transpose() * K_ * scaled);
-    const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
-    const Vector inverse = eigen.eigenvalues().unaryExpr([&](double v) { return v > 1e-12 * largest ? 1.0 / v : 0.0; });
-    const Matrix W = scaled * eigen.eigenvectors();
+    const auto eigen = algebra::eigenpairs(scaled.transpose() * K_ * scaled);
+    const double largest = eigen.values.cwiseAbs().maxCoeff();
+    const Vector inverse = eigen.values.unaryExpr([&](double v) { return v > 1e-12 * largest ? 1.0 / v : 0.0; });
+    const Matrix W = scaled * eigen.vectors;
     return W * inverse.asDiagonal() * W.transpose();
   }
 

@@ -1,11 +1,11 @@
 #include "body/solid/solid_conflicts.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "algebra/decompose.hpp"
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "body/columns.hpp"
@@ -208,7 +208,7 @@ class SolidConflicts {
   }
 
   void check_dependent(const ModeRow& row, const Mode& form, const Matrix& standing, const std::vector<ModeRow>& rows) {
-    const Vector share = standing.colPivHouseholderQr().solve(form);
+    const Vector share = algebra::least_squares(standing, form);
     const Motion& own = motion_of(support(row.support), row.motion);
     Expected expected;
     int other = -1;

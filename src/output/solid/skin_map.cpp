@@ -1,11 +1,11 @@
 #include "output/solid/skin_map.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "algebra/decompose.hpp"
 #include "output/solid/solid_words.hpp"
 
 namespace reye::output {
@@ -156,11 +156,11 @@ std::array<MapLine, 2> principal_lines(const SkinMap& map, const DrawnSkin& skin
     const Vec2 d = map.x[i] - first / force;
     second += skin.pressure_MPa[i] * skin.area_mm2[i] / force * d * d.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(second);
+  const auto axes = algebra::eigenpairs(second);
   constexpr double round = 1.15;  // square of the ratio of widths below which no direction is better than another
-  if (!(axes.eigenvalues()[1] > round * std::max(axes.eigenvalues()[0], 0.0))) return lines;
+  if (!(axes.values[1] > round * std::max(axes.values[0], 0.0))) return lines;
   for (int k = 0; k < 2; ++k) {
-    Vec2 along = axes.eigenvectors().col(1 - k);
+    Vec2 along = axes.vectors.col(1 - k);
     if (along.cwiseAbs().maxCoeff() > 0.9995) along = along.array().round();  // along an axis but for noise
     lines[static_cast<std::size_t>(k)].along = along.sum() < 0.0 ? Vec2(-along) : along;
   }

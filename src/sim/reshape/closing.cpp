@@ -1,9 +1,10 @@
 #include "sim/reshape/closing.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "algebra/factor.hpp"
 
 namespace reye::sim {
 
@@ -100,7 +101,7 @@ base::Matrix damped_normal_matrix(const base::Matrix& B) {
 void close_by_primary(Gaps& c) {
   const auto nodes = loaded_nodes(c);
   const base::Matrix B = scaled_M(c, nodes);
-  const Eigen::LLT<base::Matrix> factor(damped_normal_matrix(B));
+  const algebra::DenseCholesky factor(damped_normal_matrix(B));
   constexpr int turns = 3;  // each closes the part that damping has left
   for (int turn = 0; turn < turns; ++turn) {
     Vector r(B.rows());

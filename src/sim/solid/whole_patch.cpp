@@ -1,10 +1,10 @@
 #include "sim/solid/whole_patch.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "algebra/decompose.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::sim {
@@ -79,8 +79,8 @@ std::array<double, 2> WholePatch::half_widths() const {
   base::Mat3 moments = base::Mat3::Zero();
   for (std::size_t i = 0; i < x.size(); ++i)
     moments += area_mm2[i] / whole * (x[i] - middle) * (x[i] - middle).transpose();
-  const Eigen::SelfAdjointEigenSolver<base::Mat3> solver(moments);
-  const auto half = [&](int k) { return 2.0 * std::sqrt(std::max(0.0, solver.eigenvalues()[k])); };
+  const auto values = algebra::eigenpairs(moments).values;
+  const auto half = [&](int k) { return 2.0 * std::sqrt(std::max(0.0, values[k])); };
   return {half(2), half(1)};
 }
 

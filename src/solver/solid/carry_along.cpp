@@ -1,6 +1,6 @@
 #include "solver/solid/carry_along.hpp"
 
-#include <Eigen/QR>
+#include "algebra/decompose.hpp"
 
 namespace reye::solver {
 
@@ -79,10 +79,7 @@ Vector least_change(const SolidSystem& system, const Rows& rows) {
     J.row(k) = rows.of_free[k];
     right[k] = rows.right[k];
   }
-  Eigen::CompleteOrthogonalDecomposition<Matrix> solver;
-  solver.setThreshold(1e-6);
-  solver.compute(J);
-  return solver.solve(right);
+  return algebra::least_squares(J, right, 1e-6);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "solver/solid/reduced_system.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <map>
 
+#include "algebra/decompose.hpp"
 #include "algebra/gathered_product.hpp"
 #include "base/errors.hpp"
 
@@ -203,13 +203,12 @@ ReducedStep solve_beside_neutral(const Matrix& J, const Vector& right, const Vec
   }
   stiffness -= resultants * by_free;
   left -= resultants * z0;
-  const Eigen::JacobiSVD<Matrix> svd(stiffness, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector& values = svd.singularValues();
+  const auto [values, U, V] = algebra::singular_values(stiffness);
   ReducedStep step{Vector(), Vector::Zero(free)};
   for (Eigen::Index k = 0; k < free; ++k) {
-    const double along = svd.matrixU().col(k).dot(left);
+    const double along = U.col(k).dot(left);
     if (values[k] > 1e-10 * values[0])
-      step.a += along / values[k] * svd.matrixV().col(k);
+      step.a += along / values[k] * V.col(k);
     else if (std::abs(along) > 1e-3 * forces)
       throw base::SolveError("nothing holds a body against what acts on it");
     else

@@ -1,9 +1,8 @@
 #include "solver/solid/solid_system.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 
+#include "algebra/decompose.hpp"
 #include "base/cores.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
@@ -29,19 +28,18 @@ contact::HeldDirections held_directions(const body::SolidBody& body, int point, 
   if (compliance > 0.0) moves += body.C().block<3, 3>(row, row) / compliance;
   for (const Matrix* part : {&body.U(), &body.A()})
     if (part->cols() > 0) moves += part->middleRows<3>(row) * part->middleRows<3>(row).transpose();
-  const Eigen::SelfAdjointEigenSolver<base::Mat3> solver(moves);
+  const auto [values, vectors] = algebra::eigenpairs(moves);
   contact::HeldDirections held;
   constexpr double none = 1e-10;
   for (int k = 0; k < 3; ++k)
-    if (solver.eigenvalues()[k] < none) held.d[held.count++] = solver.eigenvectors().col(k);
+    if (values[k] < none) held.d[held.count++] = vectors.col(k);
   return held;
 }
 
 Matrix relief_of(const body::SolidBody& body) {
   const Matrix& A = body.A();
   if (A.cols() == 0) return {};
-  const Matrix gram = A.transpose() * A;
-  return body.C() * (A * gram.completeOrthogonalDecomposition().pseudoInverse());
+  return body.C() * (A * algebra::pseudo_inverse(A.transpose() * A));
 }
 
 std::vector<int> starts(const std::vector<body::SolidBody>& bodies, const auto& count) {

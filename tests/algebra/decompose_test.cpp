@@ -1,0 +1,78 @@
+#include "algebra/decompose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace reye;
+using base::Matrix;
+using base::Vector;
+
+/// Rank 2: the last column is the sum of the others, of which the first is the longer.
+Matrix dependent() {
+  Matrix A(4, 3);
+  A << 3, 1, 4, 0, 1, 1, -4, 1, -3, 0, 1, 1;
+  return A;
+}
+
+// Eigenpairs, read from the lower triangle, must give the matrix back, values ascending.
+TEST(decompose, eigenpairs) {
+  Matrix A(3, 3);
+  A << 2, 99, 99, 1, 3, 99, -1, 0.5, 1;
+  const auto [values, V] = algebra::eigenpairs(A);
+  const Matrix whole = A.selfadjointView<Eigen::Lower>();
+  EXPECT_LT((V * values.asDiagonal() * V.transpose() - whole).norm(), 1e-14 * whole.norm());
+  EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+}
+
+// Singular values must give the matrix back, descend, and show its rank; without U they are the same.
+TEST(decompose, singular_values) {
+  const Matrix A = dependent();
+  const auto [values, U, V] = algebra::singular_values(A);
+  EXPECT_EQ(U.rows(), 4);
+  EXPECT_LT((U.leftCols(3) * values.asDiagonal() * V.transpose() - A).norm(), 1e-14 * A.norm());
+  EXPECT_GT(values[1], 1.0);
+  EXPECT_LT(values[2], 1e-14);
+  const auto right = algebra::right_singular_values(A);
+  EXPECT_LT((right.values - values).norm(), 1e-14);
+  EXPECT_LT((A * right.V.col(2)).norm(), 1e-14);
+  EXPECT_EQ(right.U.size(), 0);
+}
+
+// Of all solutions of a singular system the shortest must come, and the pseudo-inverse must give the same one.
+TEST(decompose, least_squares) {
+  const Matrix A = dependent();
+  const Vector b = A * Vector::Ones(3) + Vector::Unit(4, 1) - Vector::Unit(4, 3);  // the rest is normal to all columns
+  const Vector x = algebra::least_squares(A, b);
+  EXPECT_LT((A * (x - Vector::Ones(3))).norm(), 1e-13);
+  EXPECT_NEAR(x.dot(Vector{{1.0, 1.0, -1.0}}), 0.0, 1e-14);  // the motion that A does not see
+  EXPECT_LT((algebra::pseudo_inverse(A) * b - x).norm(), 1e-13);
+}
+
+// What is nearly dependent must count as dependent where the threshold says so.
+TEST(decompose, rank_threshold) {
+  const Matrix A{{1.0, 1.0}, {0.0, 1e-8}};
+  const Vector b{{1.0, 1.0}};
+  EXPECT_GT(algebra::least_squares(A, b).norm(), 1e7);
+  EXPECT_LT((algebra::least_squares(A, b, 1e-6) - Vector{{0.5, 0.5}}).norm(), 1e-7);
+}
+
+// A semidefinite system must be solved where it can be.
+TEST(decompose, symmetric) {
+  const Matrix A{{2.0, -2.0}, {-2.0, 2.0}};
+  const Vector x = algebra::solve_symmetric(A, Vector{{1.0, -1.0}});
+  EXPECT_LT((A * x - Vector{{1.0, -1.0}}).norm(), 1e-15);
+}
+
+// The columns that span the others must come first, with what is left of each beside those before it.
+TEST(decompose, leading_columns) {
+  const auto [columns, lengths] = algebra::leading_columns(dependent());
+  EXPECT_EQ(columns, (std::vector<int>{2, 0, 1}));
+  EXPECT_NEAR(lengths[0], std::sqrt(27.0), 1e-14);
+  EXPECT_LT(lengths[2], 1e-14);
+}
+
+}  // namespace
