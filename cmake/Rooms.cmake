@@ -1,6 +1,6 @@
 # The house: rooms in order. A room may include only rooms that stand before it.
 # The same list drives the link order and the architecture test.
-set(REYE_ROOMS base algebra mesh cad material fem body mortar wear contact solver adapt scene sim output)
+set(REYE_ROOMS base algebra mesh cad material fem body mortar wear fit contact solver adapt scene sim output)
 
 # Large rooms are divided into floors, folders that are in order, too: a floor includes only itself and floors before it.
 set(REYE_FLOORS_mesh solid)

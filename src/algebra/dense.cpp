@@ -145,6 +145,8 @@ Matrix DenseCholesky::condense(Matrix& B) const {
   return C;
 }
 
+double DenseCholesky::log_determinant() const { return 2.0 * L_.diagonal().array().log().sum(); }
+
 void invert(Matrix& A) {
   single_thread();
   const int n = static_cast<int>(A.rows());

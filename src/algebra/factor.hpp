@@ -99,6 +99,7 @@ class DenseCholesky {
   Vector solve(Vector b) const;
   /// Puts A^-1 B in place of B and returns B^T A^-1 B, symmetric bit by bit.
   Matrix condense(Matrix& B) const;
+  double log_determinant() const;  ///< of A
 
  private:
   Matrix L_;

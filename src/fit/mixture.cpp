@@ -1,0 +1,103 @@
+#include "fit/mixture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/decompose.hpp"
+#include "fit/quantiles.hpp"
+
+namespace reye::fit {
+
+namespace {
+
+constexpr int draws = 256;
+
+/// Fractional parts of k times the powers of 1 / g, g^(d + 1) = g + 1: evenly spread in d dimensions for every count
+/// (Roberts' generalisation of the golden ratio).
+class Spread {
+ public:
+  explicit Spread(std::size_t dimensions) {
+    double g = 2.0;
+    for (int i = 0; i < 50; ++i) g = std::pow(1.0 + g, 1.0 / (static_cast<double>(dimensions) + 1.0));
+    for (std::size_t i = 0; i < dimensions; ++i) step_.push_back(std::pow(g, -static_cast<double>(i + 1)));
+  }
+  double at(int k, std::size_t dimension) const {
+    const double x = 0.5 + step_[dimension] * (k + 1);
+    return x - std::floor(x);
+  }
+
+ private:
+  std::vector<double> step_;
+};
+
+/// What chi^2 over its freedom takes, in `draws` steps of equal probability.
+std::vector<double> spread_of_chi(int freedom) {
+  std::vector<double> values(draws, 1.0);
+  if (freedom <= 0) return values;
+  for (int i = 0; i < draws; ++i) values[i] = chi_squared_quantile(freedom, (i + 0.5) / draws) / freedom;
+  return values;
+}
+
+const Told& drawn(const Evidence& evidence, double u) {
+  for (const Told& one : evidence.told) {
+    u -= one.weight;
+    if (u < 0.0) return one;
+  }
+  return evidence.told.back();
+}
+
+}  // namespace
+
+Mixture mixture_of(const std::vector<Evidence>& series) {
+  const Eigen::Index p = series.front().told.front().b.size();
+  const Spread spread(2 * series.size());
+  std::vector<std::vector<double>> chi;
+  for (const Evidence& one : series) chi.push_back(spread_of_chi(one.freedom));
+  Mixture mixture;
+  for (int k = 0; k < draws; ++k) {
+    Matrix H = Matrix::Zero(p, p);
+    Vector g = Vector::Zero(p);
+    for (std::size_t s = 0; s < series.size(); ++s) {
+      const Told& one = drawn(series[s], spread.at(k, 2 * s));
+      const int freedom = series[s].freedom;
+      const double variance = freedom > 0 ? one.squares / freedom : 1.0;
+      const double weight = chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)] / variance;
+      H += weight * one.A;
+      g += weight * one.b;
+    }
+    mixture.covariance.push_back(algebra::solve_symmetric(H, Matrix::Identity(p, p)));
+    mixture.mean.push_back(mixture.covariance.back() * g);
+  }
+  return mixture;
+}
+
+Vector mean_of(const Mixture& mixture) {
+  Vector mean = Vector::Zero(mixture.mean.front().size());
+  for (const Vector& one : mixture.mean) mean += one / draws;
+  return mean;
+}
+
+Matrix covariance_of(const Mixture& mixture) {
+  const Vector mean = mean_of(mixture);
+  Matrix covariance = Matrix::Zero(mean.size(), mean.size());
+  for (std::size_t i = 0; i < mixture.mean.size(); ++i) {
+    const Vector off = mixture.mean[i] - mean;
+    covariance += (mixture.covariance[i] + off * off.transpose()) / draws;
+  }
+  return covariance;
+}
+
+double quantile_of(const Mixture& mixture, int k, double p) {
+  const double middle = mean_of(mixture)[k], reach = 100.0 * std::sqrt(covariance_of(mixture)(k, k));
+  double low = middle - reach, high = middle + reach;
+  while (high - low > 1e-6 * reach) {
+    const double x = 0.5 * (low + high);
+    double below = 0.0;
+    for (std::size_t i = 0; i < mixture.mean.size(); ++i)
+      below += normal_probability((x - mixture.mean[i][k]) / std::sqrt(mixture.covariance[i](k, k))) / draws;
+    (below < p ? low : high) = x;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace reye::fit
