@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -5,6 +6,7 @@
 #include "base/cores.hpp"
 #include "base/errors.hpp"
 #include "base/printable.hpp"
+#include "calibrate.hpp"
 #include "commands.hpp"
 #include "heap.hpp"
 #include "sweep.hpp"
@@ -35,6 +37,29 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   sweep->add_flag("--quiet", request.quiet, "reasons only");
   add_trust(*sweep, request.trust_geometry);
   return sweep;
+}
+
+CLI::App* add_calibrate(CLI::App& app, reye::apps::CalibrateRequest& request) {
+  auto* calibrate = app.add_subcommand("calibrate", "find the wear coefficients of a scene from measured scars");
+  calibrate->add_option("scene", request.path, "scene file (.toml)")->required();
+  calibrate->add_option("--measured", request.measured, "scar as a table (.csv), or several and numbers (.toml)")
+      ->required();
+  calibrate->add_option("--at", request.at, "cycles after which scars were measured that name none")
+      ->check(CLI::PositiveNumber);
+  calibrate
+      ->add_option("--free", request.free,
+                   "KEY=LOW:HIGH, a further value to find between two bounds, by runs of its own; several times")
+      ->allow_extra_args(false);
+  calibrate->add_option("--contact", request.contact, "contact of scars that name none");
+  calibrate->add_option("--side", request.side, "side of scars that name none: secondary or primary")
+      ->check(CLI::IsMember({"secondary", "primary"}));
+  calibrate->add_option("--out", request.out, "output folder (default: ./<scene name>.calibration)");
+  calibrate->add_option("--threads", request.threads, "cores to compute on (default: all physical ones)")
+      ->check(CLI::Range(1, 1024));
+  calibrate->add_flag("--force", request.force, "write into a folder that holds something else");
+  calibrate->add_flag("--quiet", request.quiet, "results and warnings only");
+  add_trust(*calibrate, request.trust_geometry);
+  return calibrate;
 }
 
 }  // namespace
@@ -76,6 +101,8 @@ int main(int argc, char** argv) {
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   apps::SweepRequest many;
   auto* sweep = add_sweep(app, many);
+  apps::CalibrateRequest measured;
+  auto* calibrate = add_calibrate(app, measured);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
   report->add_flag("--animation", request.animation,
@@ -91,11 +118,13 @@ int main(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   try {
-    const base::Cores cores(request.threads > 0 ? request.threads : base::physical_cores());
+    const int threads = std::max(request.threads, measured.threads);
+    const base::Cores cores(threads > 0 ? threads : base::physical_cores());
     if (*run) return apps::run(request);
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);
     if (*sweep) return apps::sweep(many);
+    if (*calibrate) return apps::calibrate(measured);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
     if (*reference) std::cout << apps::reference(of_solids);

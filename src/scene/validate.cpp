@@ -121,7 +121,8 @@ void check_bodies(const Entry& root, const Scene& scene, Issues& issues) {
   for (const auto& probe : root.at("output").all("probes")) refer(probe, "body", "body", bodies, issues);
 }
 
-/// Why lives do not scale as 1 / (wear coefficient); empty when they do.
+}  // namespace
+
 std::string no_band_rule(const Scene& scene) {
   for (const auto& contact : scene.contacts) {
     if (contact.friction_formula) return "contact \"" + contact.name + "\" has a formula";
@@ -133,8 +134,6 @@ std::string no_band_rule(const Scene& scene) {
     if (std::holds_alternative<material::HenckyJ2>(material)) return "material \"" + name + "\" flows, cycle by cycle";
   return no_band_by_steps(scene.steps);
 }
-
-}  // namespace
 
 void validate(const Entry& root, const Scene& scene, Issues& issues) {
   check_bodies(root, scene, issues);

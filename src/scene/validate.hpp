@@ -14,6 +14,9 @@ namespace reye::scene {
 
 void validate(const Entry& root, const Scene& scene, Issues& issues);
 
+/// Why lives do not scale as 1 / (wear coefficient); empty when they do.
+std::string no_band_rule(const Scene& scene);
+
 /// Contacts as a whole: sides on two bodies, a secondary side that can deform, no ring.
 void validate_contacts(const Entry& root, const Scene& scene, Issues& issues);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/check.hpp"
 #include "scene/entry.hpp"
 #include "scene/scene.hpp"
 

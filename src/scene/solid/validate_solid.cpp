@@ -135,19 +135,23 @@ void check_solid_cycles(const Entry& root, const SolidScene& scene, Issues& issu
 
 /// Wear that depends on speed needs the duration of steps; limits watch contacts.
 void check_solid_wear(const Entry& root, const SolidScene& scene, Issues& issues) {
-  std::string why = no_band_by_steps(scene.steps);
   for (const auto& contact : scene.contacts) {
-    if (const auto by_law = no_band_by_law(contact.name, contact.wear); !by_law.empty()) why = by_law;
     const auto speed = needs_speed(contact.wear);
     for (const auto& step : root.all("step"))
       if (!speed.empty() && step.flag("wear") && !step.given("period_s"))
         issues.push_back({step.key("period_s"), "", "missing; contact \"" + contact.name + "\" " + speed});
   }
   for (const auto& limit : root.all("limit")) refer(limit, "contact", "contact", names_of(scene.contacts), issues);
-  check_bands(root, why, issues);
+  check_bands(root, no_band_rule(scene), issues);
 }
 
 }  // namespace
+
+std::string no_band_rule(const SolidScene& scene) {
+  for (const auto& contact : scene.contacts)
+    if (auto why = no_band_by_law(contact.name, contact.wear); !why.empty()) return why;
+  return no_band_by_steps(scene.steps);
+}
 
 void validate_solid(const Entry& root, const SolidScene& scene, Issues& issues) {
   check_solid_bodies(root, scene, issues);

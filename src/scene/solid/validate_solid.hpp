@@ -9,6 +9,9 @@ namespace reye::scene {
 
 void validate_solid(const Entry& root, const SolidScene& scene, Issues& issues);
 
+/// Why lives do not scale as 1 / (wear coefficient); empty when they do.
+std::string no_band_rule(const SolidScene& scene);
+
 /// Contacts as a whole: sides on two bodies, a secondary side that can deform and is so once, no pair of faces twice.
 void validate_skin_contacts(const Entry& root, const SolidScene& scene, Issues& issues);
 
