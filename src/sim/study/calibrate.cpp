@@ -84,7 +84,7 @@ void set_coefficients(const ScarScene& scene, const ScarParameters& parameters, 
     }
 }
 
-/// Values of free keys; one beyond its bounds is told.
+/// Values of free keys; one beyond its bounds is named in the notes.
 void set_keys(const ScarScene& scene, const ScarParameters& parameters, Calibration& result) {
   const auto& e = result.estimate;
   for (std::size_t i = 0; i < parameters.keys.size(); ++i) {

@@ -53,7 +53,7 @@ class Search {
         result_.notes.push_back("The runs did not settle the values; the last estimate stands.");
         break;
       }
-      told_("the estimate has moved; played again with it");
+      told_("the estimate has moved; another run with it");
       if (!play(within_bounds(theta))) return;
       drop_farthest(theta);
     }
@@ -157,7 +157,7 @@ class Search {
     if (!play(theta, true)) return false;
     if (!left_) return true;
     theta = quick_;
-    told_(base::formatted("the scars ask for about %.3g times the coefficients of the scene; played again with those",
+    told_(base::formatted("the scars ask for about %.3g times the coefficients of the scene; repeated with those",
                           parameters_.total(parameters_.factors_of(theta))));
     runs_.clear();
     return play(theta);
