@@ -6,6 +6,7 @@
 
 #include "places.hpp"
 #include "scenes.hpp"
+#include "solid_scenes.hpp"
 
 using namespace reye;
 
@@ -58,19 +59,22 @@ void write_scar(const test::Place& place, const std::string& side, double cycle,
   place.write(file, text.str());
 }
 
+/// The place of a column in a table.
+std::size_t column(const std::vector<Row>& rows, const std::string& name) {
+  return static_cast<std::size_t>(std::find(rows.at(0).begin(), rows[0].end(), name) - rows[0].begin());
+}
+
 /// The loop of the last cycle: tangential force over the motion of the shaker, whose zero is the sensor's own.
 void write_loop(const test::Place& place, const std::string& file) {
   const auto rows = rows_of(test::read(place / "truth/history.csv"));
-  const auto column = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
-  };
   std::ostringstream text;
   text.precision(12);
   text << "stroke_mm,force_N_per_mm\n";
   for (std::size_t i = rows.size() - 16; i < rows.size(); ++i) {
-    const double t = std::stod(rows[i].at(column("progress")));
+    const double t = std::stod(rows[i].at(column(rows, "progress")));
     const double stroke = t < 0.25 ? 4.0 * t : t < 0.75 ? 2.0 - 4.0 * t : 4.0 * t - 4.0;
-    text << 1.0 + 0.004 * stroke << ',' << 7.0 - std::stod(rows[i].at(column("pad_tangential_force_N_per_mm"))) << '\n';
+    text << 1.0 + 0.004 * stroke << ',' << 7.0 - std::stod(rows[i].at(column(rows, "pad_tangential_force_N_per_mm")))
+         << '\n';
   }
   place.write(file, text.str());
 }
@@ -196,4 +200,39 @@ TEST(Calibrate, FrictionFromALoop) {
   const auto values = rig.result()["values"];
   ASSERT_EQ(values.size(), 1u);
   EXPECT_NEAR(values[0]["fitted"].get<double>(), 0.5, 0.02) << values;
+}
+
+// A map of a solid's face must give the coefficient with which the ball has worn it, wherever the instrument's zero
+// lies.
+TEST(Calibrate, AMapOfASolid) {
+  const test::WithRubbing place;
+  const auto worn = [](const char* coefficient) {
+    return changed(test::rubbing,
+                   Changes{{"friction  = 0.3\n",
+                            std::string("friction  = 0.3\nwear = { law = \"energy\", secondary_mm3_per_J = ") +
+                                coefficient + " }\n"},
+                           {"increments = 4\n", "increments = 4\nwear = false\n"},
+                           {"cycles = 3", "cycles = 20\njump = 2"},
+                           {"last_block = true", "every_cycles = 20"}});
+  };
+  place.write("truth.toml", worn("1.25e-2"));
+  place.write("guess.toml", worn("1e-2"));
+  ASSERT_EQ(place.reye({"run", "truth.toml", "--out", "truth", "--quiet"}).code, 0);
+  const auto rows = rows_of(test::read(place / "truth/surface_pad_secondary.csv"));
+  std::ostringstream map;
+  map << "x_mm,y_mm,height_um\n";
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 1e-3);
+  for (const auto& row : rows) {
+    if (row[0] == "frame" || std::stod(row[1]) != 20.0) continue;
+    const double x = std::stod(row[column(rows, "x_mm")]), y = std::stod(row[column(rows, "y_mm")]);
+    const double depth = 1e3 * std::stod(row[column(rows, "wear_depth_mm")]);
+    map << x << ',' << y << ',' << 0.3 + 0.5 * x - depth + noise(random) << '\n';
+  }
+  place.write("map.csv", map.str());
+  const auto told = place.reye({"calibrate", "guess.toml", "--measured", "map.csv", "--at", "20", "--out", "out"});
+  ASSERT_EQ(told.code, 0) << told.err;
+  const auto result = nlohmann::json::parse(test::read(place / "out/calibration.json"));
+  EXPECT_NEAR(result["values"][0]["fitted"].get<double>() / 1.25e-2, 1.0, 0.03) << result.dump(1);
+  EXPECT_TRUE(test::fs::exists(place / "out/figures/scar-0-b.svg"));
 }
