@@ -77,11 +77,26 @@ Json plain_of(const Key& key) {
   return Json::object();
 }
 
-/// The texts or whole numbers that are choices.
+/// A default or a choice, as it is written in the table of keys.
+Json value_of(const Key& key, const std::string& written) {
+  switch (key.type) {
+    case Type::text:
+      return written;
+    case Type::texts:
+      assert(written == "[]");
+      return Json::array();
+    case Type::flag:
+      return written == "true";
+    case Type::whole:
+      return std::stoi(written);
+    default:
+      return std::stod(written);
+  }
+}
+
 Json choices_in(const Key& key) {
   Json choices = Json::array();
-  for (const auto& choice : split(key.range.choices, '|'))
-    choices.push_back(key.type == Type::text ? Json(choice) : Json::parse(choice));
+  for (const auto& choice : split(key.range.choices, '|')) choices.push_back(value_of(key, choice));
   return choices;
 }
 
@@ -128,8 +143,7 @@ Json schema_of(const Spec& place) {
   if (!place.key) return schema;
   const auto& key = *place.key;
   schema["description"] = description(key);
-  if (!key.fallback.empty() && key.fallback != required)
-    schema["default"] = key.type == Type::text ? Json(key.fallback) : Json::parse(key.fallback);
+  if (!key.fallback.empty() && key.fallback != required) schema["default"] = value_of(key, std::string(key.fallback));
   if (key.range.choices.empty()) return schema;
   if (place.is_table())
     schema["anyOf"] = {{{"enum", choices_in(key)}}, {{"type", {"object", "array"}}}};
