@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"mortar", "adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"output"}, "cereal": {"output"},
+OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"mortar", "adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"scene", "output"}, "cereal": {"output"},
           "toml": {"scene"}, "cholmod": {"algebra"}, "umfpack": {"algebra"}, "suitesparse": {"algebra"}, "Support>": {"algebra"},
           "tbb/": {"base"}, "CLI/": {"apps"}, "spdlog": {"apps"}, "muParser": {"wear"}}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)

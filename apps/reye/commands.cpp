@@ -26,6 +26,7 @@
 #include "plane_resume.hpp"
 #include "progress_line.hpp"
 #include "scene/read.hpp"
+#include "scene/schema.hpp"
 #include "scene/solid/solid_keys.hpp"
 #include "scene/solid/solid_scene.hpp"
 #include "signals.hpp"
@@ -143,6 +144,8 @@ void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::st
 
 std::string version() { return std::string(output::version) + " (commit " + output::commit() + ")"; }
 std::string reference(bool of_solids) { return of_solids ? scene::solid_reference() : scene::reference(); }
+
+std::string schema() { return scene::schema(scene::spec(), scene::solid_spec()); }
 
 int run(const Request& request) {
   if (scene::is_solid(request.path)) return run_solid(request);

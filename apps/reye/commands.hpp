@@ -19,6 +19,9 @@ std::string version();
 /// The table of scene keys, of plane scenes or of solids, as markdown: the tables in geo/REFERENCE.md.
 std::string reference(bool of_solids);
 
+/// The JSON Schema of scenes: geo/scene.schema.json.
+std::string schema();
+
 int run(const Request& request);
 int plan(const Request& request);
 int check(const Request& request);

@@ -110,6 +110,7 @@ int main(int argc, char** argv) {
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
   bool of_solids = false;
   reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
+  auto* schema = app.add_subcommand("schema", "the JSON Schema of scenes, as in geo/scene.schema.json")->group("");
 
   try {
     app.parse(argc, argv);
@@ -128,6 +129,7 @@ int main(int argc, char** argv) {
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
     if (*reference) std::cout << apps::reference(of_solids);
+    if (*schema) std::cout << apps::schema();
     return 0;
   } catch (const base::InputError& error) {
     std::cerr << error.what() << '\n';

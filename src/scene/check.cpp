@@ -139,7 +139,6 @@ std::string broken_rule(const Node& node, const Spec& place) {
   const auto& key = *place.key;
   if (key.type == Type::refused) return std::string(key.doc);
   if (!has_type(node, key.type)) return words_of(key.type).rule + or_a_table(place);
-  constexpr std::size_t most_pairs = 10'000;  // each corner of a history ends an increment
   if ((key.type == Type::curve || key.type == Type::history) && node.children.size() > most_pairs)
     return "has " + std::to_string(node.children.size()) + " pairs; 10000 are the most";
   if (!all_finite(node)) return "must be finite";
@@ -150,8 +149,7 @@ std::string broken_rule(const Node& node, const Spec& place) {
   if (key.type == Type::history) return history_rule(node);
   if (!in_range(node, key.range)) return rule_of(key);
   if (key.type == Type::curve) return curve_rule(node);
-  constexpr double most = 1e9;  // whole numbers are kept as int
-  if (key.type == Type::whole && std::abs(node.number) > most) return "must be at most 1e9";
+  if (key.type == Type::whole && std::abs(node.number) > whole_limit) return "must be at most 1e9";
   return {};
 }
 
@@ -231,6 +229,16 @@ std::string rule_of(const Key& key) {
            (range.high_open ? ")" : "]");
   if (above) return (range.low_open ? "must be > " : "must be >= ") + shown(range.low);
   return {};
+}
+
+std::string takes(const Key& key) {
+  if (!key.range.choices.empty()) return choices_of(key);
+  const auto rule = rule_of(key);
+  const std::string_view lie = "must lie ";
+  const std::string_view be = "must be ";
+  if (rule.empty()) return type_name(key.type);
+  const auto range = rule.substr(rule.starts_with(be) ? be.size() : lie.size());
+  return type_name(key.type) + ' ' + range;
 }
 
 std::string shown(double number) {

@@ -12,6 +12,8 @@ namespace reye::scene {
 
 using Issues = std::vector<base::Issue>;
 
+inline constexpr std::size_t most_pairs = 10'000;  ///< of a history, where each corner ends an increment, or a curve
+
 void check(const Node& root, const Spec& spec, Issues& issues);
 
 /// "list of numbers", as the reference calls a type.
@@ -22,6 +24,9 @@ std::string rule_of(const Key& key);
 
 /// `"a", "b" or "c"` from `a|b|c`; without quotes for numbers.
 std::string choices_of(const Key& key);
+
+/// The values of a key, as the reference calls them: its choices, or its type and range.
+std::string takes(const Key& key);
 
 /// Shortest number that reads back the same.
 std::string shown(double number);

@@ -78,9 +78,9 @@ wear::Formula Entry::formula(std::string_view name) const {
 }
 
 int Entry::whole(std::string_view name) const {
-  constexpr double most = 1e9;
   const auto* key = spec_->find(name)->key;  // a value outside its range has been reported and must not be used
-  const double low = key ? std::max(key->range.low, -most) : -most, high = key ? std::min(key->range.high, most) : most;
+  const double low = key ? std::max(key->range.low, -whole_limit) : -whole_limit;
+  const double high = key ? std::min(key->range.high, whole_limit) : whole_limit;
   return static_cast<int>(std::clamp(number(name), low, high));
 }
 

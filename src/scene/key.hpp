@@ -50,4 +50,6 @@ struct Key {
 
 inline constexpr std::string_view required = "required";
 
+inline constexpr double whole_limit = 1e9;  ///< of the size of whole numbers, which are kept as int
+
 }  // namespace reye::scene

@@ -3,21 +3,6 @@
 
 namespace reye::scene {
 
-namespace {
-
-/// The values of a key: its choices, or its type and range.
-std::string takes(const Key& key) {
-  if (!key.range.choices.empty()) return choices_of(key);
-  const auto rule = rule_of(key);
-  const std::string_view lie = "must lie ";
-  const std::string_view be = "must be ";
-  if (rule.empty()) return type_name(key.type);
-  const auto range = rule.substr(rule.starts_with(be) ? be.size() : lie.size());
-  return type_name(key.type) + ' ' + range;
-}
-
-}  // namespace
-
 std::string reference() { return reference(keys()); }
 
 std::string reference(std::span<const Key> table) {

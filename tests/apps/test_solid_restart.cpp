@@ -47,8 +47,8 @@ TEST(SolidRestart, SameWhereverInstalled) {
   place.write("rubbing.toml", test::worn_rubbing());
   const test::fs::path built = test::fs::path(REYE_COMMAND).parent_path();
   for (const std::string& home : {std::string("a"), std::string(150, 'b')}) {
-    for (const char* folder : {"bin", "lib"}) test::fs::create_directories(place / (home + "/" + folder));
-    for (const char* file : {"bin/reye", "bin/reye-import", "lib/libreye_gmsh.so"})
+    for (const char* folder : {"bin", "lib/reye"}) test::fs::create_directories(place / (home + "/" + folder));
+    for (const char* file : {"bin/reye", "bin/reye-import", "lib/reye/libreye_gmsh.so"})
       test::fs::copy_file(built.parent_path() / file, place / (home + "/" + file));
     const auto told =
         place.start({place / (home + "/bin/reye"), "run", "rubbing.toml", "--out", home + "/o", "--quiet"}).wait();

@@ -8,6 +8,7 @@
 #include "folder.hpp"
 #include "scene/keys.hpp"
 #include "scene/read.hpp"
+#include "scene/schema.hpp"
 #include "scene/sha256.hpp"
 #include "scene/solid/solid_keys.hpp"
 #include "scene/spec.hpp"
@@ -31,10 +32,14 @@ void expect_sound(std::span<const scene::Key> table) {
   }
 }
 
+std::string in_geo(const std::string& name) {
+  std::ifstream file(std::string(REYE_SOURCE_DIR) + "/geo/" + name);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// The text between the markers of a table in geo/REFERENCE.md.
 std::string table_of_page(const std::string& name) {
-  std::ifstream file(std::string(REYE_SOURCE_DIR) + "/geo/REFERENCE.md");
-  const std::string page(std::istreambuf_iterator<char>(file), {});
+  const auto page = in_geo("REFERENCE.md");
   const std::string begin = "<!-- " + name + " reference: begin -->", end = "<!-- " + name + " reference: end -->";
   const auto from = page.find(begin), to = page.find(end);
   if (from == std::string::npos || to == std::string::npos) return {};
@@ -85,6 +90,12 @@ TEST(Keys, Reference) {
 TEST(Keys, PageHoldsTheReferences) {
   EXPECT_EQ(table_of_page("scene"), scene::reference()) << "put the text on the right between the markers";
   EXPECT_EQ(table_of_page("solid"), scene::solid_reference()) << "put the text on the right between the markers";
+}
+
+/// The schema that editors read is that made from the tables of keys.
+TEST(Keys, SchemaIsCommitted) {
+  EXPECT_TRUE(in_geo("scene.schema.json") == scene::schema(scene::spec(), scene::solid_spec()))
+      << "run apps/scene_reference.py";
 }
 
 /// Published digests (FIPS 180-4 examples), short, of two blocks, and at the padding's edge.

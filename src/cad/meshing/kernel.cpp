@@ -10,7 +10,7 @@
 namespace reye::cad {
 
 const void* kernel_symbol(const char* name) {
-  static void* const library = dlopen(beside_program("../lib/libreye_gmsh.so").c_str(), RTLD_LAZY | RTLD_LOCAL);
+  static void* const library = dlopen(beside_program("../lib/reye/libreye_gmsh.so").c_str(), RTLD_LAZY | RTLD_LOCAL);
   static const std::string reason = library ? "" : dlerror();  // the system says it once
   if (!library) throw std::runtime_error("gmsh cannot be loaded: " + reason);
   const void* const found = dlsym(library, name);

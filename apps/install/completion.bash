@@ -1,0 +1,34 @@
+# Completion of reye for bash: commands, options, scenes (*.toml) and folders. Nothing is run for it; a test compares the
+# words with the help of the program.
+_reye() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} words=
+  local -A options=(
+    [run]="--out --restart --force --quiet --threads --trust-geometry --help"
+    [plan]="--trial --threads --trust-geometry --help"
+    [check]="--picture --trust-geometry --help"
+    [mesh]="--out --trust-geometry --help"
+    [sweep]="--vary --out --jobs --member --slurm --table --force --quiet --trust-geometry --help"
+    [report]="--animation --help"
+  )
+  COMPREPLY=()
+  compopt +o filenames 2>/dev/null
+  if ((COMP_CWORD == 1)); then
+    mapfile -t COMPREPLY < <(compgen -W "${!options[*]} --help --version" -- "$word")
+    return
+  fi
+  case $before in
+    --threads | --trial | --jobs | --member | --vary) return ;;
+  esac
+  if [[ $word == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "${options[${COMP_WORDS[1]}]-}" -- "$word")
+    return
+  fi
+  case $before:${COMP_WORDS[1]} in
+    --out:* | *:report) ;;
+    --picture:*) words='!*.svg' ;;
+    *) words='!*.toml' ;;
+  esac
+  compopt -o filenames 2>/dev/null
+  mapfile -t COMPREPLY < <(compgen -d -- "$word"; [[ -z $words ]] || compgen -f -X "$words" -- "$word")
+}
+complete -F _reye reye
