@@ -7,7 +7,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = pathlib.Path(os.environ.get("REYE_BUILD", ROOT / "build")) / "bin" / "reye"
-TABLES = {"scene": [], "solid": ["--solid"]}
+TABLES = {"scene": [], "solid": ["--solid"], "scar": ["--scars"]}
 
 
 def printed(*arguments):

@@ -8,6 +8,7 @@ _reye() {
     [check]="--picture --trust-geometry --help"
     [mesh]="--out --trust-geometry --help"
     [sweep]="--vary --out --jobs --member --slurm --table --force --quiet --trust-geometry --help"
+    [calibrate]="--measured --at --contact --side --free --out --threads --force --quiet --trust-geometry --help"
     [report]="--animation --help"
   )
   COMPREPLY=()
@@ -17,7 +18,10 @@ _reye() {
     return
   fi
   case $before in
-    --threads | --trial | --jobs | --member | --vary) return ;;
+    --threads | --trial | --jobs | --member | --vary | --at | --contact | --free) return ;;
+    --side)
+      mapfile -t COMPREPLY < <(compgen -W "secondary primary" -- "$word")
+      return ;;
   esac
   if [[ $word == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "${options[${COMP_WORDS[1]}]-}" -- "$word")
@@ -26,6 +30,7 @@ _reye() {
   case $before:${COMP_WORDS[1]} in
     --out:* | *:report) ;;
     --picture:*) words='!*.svg' ;;
+    --measured:*) words='!*.@(csv|toml)' ;;
     *) words='!*.toml' ;;
   esac
   compopt -o filenames 2>/dev/null

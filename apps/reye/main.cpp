@@ -9,6 +9,7 @@
 #include "calibrate.hpp"
 #include "commands.hpp"
 #include "heap.hpp"
+#include "scene/scars.hpp"
 #include "sweep.hpp"
 
 namespace {
@@ -108,8 +109,9 @@ int main(int argc, char** argv) {
   report->add_flag("--animation", request.animation,
                    "bodies, pressure and wear moving from frame to frame, in the page");
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
-  bool of_solids = false;
+  bool of_solids = false, of_scars = false;
   reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
+  reference->add_flag("--scars", of_scars, "of what `calibrate` reads");
   auto* schema = app.add_subcommand("schema", "the JSON Schema of scenes, as in geo/scene.schema.json")->group("");
 
   try {
@@ -128,7 +130,7 @@ int main(int argc, char** argv) {
     if (*calibrate) return apps::calibrate(measured);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
-    if (*reference) std::cout << apps::reference(of_solids);
+    if (*reference) std::cout << (of_scars ? scene::scar_reference() : apps::reference(of_solids));
     if (*schema) std::cout << apps::schema();
     return 0;
   } catch (const base::InputError& error) {

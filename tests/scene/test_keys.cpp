@@ -8,6 +8,7 @@
 #include "folder.hpp"
 #include "scene/keys.hpp"
 #include "scene/read.hpp"
+#include "scene/scars.hpp"
 #include "scene/schema.hpp"
 #include "scene/sha256.hpp"
 #include "scene/solid/solid_keys.hpp"
@@ -90,6 +91,7 @@ TEST(Keys, Reference) {
 TEST(Keys, PageHoldsTheReferences) {
   EXPECT_EQ(table_of_page("scene"), scene::reference()) << "put the text on the right between the markers";
   EXPECT_EQ(table_of_page("solid"), scene::solid_reference()) << "put the text on the right between the markers";
+  EXPECT_EQ(table_of_page("scar"), scene::scar_reference()) << "put the text on the right between the markers";
 }
 
 /// The schema that editors read is that made from the tables of keys.
