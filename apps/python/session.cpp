@@ -40,9 +40,6 @@ struct Machine {
   const base::Cores cores;
 };
 
-void draw_no_frames(scene::Scene& scene) { scene.output.frames.paraview = false; }
-void draw_no_frames(scene::SolidScene& scene) { scene.frames.paraview = false; }
-
 template <class Scene>
 double all_cycles(const Scene& scene) {
   double cycles = 0.0;
@@ -100,9 +97,8 @@ void read(const Text& scene) {
 }
 
 SessionRun run(const Text& text, const RunPlace& place, int threads, const SessionWatch& watch) {
-  return with_scene(text, [&](auto scene) {
+  return with_scene(text, [&](const auto& scene) {
     const Machine machine(threads);
-    if (place.dir.empty()) draw_no_frames(scene);
     const double cycles = all_cycles(scene);
     SessionRun session;
     sim::Progress last;

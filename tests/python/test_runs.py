@@ -11,7 +11,7 @@ import reye
 class Runs(places.Place):
     def test_folder_is_that_of_the_command(self):
         """A folder written from Python holds what the command writes, file by file."""
-        scene = self.saved(places.small_scene())
+        scene = self.saved(places.small_scene(cad=True))
         run = scene.run(out="python")
         told = places.command("run", scene.path, "--out", "command", "--quiet")
         self.assertEqual(told.returncode, 0, told.stderr)

@@ -6,8 +6,7 @@ import reye
 geo = pathlib.Path(__file__).resolve().parents[3] / "geo"
 
 scene = reye.Scene(geo / "fretting_demo/scene.toml")
-scene["contact.pad.fine_zone.size_mm"] = 0.05
-scene["step[2].cycles"] = 1200
+scene["step[2].cycles"] = 3600
 
 print("friction  energy mJ/mm  depth um")
 for friction in (0.6, 0.9):

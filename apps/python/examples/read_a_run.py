@@ -11,7 +11,6 @@ geo = pathlib.Path(__file__).resolve().parents[3] / "geo"
 folder = sys.argv[1] if len(sys.argv) > 1 else "half_way.out"
 
 scene = reye.Scene(geo / "fretting_demo/scene.toml")
-scene["contact.pad.fine_zone.size_mm"] = 0.05
 scene["step[2].cycles"] = 2400
 print(scene.plan(trial_s=0.1))
 
