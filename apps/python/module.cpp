@@ -86,7 +86,7 @@ class Asking {
   std::optional<py::error_already_set> raised_;
 };
 
-/// The tables and the notes of a run. `callback`: called with the numbers of a block; False stops the run.
+/// The tables and the notes of a run. `callback`: called with the numbers of a block; True stops the run.
 py::tuple run(const Text& scene, const apps::RunPlace& place, int threads, const py::object& callback) {
   Asking asking;
   apps::SessionWatch watch;
@@ -99,7 +99,7 @@ py::tuple run(const Text& scene, const apps::RunPlace& place, int threads, const
     asking.call([&] {
       return callback(text_of(at.step), at.cycle, at.cycles, at.fraction, at.depth_max_mm, at.increments,
                       at.increments_left)
-          .is(py::bool_(false));
+          .cast<bool>();
     });
   };
   watch.interrupted = [&] {

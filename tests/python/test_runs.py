@@ -1,5 +1,9 @@
 """A run from Python and one of the command leave the same bytes, but for times."""
 import os
+import pathlib
+import shutil
+import subprocess
+import sys
 import unittest
 
 import numpy
@@ -59,8 +63,9 @@ class Runs(places.Place):
         depth = max(frame["wear_depth_mm"].max() for frame in surface)
         self.assertEqual(depth, run.summary["contacts"]["pad"]["secondary"]["max_depth_mm"])
         self.assertEqual(list(run.surfaces), [("pad", "primary"), ("pad", "secondary")])
-        with self.assertRaisesRegex(KeyError, "pad"):
-            run.surfaces["bad", "secondary"]
+        for key in (("bad", "secondary"), "pad"):
+            with self.assertRaisesRegex(KeyError, "there are: .'pad', 'primary'"):
+                run.surfaces[key]
 
     def test_stop_and_restart(self):
         """A run that its callback stops, resumed, leaves the bytes of an unbroken one; blocks come in their order."""
@@ -70,7 +75,7 @@ class Runs(places.Place):
 
         def until_200(progress):
             seen.append(progress)
-            return progress.cycle < 200
+            return numpy.bool_(progress.cycle < 200)
 
         half = scene.run(out="out", callback=until_200)
         self.assertEqual((half.status, seen[-1].cycle, seen[-1].cycles), ("interrupted", 200, 400))
@@ -117,12 +122,31 @@ class Runs(places.Place):
         self.saved(places.small_scene()).run()
         self.assertTrue((a @ a == before).all())
 
+    def test_installed_elsewhere(self):
+        """The package finds what reads geometry under any prefix, whatever the working folder is; without it, it says so."""
+        prefix, build = pathlib.Path("prefix").absolute(), pathlib.Path(places.COMMAND).parents[1]
+        package = prefix / "lib/python3/dist-packages"
+        shutil.copytree(pathlib.Path(reye.__file__).parent, package / "reye")
+        shutil.copytree(build / "lib", prefix / "lib", dirs_exist_ok=True)
+        scene = self.saved(places.small_scene(cad=True))
+        code = "import os, reye; os.chdir('/'); print(reye.check(%r).lines[0])" % os.path.abspath(scene.path)
+        told = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": os.path.relpath(package)},
+                              capture_output=True, text=True)
+        self.assertIn("holds bin/reye-import", told.stderr)
+        (prefix / "bin").mkdir()
+        shutil.copy(build / "bin/reye-import", prefix / "bin")
+        told = subprocess.run([sys.executable, "-c", code], env={"PYTHONPATH": os.path.relpath(package)},
+                              capture_output=True, text=True)
+        self.assertTrue(told.stdout.startswith("body cylinder"), told.stderr)
+
     def test_bad_options(self):
         """Options that mean nothing are refused before anything is written."""
         scene = self.saved(places.small_scene())
         for options in ({"restart": True}, {"out": ""}, {"out": "out", "threads": 0}):
             with self.assertRaises(ValueError):
                 scene.run(**options)
+        with self.assertRaisesRegex(TypeError, "callback = 3"):
+            scene.run(callback=3)
         with self.assertRaisesRegex(reye.InputError, "no checkpoint"):
             scene.run(out="out", restart=True)
         self.assertFalse(os.path.exists("out"))

@@ -4,19 +4,26 @@ from typing import NamedTuple, Optional
 
 
 class Issue(NamedTuple):
-    """One error of the input."""
+    """One error of the input.
 
-    file: Optional[str]  #: the scene file; None where the error has no place in a file
-    line: Optional[int]  #: its line, from 1
-    key: str  #: the key it belongs to, as in geo/REFERENCE.md: "material.steel.nu"
-    value: str  #: its value as written; empty if the key itself is the fault
-    rule: str  #: the rule that it breaks
+    file, line  the scene file and the line, from 1; None where the error has no place in a file
+    key         the key it belongs to, as in geo/REFERENCE.md: "material.steel.nu"
+    value       its value as written; empty if the key itself is the fault
+    rule        the rule that it breaks
+    """
+
+    file: Optional[str]
+    line: Optional[int]
+    key: str
+    value: str
+    rule: str
 
 
 class InputError(ValueError):
     """Bad input: a scene, its geometry, a folder that may not be used. Nothing has been written.
 
-    `issues` holds all errors at once, a tuple of `Issue`; the text has a line for each.
+    `issues` holds all errors at once, a tuple of `Issue`; the text has a line for each, as the command prints it. Keys that
+    begin with "--" are arguments: "--out" is `out`.
     """
 
     def __init__(self, text, issues=()):

@@ -92,7 +92,7 @@ class Surfaces(Mapping):
         self._read = {}
 
     def __getitem__(self, key):
-        contact, side = key
+        contact, side = key if isinstance(key, tuple) and len(key) == 2 else (str(key), "")
         file = f"surface_{_reye.file_part(bytes_of(contact))}_{side}.csv"
         if file not in self._run.tables:
             known = ", ".join(map(repr, self)) or "none"
@@ -152,7 +152,7 @@ class Run:
         return sorted((self.folder / "frames").glob("bodies_*.vtu")) if self.folder else []
 
     def table(self, file):
-        """Arrays by column of a table of the folder: "history.csv"."""
+        """Arrays by column of a table of the folder by its file name: "history.csv"."""
         if file not in self.tables:
             raise _damaged(str(self.folder / file), "it is missing") if self.folder else KeyError(file)
         return columns(self.tables[file], str(self.folder / file) if self.folder else file, self.status != "running")

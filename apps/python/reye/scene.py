@@ -5,7 +5,9 @@ import re
 import threading
 import tomllib
 import warnings
-from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy
 
 from . import _reye
 from .errors import RunError, RunWarning
@@ -14,40 +16,55 @@ from .results import Run, bytes_of, read
 _one_at_a_time = threading.RLock()  # the number of cores belongs to the process
 
 
-@dataclass(frozen=True)
-class Progress:
-    """A run at the end of a block of cycles, as its callback receives it."""
+class Progress(NamedTuple):
+    """A run at the end of a block of cycles, as its callback receives it.
 
-    step: str  #: name of the step
-    cycle: float  #: cycles done
-    cycles: float  #: cycles of all steps
-    fraction: float  #: of the step
-    depth_max_mm: float  #: largest wear depth of all contacts [mm]
-    increments: float  #: increments solved so far
-    increments_left: float  #: an estimate of those to be solved
+    step                        name of the step
+    cycle, cycles               cycles done, and of all steps
+    fraction                    of the step, in [0, 1]
+    depth_max_mm                largest wear depth of all contacts [mm]
+    increments, increments_left increments solved so far, and an estimate of those to be solved
+    """
+
+    step: str
+    cycle: float
+    cycles: float
+    fraction: float
+    depth_max_mm: float
+    increments: float
+    increments_left: float
 
 
-@dataclass(frozen=True)
-class Plan:
-    """What a run will take."""
+class Plan(NamedTuple):
+    """What a run will take; its str() is what `reye plan` prints.
 
-    lines: list  #: a sentence per body and contact, and per decision
-    skipped: list  #: what is skipped, and why
-    warnings: list  #: what to know before the run
-    forecast: dict  #: numbers by name: blocks, cycles, increments, seconds, spread (the time lies between seconds / spread
-    #: and seconds * spread), memory_MB; without "seconds" where the time is not known
-    in_words: list  #: the forecast as sentences
+    lines     a sentence per body and contact, and per decision
+    skipped   what is skipped, and why
+    warnings  what to know before the run
+    forecast  numbers by name: blocks, cycles, increments, seconds, spread (the time lies between seconds / spread and
+              seconds * spread), memory_MB; without seconds where the time is not known. Of solids increments alone
+    in_words  the forecast as sentences
+    """
+
+    lines: list
+    skipped: list
+    warnings: list
+    forecast: dict
+    in_words: list
 
     def __str__(self):
         return "\n".join(self.lines + [f"skipped: {text}" for text in self.skipped] + self.in_words)
 
 
-@dataclass(frozen=True)
-class Check:
-    """What a scene holds."""
+class Check(NamedTuple):
+    """What a scene holds; its str() is what `reye check` prints.
 
-    lines: list  #: a line per body, boundary and contact, with lengths in mm, areas in mm^2, volumes in mm^3
-    warnings: list  #: what to know before the run
+    lines     a line per body, boundary and contact, with lengths in mm, areas in mm^2, volumes in mm^3
+    warnings  what to know before the run
+    """
+
+    lines: list
+    warnings: list
 
     def __str__(self):
         return "\n".join(self.lines)
@@ -62,7 +79,7 @@ class Scene:
         "limit.life.depth_mm" in scene
 
     The file must be a scene without errors, else InputError is raised. The file is left alone; `save` writes the text as
-    changed. Values are those of TOML: numbers, texts, truth values, lists and tables (dicts), in the units of their keys.
+    changed, and lines in errors count in `text`. Values are those of TOML: numbers, texts, truth values, lists and tables (dicts), in the units of their keys.
     """
 
     def __init__(self, path):
@@ -90,7 +107,7 @@ class Scene:
         to its default (geo/REFERENCE.md)."""
         value = tomllib.loads(self._text)
         try:
-            for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", key):
+            for name, index in re.findall(r"([^.\[\]]+)|\[(\d+)\]", key) or [("", -1)]:
                 value = value[name] if name else value[int(index)]
         except (KeyError, IndexError, TypeError):
             rule = _reye.rule_of_key(self._given(), bytes_of(key))
@@ -146,12 +163,14 @@ class Scene:
             raise ValueError("restart needs the folder of the run: out=...")
         if threads is not None and not 1 <= threads <= 1024:
             raise ValueError(f"threads = {threads}: must lie in [1, 1024]")
-        at_block = None if callback is None else lambda *numbers: callback(Progress(*numbers))
+        if callback is not None and not callable(callback):
+            raise TypeError(f"callback = {callback!r}: must be a function of a Progress")
         folder = "" if out is None else os.fspath(out)
         if out is not None and not folder:
             raise ValueError("out is empty: name a folder, or None for a run in memory")
         with _one_at_a_time:
-            tables, notes = _reye.run(self._given(trust_geometry), bytes_of(folder), restart, force, threads or 0, at_block)
+            tables, notes = _reye.run(self._given(trust_geometry), bytes_of(folder), restart, force, threads or 0,
+                                      callback and (lambda *numbers: _says_stop(callback(Progress(*numbers)))))
         run = Run(tables) if out is None else read(folder)
         for text in notes + [f"{warning['kind']}: {warning['text']}" for warning in run.summary["warnings"]]:
             warnings.warn(text, RunWarning, stacklevel=2)
@@ -161,6 +180,10 @@ class Scene:
 
     def _given(self, trust_geometry=False):
         return _reye.Text(bytes_of(self._text), bytes_of(self._path), trust_geometry)
+
+
+def _says_stop(answer):
+    return isinstance(answer, (bool, numpy.bool_)) and not answer
 
 
 def toml(value):
