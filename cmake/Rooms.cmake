@@ -22,6 +22,9 @@ endforeach()
 add_library(reye_options INTERFACE)
 target_compile_options(reye_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                        -Wno-restrict -Wno-stringop-overread)  # g++ 12 warns falsely about std::string, added or moved
+# The rooms are linked into programs and into modules, so all of them are position independent; calls between their own
+# functions stay direct.
+target_compile_options(reye_options INTERFACE -fPIC -fno-semantic-interposition)
 if(REYE_WERROR)
   target_compile_options(reye_options INTERFACE -Werror)
 endif()

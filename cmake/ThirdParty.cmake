@@ -29,3 +29,12 @@ find_path(CEREAL_INCLUDE_DIR cereal/cereal.hpp REQUIRED)
 
 find_path(MUPARSER_INCLUDE_DIR muParser.h REQUIRED)
 find_library(MUPARSER_LIBRARY muparser REQUIRED)
+
+# For `import reye` alone (apps/python), which is left out without them; the package reads TOML by Python's own reader.
+# numpy is installed for the interpreter of the system; -DPython_EXECUTABLE=... names another one.
+if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python 3.11 COMPONENTS Interpreter Development.Module)
+set(PYBIND11_FINDPYTHON ON)
+find_package(pybind11 CONFIG)

@@ -9,8 +9,8 @@
 #include "calibrate.hpp"
 #include "commands.hpp"
 #include "heap.hpp"
+#include "many.hpp"
 #include "scene/scars.hpp"
-#include "sweep.hpp"
 
 namespace {
 
@@ -19,7 +19,7 @@ void add_trust(CLI::App& command, bool& trust) {
                    "let the scene's geometry files do whatever gmsh can, and take what time and memory they take");
 }
 
-CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
+CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request, bool& quiet) {
   auto* sweep = app.add_subcommand("sweep", "run a scene many times with other values, and collect one table");
   sweep->add_option("scene", request.path, "scene file (.toml)")->required();
   sweep->add_option("--vary", request.vary, "KEY=a:b:n, KEY=log:a:b:n or KEY=v1,v2,...; several: the full grid")
@@ -35,7 +35,7 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   member->excludes(slurm)->excludes(table);
   slurm->excludes(table);
   sweep->add_flag("--force", request.force, "run every member again, whatever its folder holds");
-  sweep->add_flag("--quiet", request.quiet, "reasons only");
+  sweep->add_flag("--quiet", quiet, "reasons only");
   add_trust(*sweep, request.trust_geometry);
   return sweep;
 }
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   apps::SweepRequest many;
-  auto* sweep = add_sweep(app, many);
+  auto* sweep = add_sweep(app, many, request.quiet);
   apps::CalibrateRequest measured;
   auto* calibrate = add_calibrate(app, measured);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
     if (*run) return apps::run(request);
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);
-    if (*sweep) return apps::sweep(many);
+    if (*sweep) return apps::sweep(many, request.quiet);
     if (*calibrate) return apps::calibrate(measured);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);

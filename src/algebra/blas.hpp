@@ -3,7 +3,9 @@
 // The few BLAS and LAPACK routines used (Fortran calling convention, column-major, 32-bit integers).
 extern "C" {
 void openblas_set_num_threads(int count);
+int openblas_get_num_threads(void);
 void omp_set_max_active_levels(int count);
+int omp_get_max_active_levels(void);
 void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
             const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
@@ -35,5 +37,25 @@ inline void single_thread() {
   static thread_local const bool done = (openblas_set_num_threads(1), omp_set_max_active_levels(0), true);
   (void)done;
 }
+
+/// BLAS and CHOLMOD on one thread until it is destroyed, when the numbers before it hold again: for a program that
+/// computes with them for itself, too.
+class SingleThread {
+ public:
+  SingleThread() : blas_(openblas_get_num_threads()), levels_(omp_get_max_active_levels()) {
+    single_thread();  // it does its work once in a thread, and later calls of others must not do it
+    openblas_set_num_threads(1);
+    omp_set_max_active_levels(0);
+  }
+  ~SingleThread() {
+    openblas_set_num_threads(blas_);
+    omp_set_max_active_levels(levels_);
+  }
+  SingleThread(const SingleThread&) = delete;
+  SingleThread& operator=(const SingleThread&) = delete;
+
+ private:
+  int blas_, levels_;
+};
 
 }  // namespace reye::algebra

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "scene/check.hpp"
-#include "scene/nearest.hpp"
+#include "scene/key_rule.hpp"
 #include "scene/read.hpp"
 #include "scene/rewrite.hpp"
 
@@ -75,36 +75,6 @@ std::vector<std::string> numbers_of(std::vector<std::string> parts) {
     values.push_back(shown(i == 0.0 ? *a : part == 1.0 ? *b : between));
   }
   return values;
-}
-
-/// The table of keys and the file, one level deeper; the rule that the name breaks, if any.
-std::string step_down(const std::string& segment, const Spec*& place, const Node*& node) {
-  const auto name = segment.substr(0, segment.find('['));
-  const auto* below = place->find(name);
-  if (!below) return unknown_rule(name, *place);
-  const Node* found = node ? node->find(name) : nullptr;
-  if (!found && below == place->any.get()) {
-    std::vector<std::string> names;
-    if (node)
-      for (const auto& child : node->children) names.push_back(child.name);
-    return unknown_name_rule(node && !node->name.empty() ? node->name : "table", name, names);
-  }
-  place = below;
-  node = found;
-  const bool listed = below->list || (below->list_or_table && node && node->kind == NodeKind::list);
-  if (segment.size() == name.size()) return listed ? "takes an index, as in " + name + "[0]" : "";
-  for (auto close = segment.find(']'); close != std::string::npos; close = segment.find(']', close + 1))
-    node = node ? node->find(segment.substr(0, close + 1)) : nullptr;
-  return node ? "" : "the scene has no " + segment;
-}
-
-/// The rule that a key breaks: unknown, or below a name that the scene does not have; empty when it is fine.
-std::string key_rule(const std::string& key, const Node& root, const Spec& keys) {
-  const Spec* place = &keys;
-  const Node* node = &root;
-  for (const auto& segment : split(key, '.'))
-    if (const auto rule = step_down(segment, place, node); !rule.empty()) return rule;
-  return {};
 }
 
 /// An issue for each value that the text cannot take.
@@ -192,8 +162,8 @@ Variation variation_of(const std::string& words) {
   return variation;
 }
 
-Sweep sweep_of(const std::string& path, const std::vector<std::string>& words, const Spec& keys) {
-  const auto text = text_of(path);
+Sweep sweep_of(const std::string& text, const std::string& path, const std::vector<std::string>& words,
+               const Spec& keys) {
   const auto variations = checked(words, text, keys);
   Sweep sweep;
   std::size_t count = 1;
@@ -207,6 +177,10 @@ Sweep sweep_of(const std::string& path, const std::vector<std::string>& words, c
     sweep.members.push_back({std::move(values), std::move(member)});
   }
   return sweep;
+}
+
+Sweep sweep_of(const std::string& path, const std::vector<std::string>& words, const Spec& keys) {
+  return sweep_of(text_of(path), path, words, keys);
 }
 
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& words) {

@@ -28,10 +28,14 @@ struct Sweep {
   std::vector<Member> members;  ///< the full grid, the last key fastest
 };
 
-/// The members of the scene at `path` under all variations, none of them read yet; the scene itself is fine.
-/// `keys`: of its kind.
+/// The members of a scene under all variations, none of them read yet; the scene itself is fine. `text`: what the file
+/// at `path` holds, or would hold; `keys`: of its kind.
 /// Throws base::InputError with all errors of the variations: a key that is unknown, that stands where
 /// the scene has no table of that name, is varied twice or cannot be set.
+Sweep sweep_of(const std::string& text, const std::string& path, const std::vector<std::string>& variations,
+               const Spec& keys);
+
+/// Of the scene file at `path`.
 Sweep sweep_of(const std::string& path, const std::vector<std::string>& variations, const Spec& keys);
 
 /// Of a plane scene, whose own errors are thrown once, and not once per member.

@@ -50,6 +50,26 @@ TEST(RunWriter, ResumedRunEqualsUnbrokenRun) {
   EXPECT_EQ(contents(whole.str()), contents(broken.str()));
 }
 
+// Without a folder nothing is written, and the tables kept are those of a folder, byte for byte.
+TEST(RunWriter, InMemoryTheTablesAreThoseOfAFolder) {
+  sample::TemporaryFolder dir;
+  RunWriter on_disk(dir.str(), sample::scene()), in_memory("", sample::scene());
+  for (auto* writer : {&on_disk, &in_memory}) {
+    writer->log("early");
+    writer->begin();
+    play(*writer, 0, 4);
+    writer->log("late");
+    writer->finish(sample::summary());
+  }
+  auto expected = contents(dir.str());
+  std::erase_if(expected,
+                [](const auto& file) { return !file.first.ends_with(".csv") && file.first != "summary.json"; });
+  EXPECT_EQ(in_memory.tables(), expected);
+  EXPECT_EQ(expected.count("remesh.csv"), 1U);
+  EXPECT_TRUE(on_disk.tables().empty());
+  EXPECT_EQ(in_memory.counters(), on_disk.counters());
+}
+
 // The table of remeshes begins with the first of them, has a row for each, and is cut back with the checkpoint.
 TEST(RunWriter, RemeshesAreCountedAndCutBack) {
   sample::TemporaryFolder dir;

@@ -34,10 +34,6 @@ class Words {
   std::vector<std::string> words_;
 };
 
-bool is_text(const std::string& column) {
-  return column == "step" || column == "status" || column == "body" || column == "reason";
-}
-
 std::vector<FrameRows> frames_of(const Table& table) {
   const auto &frame = table.column("frame"), &cycle = table.column("cycle");
   std::vector<FrameRows> frames;
@@ -117,6 +113,10 @@ const std::vector<double>& Table::column(std::string_view name) const {
   return none;
 }
 
+bool is_text_column(std::string_view name) {
+  return name == "step" || name == "status" || name == "body" || name == "reason";
+}
+
 Table parse_csv(const std::string& text) {
   Table table;
   Words words;
@@ -132,7 +132,7 @@ Table parse_csv(const std::string& text) {
       throw std::runtime_error("line " + std::to_string(number) + " has " + std::to_string(cells.size()) +
                                " cells, not " + std::to_string(table.columns.size()));
     for (std::size_t c = 0; c < cells.size(); ++c)
-      table.values[c].push_back(is_text(table.columns[c]) ? words.index(cells[c]) : csv_number(cells[c]));
+      table.values[c].push_back(is_text_column(table.columns[c]) ? words.index(cells[c]) : csv_number(cells[c]));
   }
   table.words = words.take();
   return table;

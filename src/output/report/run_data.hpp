@@ -25,6 +25,9 @@ struct Table {
   const std::string& word(double cell) const { return words.at(static_cast<std::size_t>(cell)); }
 };
 
+/// Whether the cells of a column of this name are texts.
+bool is_text_column(std::string_view name);
+
 /// Reads a table; a last line that a kill left half is dropped.
 /// Throws when a row has another width or a cell is not a number.
 Table parse_csv(const std::string& text);

@@ -15,21 +15,38 @@ namespace reye::output {
 namespace fs = std::filesystem;
 
 RunFiles::RunFiles(std::string dir, Identity identity, bool paraview)
-    : dir_(std::move(dir)), identity_(std::move(identity)), paraview_(paraview) {}
+    : dir_(std::move(dir)), identity_(std::move(identity)), paraview_(paraview && !dir_.empty()) {}
 
 std::string RunFiles::path(const std::string& file) const { return (fs::path(dir_) / file).string(); }
 
+void RunFiles::put(const std::string& file, const std::string& text) {
+  if (in_memory())
+    kept_[file] = text;
+  else
+    atomic_write(path(file), text);
+}
+
+void RunFiles::add(const std::string& file, const std::string& text) {
+  if (in_memory())
+    kept_[file] += text;
+  else
+    append_text(path(file), text);
+}
+
 void RunFiles::begin(const std::string& history_header) {
-  fs::create_directories(dir_);
-  claim_folder(dir_, identity_);
-  make_folder(path("frames"));
+  if (!in_memory()) {
+    fs::create_directories(dir_);
+    claim_folder(dir_, identity_);
+    make_folder(path("frames"));
+  }
   counters_ = {};
-  atomic_write(path("history.csv"), history_header);
+  put("history.csv", history_header);
   started_ = true;
   flush_log();
 }
 
 void RunFiles::resume(const Counters& counters) {
+  assert(!in_memory());
   counters_ = counters;
   remove_temporaries(dir_);
   keep_rows(path("history.csv"), counters_.history_rows);
@@ -55,14 +72,14 @@ void RunFiles::resume(const Counters& counters) {
 
 void RunFiles::add_history(const std::string& row) {
   assert(started_);
-  append_text(path("history.csv"), row);
+  add("history.csv", row);
   ++counters_.history_rows;
 }
 
 void RunFiles::add_remesh(const std::string& header, const std::string& row) {
   assert(started_);
-  if (counters_.remesh_rows++ == 0) atomic_write(path("remesh.csv"), header);
-  append_text(path("remesh.csv"), row);
+  if (counters_.remesh_rows++ == 0) put("remesh.csv", header);
+  add("remesh.csv", row);
 }
 
 std::size_t RunFiles::begin_frame(double cycle) {
@@ -74,8 +91,8 @@ std::size_t RunFiles::begin_frame(double cycle) {
 void RunFiles::add_surface(const std::string& file, const std::string& header, const std::string& rows,
                            std::size_t count) {
   long& held = counters_.surface_rows[file];
-  if (held == 0) atomic_write(path(file), header);
-  append_text(path(file), rows);
+  if (held == 0) put(file, header);
+  add(file, rows);
   held += static_cast<long>(count);
 }
 
@@ -102,11 +119,13 @@ void RunFiles::remove_frames_from(std::size_t index) const {
 void RunFiles::extend() const { mark_folder(dir_, identity_); }
 
 void RunFiles::log(const std::string& line) {
+  if (in_memory()) return;
   early_log_ += base::printable(line) + '\n';
   if (started_) flush_log();
 }
 
 void RunFiles::make_report(const std::function<void()>& make) {
+  if (in_memory()) return;
   const auto start = std::chrono::steady_clock::now();
   make();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;

@@ -30,10 +30,11 @@ struct Counters {
 
 /// The growing files of one run, whatever their content: tables, frames for ParaView and the log. Every member throws
 /// std::runtime_error when a write fails. Call begin() for a new run or resume() for a restarted one before anything is
-/// written; hold the FolderLock meanwhile.
+/// written; hold the FolderLock meanwhile. Without a folder the tables are kept in memory; frames, log and report are
+/// left out, and such a run cannot resume.
 class RunFiles {
  public:
-  RunFiles(std::string dir, Identity identity, bool paraview);
+  RunFiles(std::string dir, Identity identity, bool paraview);  ///< `dir` is empty: in memory
 
   void begin(const std::string& history_header);  ///< removes the former results and starts the new ones
   void resume(const Counters& counters);          ///< cuts tables and series back to the checkpoint
@@ -45,6 +46,8 @@ class RunFiles {
   std::size_t begin_frame(double cycle);
   /// Rows of a surface of the frame; the table is made where they are its first.
   void add_surface(const std::string& file, const std::string& header, const std::string& rows, std::size_t count);
+  /// Replaces a file as a whole.
+  void put(const std::string& file, const std::string& text);
   /// Whether frames for ParaView are wanted.
   bool paraview() const { return paraview_; }
   /// The files of the last frame, and the collections with it.
@@ -55,9 +58,12 @@ class RunFiles {
   const Identity& identity() const { return identity_; }
   const Counters& counters() const { return counters_; }
   const std::string& dir() const { return dir_; }
+  bool in_memory() const { return dir_.empty(); }
+  const std::map<std::string, std::string>& kept() const { return kept_; }  ///< in memory: texts by file name
   std::string path(const std::string& file) const;
 
  private:
+  void add(const std::string& file, const std::string& text);
   void write_collections() const;
   void remove_frames_from(std::size_t index) const;
   void flush_log();
@@ -68,6 +74,7 @@ class RunFiles {
   Counters counters_;
   bool started_ = false;
   std::string early_log_;
+  std::map<std::string, std::string> kept_;
 };
 
 }  // namespace reye::output

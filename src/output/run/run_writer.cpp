@@ -33,7 +33,7 @@ void RunWriter::frame(const sim::Frame& frame) {
 }
 
 void RunWriter::finish(const sim::Summary& summary) {
-  atomic_write(folder_.path("summary.json"), summary_json(summary));
+  folder_.put("summary.json", summary_json(summary));
   folder_.make_report([&] { write_report(dir()); });
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 
 #include "output/folder/tables.hpp"
@@ -8,9 +9,9 @@
 
 namespace reye::output {
 
-/// Writes the output folder of one run. Every member throws std::runtime_error when a write fails.
-/// Call begin() for a new run or resume() for a restarted one before anything is written; hold the FolderLock
-/// meanwhile.
+/// Writes the output folder of one run, or keeps its tables in memory where the folder has no name. Every member throws
+/// std::runtime_error when a write fails. Call begin() for a new run or resume() for a restarted one before anything is
+/// written; hold the FolderLock meanwhile.
 class RunWriter {
  public:
   RunWriter(std::string dir, const scene::Scene& scene);
@@ -26,6 +27,7 @@ class RunWriter {
 
   const Counters& counters() const { return folder_.counters(); }
   const std::string& dir() const { return folder_.dir(); }
+  const std::map<std::string, std::string>& tables() const { return folder_.kept(); }  ///< in memory: by file name
 
  private:
   RunFiles folder_;

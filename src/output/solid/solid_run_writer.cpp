@@ -22,12 +22,12 @@ SolidRunWriter::SolidRunWriter(std::string dir, const scene::SolidScene& scene)
 
 void SolidRunWriter::begin() {
   folder_.begin(solid_history_header(columns_));
-  atomic_write(folder_.path("inputs.json"), inputs_json(inputs_));
+  folder_.put("inputs.json", inputs_json(inputs_));
 }
 
 void SolidRunWriter::resume(const Counters& counters) {
   folder_.resume(counters);
-  atomic_write(folder_.path("inputs.json"), inputs_json(inputs_));
+  folder_.put("inputs.json", inputs_json(inputs_));
 }
 
 void SolidRunWriter::increment(const sim::SolidIncrement& record) {
@@ -39,7 +39,7 @@ void SolidRunWriter::remesh(const sim::SolidRemeshRecord& record) {
 }
 
 void SolidRunWriter::frame(const sim::SolidFrame& frame) {
-  if (!std::filesystem::exists(folder_.path("scene.svg"))) draw_scene(frame);
+  if (!folder_.in_memory() && !std::filesystem::exists(folder_.path("scene.svg"))) draw_scene(frame);
   const std::size_t index = folder_.begin_frame(frame.cycle);
   for (const auto& skin : frame.surfaces)
     folder_.add_surface(surface_file(skin.contact, skin.side), skin_header(),
@@ -55,7 +55,7 @@ void SolidRunWriter::draw_scene(const sim::SolidFrame& frame) const {
 }
 
 void SolidRunWriter::finish(const sim::SolidSummary& summary) {
-  atomic_write(folder_.path("summary.json"), solid_summary_json(summary));
+  folder_.put("summary.json", solid_summary_json(summary));
   folder_.make_report([&] { write_solid_report(dir()); });
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 
 #include "output/run/run_files.hpp"
@@ -9,9 +10,9 @@
 
 namespace reye::output {
 
-/// Writes the output folder of one run of solids, as RunWriter does for the plane. Every member throws
-/// std::runtime_error when a write fails. Call begin() for a new run or resume() for a restarted one before anything is
-/// written; hold the FolderLock meanwhile.
+/// Writes the output folder of one run of solids, or keeps its tables, as RunWriter does for the plane. Every member
+/// throws std::runtime_error when a write fails. Call begin() for a new run or resume() for a restarted one before
+/// anything is written; hold the FolderLock meanwhile.
 class SolidRunWriter {
  public:
   SolidRunWriter(std::string dir, const scene::SolidScene& scene);
@@ -27,6 +28,7 @@ class SolidRunWriter {
 
   const Counters& counters() const { return folder_.counters(); }
   const std::string& dir() const { return folder_.dir(); }
+  const std::map<std::string, std::string>& tables() const { return folder_.kept(); }  ///< in memory: by file name
 
  private:
   void draw_scene(const sim::SolidFrame& frame) const;

@@ -1,4 +1,4 @@
-#include "checkpoints.hpp"
+#include "runs/checkpoints.hpp"
 
 namespace reye::apps {
 

@@ -1,6 +1,5 @@
-#include "resumption.hpp"
+#include "runs/resumption.hpp"
 
-#include <cstdio>
 #include <stdexcept>
 
 #include "base/printable.hpp"
@@ -71,8 +70,9 @@ void open_or_refuse(const std::string& dir, const std::string& name, const std::
     throw base::InputError({{"--out", dir, *refusal}});
 }
 
-void accept(const std::string& dir, const Resumption& resumption) {
-  for (const auto& note : resumption.notes) std::fprintf(stderr, "checkpoint: %s\n", base::printable(note).c_str());
+void accept(const std::string& dir, const Resumption& resumption, const RunWatch& watch) {
+  for (const auto& note : resumption.notes)
+    if (watch.note) watch.note("checkpoint: " + note);
   if (resumption.previous) output::restore_previous(dir);
 }
 

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "base/errors.hpp"
-#include "checkpoints.hpp"
 #include "output/folder/folder.hpp"
 #include "output/run/checkpoint.hpp"
+#include "runs/checkpoints.hpp"
+#include "runs/run.hpp"
 #include "scene/extension.hpp"
 
 /// From which checkpoint of its folder a run resumes, whatever is computed.
@@ -56,13 +57,13 @@ void open_or_refuse(const std::string& dir, const std::string& name, const std::
                     bool force);
 
 /// Reports the notes of a resumption and makes the checkpoint it chose the newest one.
-void accept(const std::string& dir, const Resumption& resumption);
+void accept(const std::string& dir, const Resumption& resumption, const RunWatch& watch);
 
 /// The folder cut back to the checkpoint that was chosen; `state` and `standing` are those it holds.
 template <class Writer>
 void resume_folder(const Resumption& resumption, const Snapshot& state, Standing standing, Writer& writer,
-                   Checkpoints& checkpoints) {
-  accept(writer.dir(), resumption);
+                   Checkpoints& checkpoints, const RunWatch& watch) {
+  accept(writer.dir(), resumption, watch);
   writer.resume(resumption.counters);
   if (!resumption.extends) return checkpoints.resume(standing);
   checkpoints.start(state);  // in this order: either scene finds a checkpoint to resume from, whenever a kill comes

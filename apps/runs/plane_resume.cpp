@@ -1,4 +1,4 @@
-#include "plane_resume.hpp"
+#include "runs/plane_resume.hpp"
 
 #include "output/run/state_archive.hpp"
 #include "scene/read.hpp"

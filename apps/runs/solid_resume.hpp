@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "resumption.hpp"
+#include "runs/resumption.hpp"
 #include "sim/solid/solid_problem.hpp"
 #include "sim/solid/solid_state.hpp"
 

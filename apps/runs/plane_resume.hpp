@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "resumption.hpp"
+#include "runs/resumption.hpp"
 #include "sim/problem/problem.hpp"
 #include "sim/problem/state.hpp"
 #include "sim/problem/system.hpp"

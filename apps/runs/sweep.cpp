@@ -1,25 +1,23 @@
-#include "sweep.hpp"
+#include "runs/sweep.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <thread>
 
 #include "base/errors.hpp"
-#include "base/printable.hpp"
-#include "children.hpp"
+#include "cad/part/beside.hpp"
 #include "output/folder/files.hpp"
 #include "output/folder/folder.hpp"
 #include "output/folder/folder_lock.hpp"
 #include "output/run/sweep_page.hpp"
 #include "output/run/sweep_table.hpp"
+#include "runs/children.hpp"
 #include "scene/read.hpp"
 #include "scene/solid/solid_keys.hpp"
 #include "scene/solid/solid_located.hpp"
 #include "scene/sweep.hpp"
-#include "signals.hpp"
 
 namespace reye::apps {
 
@@ -93,10 +91,11 @@ void check_members(Job& job, const std::string& name) {
 Job job_of(const SweepRequest& request) {
   if (request.slurm && !is_installed("sbatch"))
     throw base::InputError({{"--slurm", "", "there is no sbatch in PATH; Slurm is not installed here"}});
-  const auto scene = head_of(scene::text_of(request.path), request.path);
-  const auto& keys = scene::is_solid(request.path) ? scene::solid_spec() : scene::spec();
+  const auto text = request.text ? *request.text : scene::text_of(request.path);
+  const auto scene = head_of(text, request.path);
+  const auto& keys = scene::is_solid_text(text) ? scene::solid_spec() : scene::spec();
   const auto dir = request.out.empty() ? "./" + scene.name + ".sweep" : request.out;
-  Job job{request, dir, scene.title, scene::sweep_of(request.path, request.vary, keys), {}, {}};
+  Job job{request, dir, scene.title, scene::sweep_of(text, request.path, request.vary, keys), {}, {}};
   const auto count = job.sweep.members.size();
   for (std::size_t i = 0; i < count; ++i) job.places.push_back({name_of(i), dir + '/' + name_of(i), {}});
   if (request.member >= static_cast<int>(count)) {
@@ -143,11 +142,12 @@ void write_scene(const Job& job, std::size_t i) {
     output::atomic_write(file, job.sweep.members[i].text);
 }
 
-std::string this_program() { return fs::read_symlink("/proc/self/exe"); }
+/// The command: this program, or the one that was installed with this module.
+std::string command() { return cad::beside_program("reye"); }
 
 Child child_of(const Job& job, std::size_t i) {
   const auto& place = job.places[i];
-  Child child{{this_program(), "run", place.dir + "/scene.toml", "--out", place.dir, "--threads", "1", "--quiet"},
+  Child child{{command(), "run", place.dir + "/scene.toml", "--out", place.dir, "--threads", "1", "--quiet"},
               errors_of(place)};
   if (job.request.trust_geometry) child.words.push_back("--trust-geometry");
   if (job.request.force)
@@ -158,20 +158,20 @@ Child child_of(const Job& job, std::size_t i) {
 }
 
 /// Runs members not yet done in separate processes, so that a crash ends one member alone. False when interrupted.
-bool run_here(const Job& job, const std::vector<std::size_t>& open) {
+bool run_here(const Job& job, const std::vector<std::size_t>& open, const SweepWatch& watch) {
   std::vector<Child> children;
   for (const auto i : open) children.push_back(child_of(job, i));
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   std::size_t count = 0;
-  return run_children(children, job.request.jobs > 0 ? job.request.jobs : cores, [&](std::size_t c, int code) {
+  const auto ended = [&](std::size_t c, int code) {
     const auto& place = job.places[open[c]];
     if (code == 127) output::append_text(errors_of(place), "could not be started\n");
     if (code > 128 && code != 130)
       output::append_text(errors_of(place), "ended by signal " + std::to_string(code - 128) + '\n');
-    if (job.request.quiet) return;
-    const auto status = end_of(place).status;
-    std::fprintf(stderr, "%s %s (%zu of %zu)\n", place.name.c_str(), status.c_str(), ++count, open.size());
-  });
+    const auto of = " (" + std::to_string(++count) + " of " + std::to_string(open.size()) + ')';
+    if (watch.ended) watch.ended(place.name + ' ' + end_of(place).status + of);
+  };
+  return run_children(children, job.request.jobs > 0 ? job.request.jobs : cores, ended, watch.stops);
 }
 
 std::string shell_quoted(const std::string& word) {
@@ -188,7 +188,7 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
   if (job.request.jobs > 0) array += '%' + std::to_string(job.request.jobs);
   std::string text = "#!/bin/bash\n#SBATCH --job-name=reye-sweep\n#SBATCH --array=" + array +
                      "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --output=/dev/null\n";
-  text += "exec " + shell_quoted(this_program()) + " sweep " + shell_quoted(fs::absolute(job.request.path));
+  text += "exec " + shell_quoted(command()) + " sweep " + shell_quoted(fs::absolute(job.request.path));
   for (const auto& words : job.request.vary) text += " --vary " + shell_quoted(words);
   text += " --out " + shell_quoted(fs::absolute(job.dir)) + (job.request.force ? " --force" : "") +
           (job.request.trust_geometry ? " --trust-geometry" : "");
@@ -196,10 +196,11 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
 }
 
 /// Submits the array and waits for its end; the results of members are read from their folders.
-bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open) {
+bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open, const SweepWatch& watch) {
   const auto script = job.dir + "/sweep.sbatch";
   output::atomic_write(script, slurm_script(job, open));
-  return run_children({{{"sbatch", "--wait", script}, ""}}, 1, [](std::size_t, int) {});
+  return run_children(
+      {{{"sbatch", "--wait", script}, ""}}, 1, [](std::size_t, int) {}, watch.stops);
 }
 
 /// "contact.pad.friction = 0.5, step[1].jump = 100"
@@ -210,54 +211,48 @@ std::string values_of(const Job& job, std::size_t i) {
   return text;
 }
 
-/// Prints the members not done, one line each, and returns their number.
-std::size_t tell_undone(const Job& job) {
-  std::size_t undone = 0;
+/// The members that are not done, one line each.
+std::vector<std::string> undone_members(const Job& job) {
+  std::vector<std::string> lines;
   for (const auto i : job.wanted) {
     const auto end = end_of(job.places[i]);
     if (end.status == "done") continue;
-    ++undone;
     auto reason = end.reason;
     while (!reason.empty() && reason.back() == '\n') reason.pop_back();
-    std::fprintf(stderr, "%s (%s): %s%s\n", job.places[i].name.c_str(), base::printable(values_of(job, i)).c_str(),
-                 base::printable(end.status).c_str(), reason.empty() ? "" : (": " + base::printable(reason)).c_str());
+    lines.push_back(job.places[i].name + " (" + values_of(job, i) + "): " + end.status +
+                    (reason.empty() ? "" : ": " + reason));
   }
-  return undone;
+  return lines;
 }
 
-/// Writes table and page and prints the range of lives.
-void collect(const Job& job, std::size_t undone) {
+/// Writes table and page; the range of lives.
+std::vector<std::string> collect(const Job& job) {
   std::vector<output::SweepRow> rows;
   for (const auto i : job.wanted)
     rows.push_back({job.places[i].name, job.sweep.members[i].values, end_of(job.places[i])});
   fs::create_directories(job.dir);
   output::atomic_write(job.dir + "/sweep.csv", output::sweep_table(job.sweep.keys, rows));
   output::atomic_write(job.dir + "/sweep.html", output::sweep_page(job.title, job.sweep.keys, rows));
-  if (job.request.quiet) return;
-  for (const auto& sentence : output::life_bands(rows)) std::printf("%s\n", sentence.c_str());
-  const auto count = rows.size();
-  std::printf("%zu members, %zu done; table %s/sweep.csv, page %s/sweep.html\n", count, count - undone,
-              base::printable(job.dir).c_str(), base::printable(job.dir).c_str());
+  return output::life_bands(rows);
 }
 
 }  // namespace
 
-int sweep(const SweepRequest& request) {
-  ignore_lost_output();
+SweepResult sweep(const SweepRequest& request, const SweepWatch& watch) {
   const auto job = job_of(request);
   std::optional<output::FolderLock> lock;
   if (!request.table && request.member < 0) lock.emplace(job.dir);
   std::vector<std::size_t> open;
   for (const auto i : job.wanted)
     if (request.force || end_of(job.places[i]).status != "done") open.push_back(i);
-  bool finished = true;
+  SweepResult result{job.dir, job.wanted.size(), {}, {}, false};
   if (!request.table && !open.empty()) {
     for (const auto i : open) write_scene(job, i);
-    finished = request.slurm ? run_by_slurm(job, open) : run_here(job, open);
+    result.interrupted = !(request.slurm ? run_by_slurm(job, open, watch) : run_here(job, open, watch));
   }
-  const auto undone = tell_undone(job);
-  if (request.member < 0) collect(job, undone);
-  return !finished ? 130 : undone > 0 ? 1 : 0;
+  result.undone = undone_members(job);
+  if (request.member < 0) result.life_bands = collect(job);
+  return result;
 }
 
 }  // namespace reye::apps

@@ -1,4 +1,4 @@
-#include "solid_resume.hpp"
+#include "runs/solid_resume.hpp"
 
 #include "output/solid/drawn_meshes.hpp"
 #include "output/solid/solid_archive.hpp"
