@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "algebra/decompose.hpp"
 #include "fit/mixture.hpp"
-#include "fit/profile.hpp"
 #include "fit/search.hpp"
 
 namespace reye::fit {
@@ -39,12 +38,12 @@ Found first_found(std::vector<Record>& records, const Model& model, const Vector
   return descend(records, model, found.at);
 }
 
-std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Unknowns& at,
+std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Settled& settled,
                                   const std::vector<std::vector<Noise>>& noises) {
   std::vector<Evidence> all;
   for (std::size_t s = 0; s < records.size(); ++s)
-    all.push_back(
-        evidence_of(records[s], columns_of(records[s], model, at), static_cast<int>(at.theta.size()), noises[s]));
+    all.push_back(evidence_of(records[s], columns_of(records[s], model, settled.at, settled.steps),
+                              static_cast<int>(settled.at.theta.size()), noises[s]));
   return all;
 }
 
@@ -78,34 +77,33 @@ Estimate estimate(const std::vector<Series>& series, const Model& model, const s
   for (const Record& record : records)
     noises.push_back(record.known() ? std::vector<Noise>{{}} : candidates(record.blocks, record.series->map));
   std::vector<Evidence> evidence;
-  for (int i = 0; i < 3; ++i) {
-    evidence = evidence_at(records, model, found.at, noises);
-    const Vector before = found.at.theta;
+  Settled settled = settle(records, model, found.at, least_steps(records, start.size()));
+  for (int i = 0; i < 4; ++i) {
+    evidence = evidence_at(records, model, settled, noises);
+    const Vector before = settled.at.theta;
     for (std::size_t s = 0; s < records.size(); ++s) {
       believe(records[s], evidence[s]);
-      if (i > 0) continue;
-    }
-    found = descend(records, model, found.at);
-    for (std::size_t s = 0; s < records.size(); ++s) {
+      if (i == 0) continue;
       noises[s].clear();
       for (const Told& one : evidence[s].told) noises[s].push_back(one.noise);
     }
-    if ((found.at.theta - before).cwiseAbs().maxCoeff() < 1e-3) break;
+    settled = settle(records, model, settled.at, settled.steps);
+    const Vector change = (settled.at.theta - before).cwiseAbs();
+    if ((change.array() < 0.03 * settled.inverse.diagonal().head(start.size()).array().sqrt()).all()) break;
   }
-  evidence = evidence_at(records, model, found.at, noises);
+  evidence = evidence_at(records, model, settled, noises);
   const Mixture mixture = mixture_of(evidence);
-  Estimate result{found.at.theta, covariance_of(mixture)};
-  result.converged = found.converged;
-  Mixture modal{{Vector::Zero(start.size())}, {}};
-  const Matrix H = normal_at(records, model, found.at).H;
-  const Matrix inverse = algebra::solve_symmetric(H, Matrix::Identity(H.rows(), H.cols()));
-  result.low = result.high = found.at.theta;
+  Estimate result;
+  result.theta = settled.at.theta;
+  result.covariance = covariance_of(mixture);
+  result.converged = settled.converged;
+  result.low = result.high = settled.at.theta;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int k = 0; k < start.size(); ++k) {
-    const double deviation = std::sqrt(inverse(k, k));
-    result.low[k] = bound_of(records, model, found, k, quantile_of(mixture, k, 0.025) / deviation, deviation);
-    result.high[k] = bound_of(records, model, found, k, quantile_of(mixture, k, 0.975) / deviation, deviation);
+    result.low[k] = bound_of(records, model, settled, k, quantile_of(mixture, k, 0.025)).value_or(-infinite);
+    result.high[k] = bound_of(records, model, settled, k, quantile_of(mixture, k, 0.975)).value_or(infinite);
   }
-  for (const Record& record : records) result.series.push_back(described(record, model, found.at));
+  for (const Record& record : records) result.series.push_back(described(record, model, settled.at));
   return result;
 }
 

@@ -6,9 +6,6 @@ namespace reye::fit {
 
 namespace {
 
-/// Steps of central differences: wide enough to average over kinks of interpolation, narrow against what bends a scar.
-constexpr double theta_step = 5e-3, shift_step = 2e-3;  ///< the latter of the extent
-
 /// Rows over the given scatter.
 Matrix scaled(const Record& record, Matrix columns) {
   if (record.known()) columns = record.series->scatter.cwiseInverse().asDiagonal() * columns;
@@ -20,12 +17,22 @@ Matrix scaled(const Record& record, Matrix columns) {
 std::vector<Record> records_of(const std::vector<Series>& series) {
   std::vector<Record> records;
   for (std::size_t s = 0; s < series.size(); ++s) {
-    Record record{&series[s], s, blocks_of(series[s])};
+    Record record;
+    record.series = &series[s];
+    record.number = s;
+    record.blocks = blocks_of(series[s]);
     record.extent = extent_of(series[s].at);
     for (const Vec2& p : series[s].at) record.middle += p / static_cast<double>(series[s].at.size());
     records.push_back(std::move(record));
   }
   return records;
+}
+
+Steps least_steps(const std::vector<Record>& records, Eigen::Index parameters) {
+  constexpr double of_theta = 5e-3, of_extent = 2e-3;
+  Steps steps{Vector::Constant(parameters, of_theta), {}};
+  for (const Record& record : records) steps.shift.push_back(Vec2::Constant(of_extent * record.extent.maxCoeff()));
+  return steps;
 }
 
 Matrix level_columns(const Record& record) {
@@ -39,22 +46,22 @@ Matrix level_columns(const Record& record) {
   return columns;
 }
 
-Matrix columns_of(const Record& record, const Model& model, const Unknowns& at) {
+Matrix columns_of(const Record& record, const Model& model, const Unknowns& at, const Steps& steps) {
   const int levels = record.levels(), shifts = record.shifts();
   const auto p = static_cast<int>(at.theta.size());
   Matrix columns(record.series->value.size(), levels + shifts + p + 1);
   columns.leftCols(levels) = level_columns(record);
   const Vec2& shift = at.shift[record.number];
   for (int j = 0; j < shifts; ++j) {
-    const Vec2 step = shift_step * record.extent.maxCoeff() * Vec2::Unit(j);
+    const Vec2 step = steps.shift[record.number][j] * Vec2::Unit(j);
     columns.col(levels + j) =
         (model(at.theta, record.number, shift + step) - model(at.theta, record.number, shift - step)) / (2.0 * step[j]);
   }
   for (int j = 0; j < p; ++j) {
-    const Vector step = theta_step * Vector::Unit(p, j);
+    const Vector step = steps.theta[j] * Vector::Unit(p, j);
     columns.col(levels + shifts + j) =
         (model(at.theta + step, record.number, shift) - model(at.theta - step, record.number, shift)) /
-        (2.0 * theta_step);
+        (2.0 * steps.theta[j]);
   }
   columns.rightCols(1) = record.series->value - model(at.theta, record.number, shift);
   return scaled(record, std::move(columns));

@@ -27,12 +27,17 @@ struct Unknowns {
   std::vector<Vec2> shift;
 };
 
+/// Steps of central differences: [README (8)] of parameters, and of shifts of each series.
+using Steps = Unknowns;
+/// The least: wide enough to average over kinks of interpolation, narrow against what bends a scar.
+Steps least_steps(const std::vector<Record>& records, Eigen::Index parameters);
+
 /// 1 and the coordinates from the middle, over the extent: columns of offset and tilts, a row per value.
 Matrix level_columns(const Record& record);
 
 /// A row per value: levels, derivatives of the model by shifts and by theta (central differences), and value - model.
 /// Of given scatter each row is divided by it. Not finite where the model is not.
-Matrix columns_of(const Record& record, const Model& model, const Unknowns& at);
+Matrix columns_of(const Record& record, const Model& model, const Unknowns& at, const Steps& steps);
 /// Levels and value - model alone.
 Matrix residual_columns(const Record& record, const Model& model, const Unknowns& at);
 

@@ -1,0 +1,149 @@
+#include "fit/linear.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/decompose.hpp"
+
+namespace reye::fit {
+
+namespace {
+
+constexpr double longest_theta = 0.5, longest_shift = 0.1;  ///< steps; the latter of the extent
+constexpr double farthest = 6.9;                            ///< of a bound: a factor of a thousand
+static const double reach = getenv("REACH") ? atof(getenv("REACH")) : 2.0;
+
+Matrix inverse_of(const Matrix& H) { return algebra::solve_symmetric(H, Matrix::Identity(H.rows(), H.cols())); }
+
+/// Steps of one standard deviation, within what the least and the longest allow.
+Steps steps_of(const std::vector<Record>& records, const Matrix& covariance, Eigen::Index p) {
+  Steps steps = least_steps(records, p);
+  const auto deviation = [&](Eigen::Index i) {
+    return covariance(i, i) > 0.0 ? reach * std::sqrt(covariance(i, i)) : 0.0;
+  };
+  for (Eigen::Index i = 0; i < p; ++i) steps.theta[i] = std::clamp(deviation(i), steps.theta[i], longest_theta);
+  Eigen::Index i = p;
+  for (const Record& record : records)
+    for (int j = 0; j < record.shifts(); ++j) {
+      double& step = steps.shift[record.number][j];
+      step = std::clamp(deviation(i++), step, longest_shift * record.extent.maxCoeff());
+    }
+  return steps;
+}
+
+/// The part of a step within which a linear model is trusted.
+Vector cut(const std::vector<Record>& records, Vector step, Eigen::Index p) {
+  double reach = step.head(p).cwiseAbs().maxCoeff() / longest_theta;
+  Eigen::Index i = p;
+  for (const Record& record : records)
+    for (int j = 0; j < record.shifts(); ++j)
+      reach = std::max(reach, std::abs(step[i++]) / (longest_shift * record.extent.maxCoeff()));
+  return reach > 1.0 ? Vector(step / reach) : step;
+}
+
+/// Weights of the residuals of each series in the scores g: H's columns, levels removed.
+class Scores {
+ public:
+  Scores(const std::vector<Record>& records, const Model& model, const Unknowns& at, const Steps& steps)
+      : records_(records), p_(at.theta.size()) {
+    for (const Record& record : records) {
+      const Matrix columns = columns_of(record, model, at, steps);
+      columns_.push_back(columns.leftCols(columns.cols() - 1));
+    }
+  }
+  Vector at(const Model& model, const Unknowns& place) const {
+    Vector g = Vector::Zero(p_);
+    for (const Record& record : records_) {
+      Matrix columns(record.series->value.size(), columns_[record.number].cols() + 1);
+      columns << columns_[record.number], residual_columns(record, model, place).rightCols(1);
+      const Matrix gram = gram_of(record, columns);
+      g.head(p_) += gram.block(record.shifts(), gram.cols() - 1, p_, 1);
+      const Eigen::Index first = g.size();
+      g.conservativeResize(first + record.shifts());
+      g.tail(record.shifts()) = gram.topRightCorner(record.shifts(), 1);
+    }
+    return g;
+  }
+
+ private:
+  const std::vector<Record>& records_;
+  Eigen::Index p_;
+  std::vector<Matrix> columns_;
+};
+
+}  // namespace
+
+Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at, const Steps& steps) {
+  const Eigen::Index p = at.theta.size();
+  Eigen::Index size = p;
+  for (const Record& record : records) size += record.shifts();
+  Normal normal{Matrix::Zero(size, size), Vector::Zero(size)};
+  Eigen::Index first = p;
+  for (const Record& record : records) {
+    const int shifts = record.shifts();
+    const Matrix gram = gram_of(record, columns_of(record, model, at, steps));
+    const auto theta = gram.middleRows(shifts, p);
+    normal.H.topLeftCorner(p, p) += theta.middleCols(shifts, p);
+    normal.H.block(0, first, p, shifts) = theta.leftCols(shifts);
+    normal.H.block(first, 0, shifts, p) = theta.leftCols(shifts).transpose();
+    normal.H.block(first, first, shifts, shifts) = gram.topLeftCorner(shifts, shifts);
+    normal.g.head(p) += theta.rightCols(1);
+    normal.g.segment(first, shifts) = gram.topRightCorner(shifts, 1);
+    normal.S += gram(shifts + p, shifts + p);
+    first += shifts;
+  }
+  return normal;
+}
+
+Unknowns moved(const std::vector<Record>& records, Unknowns at, const Vector& step) {
+  at.theta += step.head(at.theta.size());
+  Eigen::Index i = at.theta.size();
+  for (const Record& record : records)
+    for (int j = 0; j < record.shifts(); ++j) at.shift[record.number][j] += step[i++];
+  return at;
+}
+
+Settled settle(const std::vector<Record>& records, const Model& model, Unknowns at, Steps steps) {
+  constexpr int most = 20;
+  constexpr double close = 1e-4, near = 1e-2;  // of the square of a standard deviation
+  const Eigen::Index p = at.theta.size();
+  Settled settled{std::move(at), std::move(steps), {}};
+  double ahead = 0.0, damping = 1.0, before = 0.0;
+  for (int i = 0; i < most; ++i) {
+    const Normal normal = normal_at(records, model, settled.at, settled.steps);
+    if (!normal.H.allFinite() || !normal.g.allFinite()) break;
+    settled.inverse = inverse_of(normal.H);
+    settled.S = normal.S;
+    const Vector step = settled.inverse * normal.g;
+    ahead = step.dot(normal.g);
+    settled.converged = ahead < near;
+    if (ahead < close && i > 0) break;
+    if (i > 1 && ahead > 0.5 * before) damping = std::max(0.5 * damping, 0.1);  // it circles
+    before = ahead;
+    settled.at = moved(records, settled.at, damping * cut(records, step, p));
+    settled.steps = steps_of(records, settled.inverse, p);
+  }
+  return settled;
+}
+
+std::optional<double> bound_of(const std::vector<Record>& records, const Model& model, const Settled& settled, int k,
+                               double offset) {
+  constexpr int most = 60;
+  constexpr double close = 2e-3;  // of the offset
+  const Eigen::Index p = settled.at.theta.size();
+  const Scores scores(records, model, settled.at, settled.steps);
+  const Vector first = scores.at(model, settled.at);
+  const Vector wanted = Vector::Unit(first.size(), k) * (offset / settled.inverse(k, k));
+  Unknowns at = moved(records, settled.at, cut(records, settled.inverse * wanted, p));
+  for (int i = 0; i < most; ++i) {
+    const Vector rest = wanted - (first - scores.at(model, at));
+    if (!rest.allFinite()) return {};
+    const Vector step = settled.inverse * rest;
+    at = moved(records, at, cut(records, step, p));
+    if (std::abs(at.theta[k] - settled.at.theta[k]) > farthest) return {};
+    if (std::abs(step[k]) < close * std::abs(offset)) return at.theta[k];
+  }
+  return {};
+}
+
+}  // namespace reye::fit
