@@ -16,7 +16,6 @@ void assume_white(std::vector<Record>& records) {
   for (Record& record : records) {
     if (record.known()) continue;
     const Vector& value = record.series->value;
-    record.noise = {};
     record.variance = std::max((value.array() - value.mean()).square().mean(), 1e-30);
   }
 }
@@ -38,16 +37,15 @@ Found first_found(std::vector<Record>& records, const Model& model, const Vector
   return descend(records, model, found.at);
 }
 
-std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Settled& settled,
-                                  const std::vector<std::vector<Noise>>& noises) {
+std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
   std::vector<Evidence> all;
-  for (std::size_t s = 0; s < records.size(); ++s)
-    all.push_back(evidence_of(records[s], columns_of(records[s], model, settled.at, settled.steps),
-                              static_cast<int>(settled.at.theta.size()), noises[s]));
+  for (const Record& record : records)
+    all.push_back(evidence_of(record, columns_of(record, model, at), static_cast<int>(at.theta.size()),
+                              candidates(record.blocks, record.series->map)));
   return all;
 }
 
-SeriesFit described(const Record& record, const Model& model, const Unknowns& at) {
+SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Evidence& evidence) {
   const Series& series = *record.series;
   SeriesFit fit;
   fit.shift = at.shift[record.number];
@@ -59,10 +57,11 @@ SeriesFit described(const Record& record, const Model& model, const Unknowns& at
     fit.fitted[static_cast<Eigen::Index>(i)] += level[0] + fit.tilt.dot(series.at[i]);
   const auto rms = [](const Vector& v) { return std::sqrt(v.squaredNorm() / static_cast<double>(v.size())); };
   fit.residual = rms(series.value - fit.fitted);
-  const bool white = record.noise.order < 0;
-  fit.scatter =
-      record.known() ? rms(series.scatter) : std::sqrt(record.variance * (record.noise.nugget + (white ? 0.0 : 1.0)));
-  fit.correlation_mm = white ? 0.0 : record.noise.length_mm;
+  const Told& told = likeliest(evidence);
+  const bool white = told.noise.order < 0;
+  fit.scatter = record.known() ? rms(series.scatter)
+                               : std::sqrt(told.squares / evidence.freedom * (told.noise.nugget + (white ? 0.0 : 1.0)));
+  fit.correlation_mm = white ? 0.0 : told.noise.length_mm;
   return fit;
 }
 
@@ -73,37 +72,26 @@ Estimate estimate(const std::vector<Series>& series, const Model& model, const s
   (void)names;
   std::vector<Record> records = records_of(series);
   Found found = first_found(records, model, start);
-  std::vector<std::vector<Noise>> noises;
-  for (const Record& record : records)
-    noises.push_back(record.known() ? std::vector<Noise>{{}} : candidates(record.blocks, record.series->map));
-  std::vector<Evidence> evidence;
-  Settled settled = settle(records, model, found.at, least_steps(records, start.size()));
-  for (int i = 0; i < 4; ++i) {
-    evidence = evidence_at(records, model, settled, noises);
-    const Vector before = settled.at.theta;
-    for (std::size_t s = 0; s < records.size(); ++s) {
-      believe(records[s], evidence[s]);
-      if (i == 0) continue;
-      noises[s].clear();
-      for (const Told& one : evidence[s].told) noises[s].push_back(one.noise);
-    }
-    settled = settle(records, model, settled.at, settled.steps);
-    const Vector change = (settled.at.theta - before).cwiseAbs();
-    if ((change.array() < 0.03 * settled.inverse.diagonal().head(start.size()).array().sqrt()).all()) break;
+  std::vector<Evidence> evidence = evidence_at(records, model, found.at);
+  if (records.size() > 1) {
+    for (std::size_t s = 0; s < records.size(); ++s) records[s].variance = variance_as_white(records[s], evidence[s]);
+    found = descend(records, model, found.at);
+    evidence = evidence_at(records, model, found.at);
   }
-  evidence = evidence_at(records, model, settled, noises);
   const Mixture mixture = mixture_of(evidence);
   Estimate result;
-  result.theta = settled.at.theta;
-  result.covariance = covariance_of(mixture);
-  result.converged = settled.converged;
-  result.low = result.high = settled.at.theta;
+  result.theta = found.at.theta;
+  result.covariance = mean_of(mixture);
+  result.converged = found.converged;
+  result.low = result.high = found.at.theta;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int k = 0; k < start.size(); ++k) {
-    result.low[k] = bound_of(records, model, settled, k, quantile_of(mixture, k, 0.025)).value_or(-infinite);
-    result.high[k] = bound_of(records, model, settled, k, quantile_of(mixture, k, 0.975)).value_or(infinite);
+    const double reach = quantile_of(mixture, k, 0.975);
+    result.low[k] = bound_of(records, model, found.at, k, -reach).value_or(-infinite);
+    result.high[k] = bound_of(records, model, found.at, k, reach).value_or(infinite);
   }
-  for (const Record& record : records) result.series.push_back(described(record, model, settled.at));
+  for (std::size_t s = 0; s < records.size(); ++s)
+    result.series.push_back(described(records[s], model, found.at, evidence[s]));
   return result;
 }
 

@@ -9,27 +9,10 @@ namespace reye::fit {
 
 namespace {
 
-constexpr double longest_theta = 0.5, longest_shift = 0.1;  ///< steps; the latter of the extent
-constexpr double farthest = 6.9;                            ///< of a bound: a factor of a thousand
-static const double reach = getenv("REACH") ? atof(getenv("REACH")) : 2.0;
+constexpr double longest_theta = 0.5, longest_shift = 0.25;  ///< steps; the latter of the extent
+constexpr double farthest = 6.9;                             ///< of a bound: a factor of a thousand
 
 Matrix inverse_of(const Matrix& H) { return algebra::solve_symmetric(H, Matrix::Identity(H.rows(), H.cols())); }
-
-/// Steps of one standard deviation, within what the least and the longest allow.
-Steps steps_of(const std::vector<Record>& records, const Matrix& covariance, Eigen::Index p) {
-  Steps steps = least_steps(records, p);
-  const auto deviation = [&](Eigen::Index i) {
-    return covariance(i, i) > 0.0 ? reach * std::sqrt(covariance(i, i)) : 0.0;
-  };
-  for (Eigen::Index i = 0; i < p; ++i) steps.theta[i] = std::clamp(deviation(i), steps.theta[i], longest_theta);
-  Eigen::Index i = p;
-  for (const Record& record : records)
-    for (int j = 0; j < record.shifts(); ++j) {
-      double& step = steps.shift[record.number][j];
-      step = std::clamp(deviation(i++), step, longest_shift * record.extent.maxCoeff());
-    }
-  return steps;
-}
 
 /// The part of a step within which a linear model is trusted.
 Vector cut(const std::vector<Record>& records, Vector step, Eigen::Index p) {
@@ -44,10 +27,10 @@ Vector cut(const std::vector<Record>& records, Vector step, Eigen::Index p) {
 /// Weights of the residuals of each series in the scores g: H's columns, levels removed.
 class Scores {
  public:
-  Scores(const std::vector<Record>& records, const Model& model, const Unknowns& at, const Steps& steps)
+  Scores(const std::vector<Record>& records, const Model& model, const Unknowns& at)
       : records_(records), p_(at.theta.size()) {
     for (const Record& record : records) {
-      const Matrix columns = columns_of(record, model, at, steps);
+      const Matrix columns = columns_of(record, model, at);
       columns_.push_back(columns.leftCols(columns.cols() - 1));
     }
   }
@@ -73,7 +56,7 @@ class Scores {
 
 }  // namespace
 
-Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at, const Steps& steps) {
+Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
   const Eigen::Index p = at.theta.size();
   Eigen::Index size = p;
   for (const Record& record : records) size += record.shifts();
@@ -81,7 +64,7 @@ Normal normal_at(const std::vector<Record>& records, const Model& model, const U
   Eigen::Index first = p;
   for (const Record& record : records) {
     const int shifts = record.shifts();
-    const Matrix gram = gram_of(record, columns_of(record, model, at, steps));
+    const Matrix gram = gram_of(record, columns_of(record, model, at));
     const auto theta = gram.middleRows(shifts, p);
     normal.H.topLeftCorner(p, p) += theta.middleCols(shifts, p);
     normal.H.block(0, first, p, shifts) = theta.leftCols(shifts);
@@ -103,44 +86,22 @@ Unknowns moved(const std::vector<Record>& records, Unknowns at, const Vector& st
   return at;
 }
 
-Settled settle(const std::vector<Record>& records, const Model& model, Unknowns at, Steps steps) {
-  constexpr int most = 20;
-  constexpr double close = 1e-4, near = 1e-2;  // of the square of a standard deviation
-  const Eigen::Index p = at.theta.size();
-  Settled settled{std::move(at), std::move(steps), {}};
-  double ahead = 0.0, damping = 1.0, before = 0.0;
-  for (int i = 0; i < most; ++i) {
-    const Normal normal = normal_at(records, model, settled.at, settled.steps);
-    if (!normal.H.allFinite() || !normal.g.allFinite()) break;
-    settled.inverse = inverse_of(normal.H);
-    settled.S = normal.S;
-    const Vector step = settled.inverse * normal.g;
-    ahead = step.dot(normal.g);
-    settled.converged = ahead < near;
-    if (ahead < close && i > 0) break;
-    if (i > 1 && ahead > 0.5 * before) damping = std::max(0.5 * damping, 0.1);  // it circles
-    before = ahead;
-    settled.at = moved(records, settled.at, damping * cut(records, step, p));
-    settled.steps = steps_of(records, settled.inverse, p);
-  }
-  return settled;
-}
-
-std::optional<double> bound_of(const std::vector<Record>& records, const Model& model, const Settled& settled, int k,
+std::optional<double> bound_of(const std::vector<Record>& records, const Model& model, const Unknowns& best, int k,
                                double offset) {
   constexpr int most = 60;
   constexpr double close = 2e-3;  // of the offset
-  const Eigen::Index p = settled.at.theta.size();
-  const Scores scores(records, model, settled.at, settled.steps);
-  const Vector first = scores.at(model, settled.at);
-  const Vector wanted = Vector::Unit(first.size(), k) * (offset / settled.inverse(k, k));
-  Unknowns at = moved(records, settled.at, cut(records, settled.inverse * wanted, p));
+  const Eigen::Index p = best.theta.size();
+  const Matrix inverse = inverse_of(normal_at(records, model, best).H);
+  const Scores scores(records, model, best);
+  const Vector first = scores.at(model, best);
+  const Vector wanted = Vector::Unit(first.size(), k) * (offset / inverse(k, k));
+  Unknowns at = moved(records, best, cut(records, inverse * wanted, p));
   for (int i = 0; i < most; ++i) {
     const Vector rest = wanted - (first - scores.at(model, at));
     if (!rest.allFinite()) return {};
-    const Vector step = settled.inverse * rest;
+    const Vector step = inverse * rest;
     at = moved(records, at, cut(records, step, p));
-    if (std::abs(at.theta[k] - settled.at.theta[k]) > farthest) return {};
+    if (std::abs(at.theta[k] - best.theta[k]) > farthest) return {};
     if (std::abs(step[k]) < close * std::abs(offset)) return at.theta[k];
   }
   return {};

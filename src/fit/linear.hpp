@@ -14,23 +14,13 @@ struct Normal {
   Vector g;
   double S = 0.0;
 };
-Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at, const Steps& steps);
+Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at);
 
 Unknowns moved(const std::vector<Record>& records, Unknowns at, const Vector& step);
 
-/// Where the weighted columns of the model no longer see a residual, from a place nearby.
-struct Settled {
-  Unknowns at;
-  Steps steps;     ///< of the differences: a standard deviation of each unknown (README (8))
-  Matrix inverse;  ///< of H
-  double S = 0.0;
-  bool converged = false;
-};
-Settled settle(const std::vector<Record>& records, const Model& model, Unknowns at, Steps steps);
-
 /// theta[k] where the linear estimate of theta[k] from what the fit would leave differs by `offset` from that at
-/// `settled`: README (9). Nothing where that does not exist within a factor of a thousand.
-std::optional<double> bound_of(const std::vector<Record>& records, const Model& model, const Settled& settled, int k,
+/// `best`: README (9). Nothing where that does not exist within a factor of a thousand.
+std::optional<double> bound_of(const std::vector<Record>& records, const Model& model, const Unknowns& best, int k,
                                double offset);
 
 }  // namespace reye::fit

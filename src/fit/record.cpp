@@ -6,6 +6,9 @@ namespace reye::fit {
 
 namespace {
 
+/// Steps of central differences: wide enough to average over kinks of interpolation, narrow against what bends a scar.
+constexpr double theta_step = 5e-3, shift_step = 2e-3;  ///< the latter of the extent
+
 /// Rows over the given scatter.
 Matrix scaled(const Record& record, Matrix columns) {
   if (record.known()) columns = record.series->scatter.cwiseInverse().asDiagonal() * columns;
@@ -28,13 +31,6 @@ std::vector<Record> records_of(const std::vector<Series>& series) {
   return records;
 }
 
-Steps least_steps(const std::vector<Record>& records, Eigen::Index parameters) {
-  constexpr double of_theta = 5e-3, of_extent = 2e-3;
-  Steps steps{Vector::Constant(parameters, of_theta), {}};
-  for (const Record& record : records) steps.shift.push_back(Vec2::Constant(of_extent * record.extent.maxCoeff()));
-  return steps;
-}
-
 Matrix level_columns(const Record& record) {
   const auto& at = record.series->at;
   Matrix columns = Matrix::Ones(static_cast<Eigen::Index>(at.size()), record.levels());
@@ -46,22 +42,22 @@ Matrix level_columns(const Record& record) {
   return columns;
 }
 
-Matrix columns_of(const Record& record, const Model& model, const Unknowns& at, const Steps& steps) {
+Matrix columns_of(const Record& record, const Model& model, const Unknowns& at) {
   const int levels = record.levels(), shifts = record.shifts();
   const auto p = static_cast<int>(at.theta.size());
   Matrix columns(record.series->value.size(), levels + shifts + p + 1);
   columns.leftCols(levels) = level_columns(record);
   const Vec2& shift = at.shift[record.number];
   for (int j = 0; j < shifts; ++j) {
-    const Vec2 step = steps.shift[record.number][j] * Vec2::Unit(j);
+    const Vec2 step = shift_step * record.extent.maxCoeff() * Vec2::Unit(j);
     columns.col(levels + j) =
         (model(at.theta, record.number, shift + step) - model(at.theta, record.number, shift - step)) / (2.0 * step[j]);
   }
   for (int j = 0; j < p; ++j) {
-    const Vector step = steps.theta[j] * Vector::Unit(p, j);
+    const Vector step = theta_step * Vector::Unit(p, j);
     columns.col(levels + shifts + j) =
         (model(at.theta + step, record.number, shift) - model(at.theta - step, record.number, shift)) /
-        (2.0 * steps.theta[j]);
+        (2.0 * theta_step);
   }
   columns.rightCols(1) = record.series->value - model(at.theta, record.number, shift);
   return scaled(record, std::move(columns));
@@ -75,7 +71,7 @@ Matrix residual_columns(const Record& record, const Model& model, const Unknowns
 }
 
 Matrix gram_of(const Record& record, const Matrix& columns) {
-  Matrix gram = weigh(record.blocks, record.series->map, record.noise, record.blocks.averaged(columns)).gram;
+  Matrix gram = weigh(record.blocks, record.series->map, {}, record.blocks.averaged(columns)).gram;
   eliminate(gram, record.levels());
   const Eigen::Index left = gram.cols() - record.levels();
   return gram.bottomRightCorner(left, left) / record.variance;
@@ -86,7 +82,7 @@ Vector level_of(const Record& record, const Model& model, const Unknowns& at) {
   Vector result = Vector::Zero(3);
   if (levels == 0) return result;
   const Matrix columns = record.blocks.averaged(residual_columns(record, model, at));
-  const Matrix gram = weigh(record.blocks, record.series->map, record.noise, columns).gram;
+  const Matrix gram = weigh(record.blocks, record.series->map, {}, columns).gram;
   result.head(levels) = algebra::least_squares(gram.topLeftCorner(levels, levels), gram.topRightCorner(levels, 1));
   for (int j = 1; j < levels; ++j) {
     result[j] = record.extent[j - 1] > 0.0 ? result[j] / record.extent[j - 1] : 0.0;

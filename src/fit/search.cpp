@@ -51,12 +51,11 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
   constexpr double negligible = 1e-7, tolerable = 1e-2;  // decrease of S over the variance of a value
   const Eigen::Index p = start.theta.size();
   const Vector first = start.theta;
-  const Steps steps = least_steps(records, p);
   Found found{start, sum_of_squares(records, model, start)};
   if (!std::isfinite(found.S)) return found;
   double damping = 1e-3, ahead = infinite;
   for (int i = 0; i < most_steps; ++i) {
-    const Normal normal = normal_at(records, model, found.at, steps);
+    const Normal normal = normal_at(records, model, found.at);
     if (!normal.H.allFinite()) break;
     const double unit = std::max(found.S / values_of(records), std::numeric_limits<double>::min());
     bool better = false;

@@ -3,8 +3,7 @@
 
 #include "fit/linear.hpp"
 
-/// The least squares of all series together, by the method of Levenberg and Marquardt: for white noise, since S is
-/// smooth then, while correlated noise makes it rough wherever the model has a kink (README (8)).
+/// The least squares of all series together, by the method of Levenberg and Marquardt.
 namespace reye::fit {
 
 struct Found {
