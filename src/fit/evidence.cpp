@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompose.hpp"
+#include "fit/pairs.hpp"
+
 namespace reye::fit {
 
 namespace {
@@ -26,36 +29,48 @@ void normalise(std::vector<Told>& told, const std::vector<double>& logs) {
 
 Evidence evidence_of(const Record& record, const Matrix& columns, int asked, const std::vector<Noise>& noises) {
   const Matrix means = record.blocks.averaged(columns);
-  const int own = static_cast<int>(columns.cols()) - 1 - asked;
-  const auto rows = static_cast<double>(means.rows());
-  Evidence evidence;
+  const Eigen::Index own = columns.cols() - 1 - asked;
+  const Vector weights = record.blocks.count / record.variance;
+  const auto nuisances = means.leftCols(own);
+  const Matrix J =
+      means.middleCols(own, asked) -
+      nuisances * algebra::least_squares(nuisances.transpose() * weights.asDiagonal() * nuisances,
+                                         nuisances.transpose() * weights.asDiagonal() * means.middleCols(own, asked));
+  const Matrix u = weights.asDiagonal() * J;
+  Evidence evidence{u.transpose() * J, u.transpose() * means.rightCols(1), 0, {}};
+  if (record.known()) {
+    evidence.told.push_back({{}, 1.0, 1.0, evidence.information});
+    return evidence;
+  }
+  const Pairs pairs = pairs_of(record.blocks, u);
   std::vector<double> logs;
   for (const Noise& noise : noises) {
     auto [gram, log_determinant] = weigh(record.blocks, record.series->map, noise, means);
-    const Eliminated nuisances = eliminate(gram, own);
-    Matrix rest = gram.bottomRightCorner(asked + 1, asked + 1);
-    const Matrix A = rest.topLeftCorner(asked, asked);
-    const Vector b = rest.topRightCorner(asked, 1);
-    const Eliminated theta = eliminate(rest, asked);
-    const double freedom = rows - nuisances.rank - theta.rank;
-    const double squares = std::max(rest(asked, asked), std::numeric_limits<double>::min());
-    evidence.told.push_back({noise, 1.0, squares, A, b});
+    const Eliminated eliminated = eliminate(gram, static_cast<int>(own) + asked);
+    const double freedom = static_cast<double>(means.rows() - eliminated.rank);
+    const double squares = std::max(gram(own + asked, own + asked), std::numeric_limits<double>::min());
     evidence.freedom = static_cast<int>(freedom);
-    evidence.dependence = theta.rank;
+    evidence.told.push_back({noise, 1.0, squares, {}});
     logs.push_back(std::log(noise.prior) -
-                   0.5 * (log_determinant + nuisances.log_pivots + theta.log_pivots + freedom * std::log(squares)));
+                   0.5 * (log_determinant + eliminated.log_pivots + freedom * std::log(squares)));
   }
   normalise(evidence.told, logs);
-  if (record.known()) evidence.freedom = 0;
+  for (Told& one : evidence.told) one.variance = variance_of(pairs, one.noise);
   return evidence;
 }
 
-void believe(Record& record, const Evidence& evidence) {
-  if (record.known()) return;
-  const auto best = std::max_element(evidence.told.begin(), evidence.told.end(),
-                                     [](const Told& a, const Told& b) { return a.weight < b.weight; });
-  record.noise = best->noise;
-  record.variance = best->squares / std::max(evidence.freedom, 1);
+const Told& likeliest(const Evidence& evidence) {
+  return *std::max_element(evidence.told.begin(), evidence.told.end(),
+                           [](const Told& a, const Told& b) { return a.weight < b.weight; });
+}
+
+double variance_as_white(const Record& record, const Evidence& evidence) {
+  if (record.known() || evidence.freedom < 1) return record.variance;
+  double ratio = 0.0;
+  const Matrix inverse = algebra::pseudo_inverse(evidence.information);
+  for (const Told& one : evidence.told)
+    ratio += one.weight * one.squares / evidence.freedom * (inverse * one.variance).trace();
+  return record.variance * ratio / std::max((inverse * evidence.information).trace(), 1.0);
 }
 
 }  // namespace reye::fit

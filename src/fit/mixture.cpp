@@ -49,52 +49,44 @@ const Told& drawn(const Evidence& evidence, double u) {
 }  // namespace
 
 Mixture mixture_of(const std::vector<Evidence>& series) {
-  const Eigen::Index p = series.front().told.front().b.size();
+  const Eigen::Index p = series.front().score.size();
   const Spread spread(2 * series.size());
   std::vector<std::vector<double>> chi;
-  for (const Evidence& one : series) chi.push_back(spread_of_chi(one.freedom));
+  Matrix information = Matrix::Zero(p, p);
+  for (const Evidence& one : series) {
+    chi.push_back(spread_of_chi(one.freedom));
+    information += one.information;
+  }
+  const Matrix inverse = algebra::solve_symmetric(information, Matrix::Identity(p, p));
   Mixture mixture;
   for (int k = 0; k < draws; ++k) {
-    Matrix H = Matrix::Zero(p, p);
-    Vector g = Vector::Zero(p);
+    Matrix variance = Matrix::Zero(p, p);
     for (std::size_t s = 0; s < series.size(); ++s) {
       const Told& one = drawn(series[s], spread.at(k, 2 * s));
       const int freedom = series[s].freedom;
-      const double variance = freedom > 0 ? one.squares / freedom : 1.0;
-      const double weight = chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)] / variance;
-      H += weight * one.A;
-      g += weight * one.b;
+      const double sigma2 = freedom > 0 ? one.squares / freedom : 1.0;
+      variance += sigma2 / chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)] * one.variance;
     }
-    mixture.covariance.push_back(algebra::solve_symmetric(H, Matrix::Identity(p, p)));
-    mixture.mean.push_back(mixture.covariance.back() * g);
+    mixture.push_back(inverse * variance * inverse);
   }
   return mixture;
 }
 
-Vector mean_of(const Mixture& mixture) {
-  Vector mean = Vector::Zero(mixture.mean.front().size());
-  for (const Vector& one : mixture.mean) mean += one / draws;
+Matrix mean_of(const Mixture& mixture) {
+  Matrix mean = Matrix::Zero(mixture.front().rows(), mixture.front().cols());
+  for (const Matrix& one : mixture) mean += one / static_cast<double>(mixture.size());
   return mean;
 }
 
-Matrix covariance_of(const Mixture& mixture) {
-  const Vector mean = mean_of(mixture);
-  Matrix covariance = Matrix::Zero(mean.size(), mean.size());
-  for (std::size_t i = 0; i < mixture.mean.size(); ++i) {
-    const Vector off = mixture.mean[i] - mean;
-    covariance += (mixture.covariance[i] + off * off.transpose()) / draws;
-  }
-  return covariance;
-}
-
 double quantile_of(const Mixture& mixture, int k, double p) {
-  const double middle = mean_of(mixture)[k], reach = 100.0 * std::sqrt(covariance_of(mixture)(k, k));
-  double low = middle - reach, high = middle + reach;
-  while (high - low > 1e-6 * reach) {
+  double low = 0.0, high = 0.0;
+  for (const Matrix& one : mixture) high = std::max(high, 10.0 * std::sqrt(one(k, k)));
+  const double least = 1e-5 * high;
+  while (high - low > least) {
     const double x = 0.5 * (low + high);
     double below = 0.0;
-    for (std::size_t i = 0; i < mixture.mean.size(); ++i)
-      below += normal_probability((x - mixture.mean[i][k]) / std::sqrt(mixture.covariance[i](k, k))) / draws;
+    for (const Matrix& one : mixture)
+      below += normal_probability(x / std::sqrt(one(k, k))) / static_cast<double>(mixture.size());
     (below < p ? low : high) = x;
   }
   return 0.5 * (low + high);

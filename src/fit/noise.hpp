@@ -18,6 +18,9 @@ struct Noise {
 /// nuggets from none to where they hide the correlation: README (4).
 std::vector<Noise> candidates(const Blocks& blocks, bool map);
 
+/// Correlation of two values at a distance [mm].
+double correlation(const Noise& noise, double distance);
+
 /// Y^T V^-1 Y of columns Y with a row per block, and log |V|, where blocks of `count` values have nugget / count.
 struct Weighed {
   Matrix gram;

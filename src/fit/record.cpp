@@ -20,7 +20,10 @@ Matrix scaled(const Record& record, Matrix columns) {
 std::vector<Record> records_of(const std::vector<Series>& series) {
   std::vector<Record> records;
   for (std::size_t s = 0; s < series.size(); ++s) {
-    Record record{&series[s], s, blocks_of(series[s])};
+    Record record;
+    record.series = &series[s];
+    record.number = s;
+    record.blocks = blocks_of(series[s]);
     record.extent = extent_of(series[s].at);
     for (const Vec2& p : series[s].at) record.middle += p / static_cast<double>(series[s].at.size());
     records.push_back(std::move(record));
@@ -68,7 +71,7 @@ Matrix residual_columns(const Record& record, const Model& model, const Unknowns
 }
 
 Matrix gram_of(const Record& record, const Matrix& columns) {
-  Matrix gram = weigh(record.blocks, record.series->map, record.noise, record.blocks.averaged(columns)).gram;
+  Matrix gram = weigh(record.blocks, record.series->map, {}, record.blocks.averaged(columns)).gram;
   eliminate(gram, record.levels());
   const Eigen::Index left = gram.cols() - record.levels();
   return gram.bottomRightCorner(left, left) / record.variance;
@@ -79,7 +82,7 @@ Vector level_of(const Record& record, const Model& model, const Unknowns& at) {
   Vector result = Vector::Zero(3);
   if (levels == 0) return result;
   const Matrix columns = record.blocks.averaged(residual_columns(record, model, at));
-  const Matrix gram = weigh(record.blocks, record.series->map, record.noise, columns).gram;
+  const Matrix gram = weigh(record.blocks, record.series->map, {}, columns).gram;
   result.head(levels) = algebra::least_squares(gram.topLeftCorner(levels, levels), gram.topRightCorner(levels, 1));
   for (int j = 1; j < levels; ++j) {
     result[j] = record.extent[j - 1] > 0.0 ? result[j] / record.extent[j - 1] : 0.0;

@@ -6,14 +6,13 @@
 /// A series as it is weighed, and its columns of least squares.
 namespace reye::fit {
 
-/// A series with its blocks and the noise it is believed to have.
+/// A series with its blocks, and the variance by which it is weighed.
 struct Record {
   const Series* series = nullptr;
   std::size_t number = 0;  ///< the model's
   Blocks blocks;
   Vec2 middle{0.0, 0.0}, extent{0.0, 0.0};
-  Noise noise;
-  double variance = 1.0;  ///< sigma^2; 1 where the scatter is given
+  double variance = 1.0;  ///< of a value, as if all were independent (README (3)); 1 where the scatter is given
 
   bool known() const { return series->scatter.size() > 0; }
   int shifts() const { return !series->moved ? 0 : series->map ? 2 : 1; }  ///< unknown directions of the shift
@@ -36,7 +35,7 @@ Matrix columns_of(const Record& record, const Model& model, const Unknowns& at);
 /// Levels and value - model alone.
 Matrix residual_columns(const Record& record, const Model& model, const Unknowns& at);
 
-/// Their Gram matrix under the noise of the record, divided by its variance; levels eliminated and left out.
+/// Their Gram matrix over the variance of the record; levels eliminated and left out.
 Matrix gram_of(const Record& record, const Matrix& columns);
 
 /// Offset at the origin and tilts that fit best (three numbers).

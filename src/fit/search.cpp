@@ -45,46 +45,9 @@ Vector damped_step(const Normal& normal, double damping, const std::vector<Recor
   return reach > 1.0 ? Vector(step / reach) : step;
 }
 
-Unknowns moved(const std::vector<Record>& records, Unknowns at, const Vector& step) {
-  at.theta += step.head(at.theta.size());
-  Eigen::Index i = at.theta.size();
-  for (const Record& record : records)
-    for (int j = 0; j < record.shifts(); ++j) at.shift[record.number][j] += step[i++];
-  return at;
-}
-
-void hold(Normal& normal, int held) {
-  if (held < 0) return;
-  normal.H.row(held).setZero();
-  normal.H.col(held).setZero();
-  normal.g[held] = 0.0;
-}
-
 }  // namespace
 
-Normal normal_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
-  const Eigen::Index p = at.theta.size();
-  Eigen::Index size = p;
-  for (const Record& record : records) size += record.shifts();
-  Normal normal{Matrix::Zero(size, size), Vector::Zero(size)};
-  Eigen::Index first = p;
-  for (const Record& record : records) {
-    const int shifts = record.shifts();
-    const Matrix gram = gram_of(record, columns_of(record, model, at));
-    const auto theta = gram.middleRows(shifts, p);
-    normal.H.topLeftCorner(p, p) += theta.middleCols(shifts, p);
-    normal.H.block(0, first, p, shifts) = theta.leftCols(shifts);
-    normal.H.block(first, 0, shifts, p) = theta.leftCols(shifts).transpose();
-    normal.H.block(first, first, shifts, shifts) = gram.topLeftCorner(shifts, shifts);
-    normal.g.head(p) += theta.rightCols(1);
-    normal.g.segment(first, shifts) = gram.topRightCorner(shifts, 1);
-    normal.S += gram(shifts + p, shifts + p);
-    first += shifts;
-  }
-  return normal;
-}
-
-Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held) {
+Found descend(const std::vector<Record>& records, const Model& model, Unknowns start) {
   constexpr double negligible = 1e-7, tolerable = 1e-2;  // decrease of S over the variance of a value
   const Eigen::Index p = start.theta.size();
   const Vector first = start.theta;
@@ -92,9 +55,8 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
   if (!std::isfinite(found.S)) return found;
   double damping = 1e-3, ahead = infinite;
   for (int i = 0; i < most_steps; ++i) {
-    Normal normal = normal_at(records, model, found.at);
+    const Normal normal = normal_at(records, model, found.at);
     if (!normal.H.allFinite()) break;
-    hold(normal, held);
     const double unit = std::max(found.S / values_of(records), std::numeric_limits<double>::min());
     bool better = false;
     while (!better && damping < 1e8) {

@@ -54,7 +54,9 @@ struct Measured {
 inline reye::fit::Series profile(std::mt19937_64& random, const Measured& m) {
   const double width = std::cbrt(m.tau), depth = worn(Scar::parabola, m.tau, 0.0);
   const double step = (m.to - m.from) * width / (m.count - 1);
-  reye::fit::Series series{"scar[0]", {}, m.noise * depth * noise(random, m.count, m.correlation * width / step)};
+  reye::fit::Series series;
+  series.name = "scar[0]";
+  series.value = m.noise * depth * noise(random, m.count, m.correlation * width / step);
   for (int i = 0; i < m.count; ++i) {
     const double x = m.from * width + i * step;
     series.at.emplace_back(x, 0.0);
