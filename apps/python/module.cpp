@@ -162,6 +162,21 @@ py::list sweep(const Text& scene, const std::vector<std::string>& vary, const st
   return texts_of(result.undone);
 }
 
+/// The folder of the results, and warnings.
+py::tuple calibrate(const Text& scene, const apps::CalibrateRequest& request, int threads) {
+  Asking asking;
+  apps::SessionCalibration session;
+  {
+    const py::gil_scoped_release unlocked;
+    session = apps::calibrate(scene, request, threads, [&] {
+      asking.handle_signals();
+      return asking.stopped();
+    });
+  }
+  asking.raise_again();
+  return py::make_tuple(text_of(session.dir), text_of(session.failure), texts_of(session.warnings));
+}
+
 /// Columns by name: the bytes of its numbers as doubles, or a list of texts.
 py::dict columns(const std::string& csv) {
   py::dict all;
@@ -196,6 +211,11 @@ PYBIND11_MODULE(_reye, m) {
   m.def("plan", &plan);
   m.def("check", &check);
   m.def("sweep", &sweep);
+  m.def("calibrate",
+        [](const Text& scene, const std::string& measured, const std::vector<std::string>& free, double at,
+           const std::string& contact, const std::string& side, const std::string& out, bool force, int threads) {
+          return calibrate(scene, {measured, free, at, contact, side, out, force}, threads);
+        });
   m.def("columns", &columns);
   m.def("cells", [](const std::string& line) { return texts_of(output::csv_cells(line)); });
   m.def("file_part", [](const std::string& name) { return text_of(output::file_part(name)); });

@@ -6,6 +6,7 @@
 #include "base/cores.hpp"
 #include "base/errors.hpp"
 #include "output/report/run_data.hpp"
+#include "runs/calibrate.hpp"
 #include "runs/run.hpp"
 #include "runs/words.hpp"
 #include "scene/key_rule.hpp"
@@ -111,6 +112,18 @@ SessionRun run(const Text& text, const RunPlace& place, int threads, const Sessi
     inner.interrupted = watch.interrupted;
     inner.note = [&](const std::string& note) { session.notes.push_back(note); };
     session.tables = run(scene, place, inner).tables;
+    return session;
+  });
+}
+
+SessionCalibration calibrate(const Text& text, const CalibrateRequest& request, int threads,
+                             const std::function<bool()>& interrupted) {
+  return with_scene(text, [&](const auto& scene) {
+    const Machine machine(threads);
+    const auto result = calibrate(scene, request, {nullptr, interrupted});
+    SessionCalibration session{calibration_folder(scene.name, request), result.failure, result.measured.warnings};
+    if (!result.estimate.poor.empty()) session.warnings.push_back("the fit is poor: " + result.estimate.poor);
+    for (const auto& warning : result.warnings) session.warnings.push_back(sim::in_words(warning));
     return session;
   });
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "runs/calibrate_request.hpp"
 #include "runs/place.hpp"
 
 /// What the Python module asks of the program, in plain values of any kind of scene: the file that names pybind11
@@ -66,6 +67,16 @@ SessionRun run(const Text& scene, const RunPlace& place, int threads, const Sess
 SessionPlan plan(const Text& scene, double trial_s, int threads);
 
 SessionCheck check(const Text& scene);
+
+/// A calibration whose results lie in its folder.
+struct SessionCalibration {
+  std::string dir, failure;
+  Lines warnings;
+};
+
+/// `free`: KEY=LOW:HIGH. `interrupted`: asked after each increment; true ends it without a result.
+SessionCalibration calibrate(const Text& scene, const CalibrateRequest& request, int threads,
+                             const std::function<bool()>& interrupted);
 
 /// The scene's text with `value`, as written in TOML, at `key`.
 std::string text_with(const Text& scene, const std::string& key, const std::string& value);

@@ -40,9 +40,18 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request, bool& quie
   return sweep;
 }
 
-CLI::App* add_calibrate(CLI::App& app, reye::apps::CalibrateRequest& request) {
+/// The whole command line of `reye calibrate`.
+struct CalibrateLine {
+  std::string path;
+  reye::apps::CalibrateRequest request;
+  int threads = 0;
+  bool trust_geometry = false, quiet = false;
+};
+
+CLI::App* add_calibrate(CLI::App& app, CalibrateLine& line) {
+  auto& request = line.request;
   auto* calibrate = app.add_subcommand("calibrate", "find the wear coefficients of a scene from measured scars");
-  calibrate->add_option("scene", request.path, "scene file (.toml)")->required();
+  calibrate->add_option("scene", line.path, "scene file (.toml)")->required();
   calibrate->add_option("--measured", request.measured, "scar as a table (.csv), or several and numbers (.toml)")
       ->required();
   calibrate->add_option("--at", request.at, "cycles after which scars were measured that name none")
@@ -55,11 +64,11 @@ CLI::App* add_calibrate(CLI::App& app, reye::apps::CalibrateRequest& request) {
   calibrate->add_option("--side", request.side, "side of scars that name none: secondary or primary")
       ->check(CLI::IsMember({"secondary", "primary"}));
   calibrate->add_option("--out", request.out, "output folder (default: ./<scene name>.calibration)");
-  calibrate->add_option("--threads", request.threads, "cores to compute on (default: all physical ones)")
+  calibrate->add_option("--threads", line.threads, "cores to compute on (default: all physical ones)")
       ->check(CLI::Range(1, 1024));
   calibrate->add_flag("--force", request.force, "write into a folder that holds something else");
-  calibrate->add_flag("--quiet", request.quiet, "results and warnings only");
-  add_trust(*calibrate, request.trust_geometry);
+  calibrate->add_flag("--quiet", line.quiet, "results and warnings only");
+  add_trust(*calibrate, line.trust_geometry);
   return calibrate;
 }
 
@@ -102,7 +111,7 @@ int main(int argc, char** argv) {
   mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
   apps::SweepRequest many;
   auto* sweep = add_sweep(app, many, request.quiet);
-  apps::CalibrateRequest measured;
+  CalibrateLine measured;
   auto* calibrate = add_calibrate(app, measured);
   auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
   report->add_option("dir", request.path, "output folder")->required();
@@ -127,7 +136,7 @@ int main(int argc, char** argv) {
     if (*plan) return apps::plan(request);
     if (*check) return apps::check(request);
     if (*sweep) return apps::sweep(many, request.quiet);
-    if (*calibrate) return apps::calibrate(measured);
+    if (*calibrate) return apps::calibrate(measured.path, measured.request, measured.trust_geometry, measured.quiet);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
     if (*reference) std::cout << (of_scars ? scene::scar_reference() : apps::reference(of_solids));

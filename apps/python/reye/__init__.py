@@ -10,7 +10,7 @@
     print(run.surfaces["pad", "secondary"][-1]["wear_depth_mm"].max(), "mm")
 
 `Scene` holds a scene file and changes, checks and runs it; `read` opens the output folder of any run; `sweep` runs a
-scene for every combination of values; `plan` and `check` report what a run will take and what a scene holds.
+scene for every combination of values; `calibrate` finds wear coefficients from measured scars; `plan` and `check` report what a run will take and what a scene holds.
 
 Units are fixed and are part of every key and column: mm, N, MPa, mJ = N mm, wear in mm^3/J or 1/MPa. Plane problems count
 forces, energies and areas per mm of thickness, axisymmetric ones over the whole circumference.
@@ -20,11 +20,12 @@ Results equal those of the command `reye` to the last digit. One run computes at
 scenes themselves: let them begin by "spawn", or use `sweep`.
 """
 from . import _reye
+from .calibrate import Calibration, calibrate
 from .errors import InputError, Issue, RunError, RunWarning
 from .results import Frame, Run, Surface, Surfaces, read
 from .scene import Check, Plan, Progress, Scene, check, plan
 from .sweep import Sweep, sweep
 
 __version__ = _reye.version
-__all__ = ["Check", "Frame", "InputError", "Issue", "Plan", "Progress", "Run", "RunError", "RunWarning", "Scene", "Surface",
-           "Surfaces", "Sweep", "check", "plan", "read", "sweep"]
+__all__ = ["Calibration", "Check", "Frame", "InputError", "Issue", "Plan", "Progress", "Run", "RunError", "RunWarning", "Scene", "Surface",
+           "Surfaces", "Sweep", "calibrate", "check", "plan", "read", "sweep"]

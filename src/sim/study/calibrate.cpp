@@ -59,8 +59,8 @@ ScarScene scar_scene(const Scene& scene, const MeasuredScars& measured) {
     return number_at(document, key);
   };
   result.check = [&scene](const KeyValues& values) { changed(scene, values); };
-  result.play = [&](const KeyValues& values, const WearFactors& factors, double cycles, const EnoughPlayed& enough) {
-    return play_scars(changed(scene, values), measured, factors, cycles, enough);
+  result.play = [&](const KeyValues& values, const WearFactors& factors, double cycles, const ScarStop& stop) {
+    return play_scars(changed(scene, values), measured, factors, cycles, stop);
   };
   return result;
 }
@@ -102,11 +102,12 @@ void set_keys(const ScarScene& scene, const ScarParameters& parameters, Calibrat
 }
 
 template <class Scene>
-Calibration calibrated(const Scene& scene, MeasuredScars measured, std::vector<FreeKey> free, const Told& told) {
+Calibration calibrated(const Scene& scene, MeasuredScars measured, std::vector<FreeKey> free,
+                       const CalibrationWatch& watch) {
   Calibration result;
   result.measured = std::move(measured);
   const ScarScene any = scar_scene(scene, result.measured);
-  const auto parameters = search_scars(any, std::move(free), told, result);
+  const auto parameters = search_scars(any, std::move(free), watch, result);
   if (!result.failure.empty()) return result;
   set_coefficients(any, parameters, result);
   set_keys(any, parameters, result);
@@ -139,13 +140,14 @@ scene::ScarContext scar_context(const scene::SolidScene& scene) {
   return context;
 }
 
-Calibration calibrate(const scene::Scene& scene, MeasuredScars measured, std::vector<FreeKey> free, const Told& told) {
-  return calibrated(scene, std::move(measured), std::move(free), told);
+Calibration calibrate(const scene::Scene& scene, MeasuredScars measured, std::vector<FreeKey> free,
+                      const CalibrationWatch& watch) {
+  return calibrated(scene, std::move(measured), std::move(free), watch);
 }
 
 Calibration calibrate(const scene::SolidScene& scene, MeasuredScars measured, std::vector<FreeKey> free,
-                      const Told& told) {
-  return calibrated(scene, std::move(measured), std::move(free), told);
+                      const CalibrationWatch& watch) {
+  return calibrated(scene, std::move(measured), std::move(free), watch);
 }
 
 }  // namespace reye::sim

@@ -19,8 +19,8 @@ scene::ScarContext scar_context(const scene::SolidScene& scene);
 /// or does not reach the cycles of the measurements.                                             [sim/README,
 /// Calibrate]
 Calibration calibrate(const scene::Scene& scene, scene::MeasuredScars measured, std::vector<FreeKey> free,
-                      const Told& told);
+                      const CalibrationWatch& watch);
 Calibration calibrate(const scene::SolidScene& scene, scene::MeasuredScars measured, std::vector<FreeKey> free,
-                      const Told& told);
+                      const CalibrationWatch& watch);
 
 }  // namespace reye::sim

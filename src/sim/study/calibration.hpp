@@ -31,7 +31,10 @@ struct Calibration {
   std::string failure;  ///< why there is no result; empty where there is one
 };
 
-/// What calibration is doing, a sentence now and then.
-using Told = std::function<void(const std::string&)>;
+/// Callbacks that observe a calibration; every member may be empty.
+struct CalibrationWatch {
+  std::function<void(const std::string&)> told;  ///< what it is doing, a sentence now and then
+  std::function<bool()> interrupted;             ///< asked after each increment; true ends it without a result
+};
 
 }  // namespace reye::sim

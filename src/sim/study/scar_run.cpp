@@ -136,7 +136,7 @@ void end(const auto& summary, bool stopped, ScarRun& run) {
 }  // namespace
 
 ScarRun play_scars(scene::Scene scene, const MeasuredScars& measured, const WearFactors& factors, double cycles,
-                   const EnoughPlayed& enough) {
+                   const ScarStop& stop) {
   set_up(scene, factors, cycles);
   scene.output.frames = {.every_cycles = 1e18};
   scene.output.estimate_error = false;
@@ -150,16 +150,16 @@ ScarRun play_scars(scene::Scene scene, const MeasuredScars& measured, const Wear
   Observer observer;
   observer.block = [&](const State& now) {
     if (!stopped) recorder.reach(problem, now, *system_of(problem, now, cache));
-    stopped = stopped || (result.cycles > 0.0 && enough(result));
+    stopped = stopped || (result.cycles > 0.0 && stop.enough(result));
   };
-  observer.interrupted = [&] { return stopped; };
+  observer.interrupted = [&] { return stopped || (stop.interrupted && stop.interrupted()); };
   const auto summary = run(problem, state, observer, cache);
   end(summary, stopped, result);
   return result;
 }
 
 ScarRun play_scars(scene::SolidScene scene, const MeasuredScars& measured, const WearFactors& factors, double cycles,
-                   const EnoughPlayed& enough) {
+                   const ScarStop& stop) {
   set_up(scene, factors, cycles);
   scene.frames = {.every_blocks = 1};
   scene.estimate_error = false;
@@ -173,9 +173,9 @@ ScarRun play_scars(scene::SolidScene scene, const MeasuredScars& measured, const
   observer.increment = [&](const SolidIncrement& row) { last = row; };
   observer.frame = [&](const SolidFrame& frame) {
     if (!stopped && !last.contacts.empty()) recorder.reach(problem, frame, last);
-    stopped = stopped || (result.cycles > 0.0 && enough(result));
+    stopped = stopped || (result.cycles > 0.0 && stop.enough(result));
   };
-  observer.interrupted = [&] { return stopped; };
+  observer.interrupted = [&] { return stopped || (stop.interrupted && stop.interrupted()); };
   const auto summary = run(problem, initial_solid_state(problem), observer);
   end(summary, stopped, result);
   return result;

@@ -29,14 +29,17 @@ struct WearFactors {
   double secondary = 1.0, primary = 1.0;
 };
 
-/// Asked after each block; true ends the run.
-using EnoughPlayed = std::function<bool(const ScarRun&)>;
+/// When a run ends before its last cycle.
+struct ScarStop {
+  std::function<bool(const ScarRun&)> enough;  ///< asked after each block
+  std::function<bool()> interrupted{};         ///< asked after each increment; may be empty
+};
 
 /// Plays the scene with its wear coefficients times `factors`, in its wearing step for at most so many cycles; 0: for
 /// those of the scene. Limits do not end it. Throws what `prepare` throws.
 ScarRun play_scars(scene::Scene scene, const scene::MeasuredScars& measured, const WearFactors& factors, double cycles,
-                   const EnoughPlayed& enough);
+                   const ScarStop& stop);
 ScarRun play_scars(scene::SolidScene scene, const scene::MeasuredScars& measured, const WearFactors& factors,
-                   double cycles, const EnoughPlayed& enough);
+                   double cycles, const ScarStop& stop);
 
 }  // namespace reye::sim

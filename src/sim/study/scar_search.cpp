@@ -30,8 +30,8 @@ constexpr double step_of_share = 0.25, step_of_factor = 0.2;
 
 class Search {
  public:
-  Search(const ScarScene& scene, std::vector<FreeKey> free, const Told& told, Calibration& result)
-      : scene_(scene), told_(told), result_(result), measured_(result.measured), series_(series_of(result.measured)) {
+  Search(const ScarScene& scene, std::vector<FreeKey> free, const CalibrationWatch& watch, Calibration& result)
+      : scene_(scene), watch_(watch), result_(result), measured_(result.measured), series_(series_of(result.measured)) {
     parameters_.keys = std::move(free);
     parameters_.scales = result_.scales = scene.no_scaling.empty();
     choose_factors();
@@ -53,7 +53,7 @@ class Search {
         result_.notes.push_back("The runs did not settle the values; the last estimate stands.");
         break;
       }
-      told_("the estimate has moved; another run with it");
+      say("the estimate has moved; another run with it");
       if (!play(within_bounds(theta))) return;
       drop_farthest(theta);
     }
@@ -114,6 +114,10 @@ class Search {
                                "cycles are more than the scene has, and it cannot be extended: " + scene_.no_scaling}});
   }
 
+  void say(const std::string& sentence) const {
+    if (watch_.told) watch_.told(sentence);
+  }
+
   KeyValues values_at(const Vector& theta) const {
     KeyValues values;
     for (std::size_t k = 0; k < parameters_.keys.size(); ++k)
@@ -157,8 +161,8 @@ class Search {
     if (!play(theta, true)) return false;
     if (!left_) return true;
     theta = quick_;
-    told_(base::formatted("the scars ask for about %.3g times the coefficients of the scene; repeated with those",
-                          parameters_.total(parameters_.factors_of(theta))));
+    say(base::formatted("the scars ask for about %.3g times the coefficients of the scene; repeated with those",
+                        parameters_.total(parameters_.factors_of(theta))));
     runs_.clear();
     return play(theta);
   }
@@ -178,7 +182,7 @@ class Search {
       return left_;
     };
     played.run = scene_.play(values_at(theta), parameters_.factors_of(theta),
-                             parameters_.scales ? 4.0 * most_cycles_ : 0.0, enough);
+                             parameters_.scales ? 4.0 * most_cycles_ : 0.0, {enough, watch_.interrupted});
     ++result_.runs;
     result_.increments += played.run.counts.increments;
     result_.warnings = played.run.warnings;
@@ -228,7 +232,7 @@ class Search {
   }
 
   const ScarScene& scene_;
-  const Told& told_;
+  const CalibrationWatch& watch_;
   Calibration& result_;
   const MeasuredScars& measured_;
   std::vector<fit::Series> series_;
@@ -241,8 +245,9 @@ class Search {
 
 }  // namespace
 
-ScarParameters search_scars(const ScarScene& scene, std::vector<FreeKey> free, const Told& told, Calibration& result) {
-  Search search(scene, std::move(free), told, result);
+ScarParameters search_scars(const ScarScene& scene, std::vector<FreeKey> free, const CalibrationWatch& watch,
+                            Calibration& result) {
+  Search search(scene, std::move(free), watch, result);
   search.go();
   return search.parameters();
 }

@@ -29,11 +29,12 @@ struct ScarScene {
   /// Throws base::InputError where the scene cannot take the values.
   std::function<void(const KeyValues&)> check;
   /// Plays the scene with these values; the rest as `play_scars`.
-  std::function<ScarRun(const KeyValues&, const WearFactors&, double cycles, const EnoughPlayed&)> play;
+  std::function<ScarRun(const KeyValues&, const WearFactors&, double cycles, const ScarStop&)> play;
 };
 
 /// Plays and fits until runs and estimate agree; `result.measured` is given, the rest but its values is filled. Returns
 /// what the parameters of the estimate stand for.
-ScarParameters search_scars(const ScarScene& scene, std::vector<FreeKey> free, const Told& told, Calibration& result);
+ScarParameters search_scars(const ScarScene& scene, std::vector<FreeKey> free, const CalibrationWatch& watch,
+                            Calibration& result);
 
 }  // namespace reye::sim
