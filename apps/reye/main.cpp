@@ -6,7 +6,9 @@
 #include "base/errors.hpp"
 #include "base/printable.hpp"
 #include "commands.hpp"
+#include "export.hpp"
 #include "heap.hpp"
+#include "new_scene.hpp"
 #include "sweep.hpp"
 
 namespace {
@@ -35,6 +37,31 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request) {
   sweep->add_flag("--quiet", request.quiet, "reasons only");
   add_trust(*sweep, request.trust_geometry);
   return sweep;
+}
+
+CLI::App* add_new(CLI::App& app, reye::apps::NewRequest& request) {
+  auto* made = app.add_subcommand("new", "make a folder with a commented scene that runs, to start from");
+  made->add_option("name", request.name, "name of your part");
+  made->add_option("--like", request.like, "kind of contact; --list shows them");
+  made->add_option("--out", request.out, "folder to make (default: ./<name>)");
+  made->add_flag("--list", request.list, "show the kinds");
+  return made;
+}
+
+CLI::App* add_export(CLI::App& app, reye::apps::ExportRequest& request) {
+  auto* shape = app.add_subcommand("export", "write the worn shape of a run for CAD or tables");
+  shape->add_option("dir", request.dir, "output folder")->required();
+  shape->add_option("--format", request.format, "csv, dxf, step or stl (of solids: stl or csv)");
+  auto* cycle = shape->add_option("--cycle", request.cycle, "the shape at this cycle (default: the last frame)");
+  shape->add_option("--frame", request.frame, "the shape of this frame, from 0; --list shows them")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(cycle);
+  shape->add_option("--body", request.body, "this body alone");
+  shape->add_option("--thickness", request.thickness_mm, "of a plane body as stl: its extrusion along z [mm]");
+  shape->add_option("--out", request.out, "file to write (default: ./<run>_cycle_<cycle>.<format>)");
+  shape->add_flag("--list", request.list, "show the frames of the run");
+  shape->add_flag("--force", request.force, "replace a file that is no former export");
+  return shape;
 }
 
 }  // namespace
@@ -80,6 +107,10 @@ int main(int argc, char** argv) {
   report->add_option("dir", request.path, "output folder")->required();
   report->add_flag("--animation", request.animation,
                    "bodies, pressure and wear moving from frame to frame, in the page");
+  apps::NewRequest start;
+  auto* made = add_new(app, start);
+  apps::ExportRequest shape;
+  auto* exported = add_export(app, shape);
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
   bool of_solids = false;
   reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
@@ -98,6 +129,8 @@ int main(int argc, char** argv) {
     if (*sweep) return apps::sweep(many);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
+    if (*made) return apps::new_scene(start);
+    if (*exported) return apps::export_shape(shape);
     if (*reference) std::cout << apps::reference(of_solids);
     return 0;
   } catch (const base::InputError& error) {
