@@ -3,7 +3,7 @@
 SetFactory("OpenCASCADE");
 neck = 3;            // half width of the blade above its root
 root = 8;            // half width of the root
-round = 0.8;         // radius of the round edges of the disc's land
+round = 1.6;         // radius of the round edges of the disc's land
 
 Point(1) = {0, -7, 0};
 Point(2) = {root, -7, 0};

@@ -68,14 +68,12 @@ std::string write_step_by_gmsh(const std::vector<PlaneFace>& faces) {
     const Session session;
     const Silence silence;
     const Scratch scratch;
-    std::vector<int> tags;
     for (const auto& face : faces) {
       std::vector<int> loops;
       for (const auto& loop : face.loops) loops.push_back(add_loop(loop, face.order));
-      tags.push_back(occ::addPlaneSurface(loops));
+      occ::addPlaneSurface(loops);
     }
     occ::synchronize();
-    for (std::size_t k = 0; k < faces.size(); ++k) gmsh::model::setEntityName(2, tags[k], faces[k].name);
     gmsh::write(scratch.file());
     std::ifstream file(scratch.file(), std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <regex>
 
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
@@ -51,12 +52,12 @@ std::vector<base::Issue> issues_of(const ShapeWish& wish, const Identity& run) {
 
 /// Keeps the body that is wished for.
 template <class Body>
-void keep_wished(std::vector<Body>& bodies, const std::string& name, std::vector<base::Issue>& issues) {
+void keep_wished(std::vector<Body>& bodies, const std::string& name) {
   if (name.empty()) return;
   std::vector<std::string> names;
   for (const auto& body : bodies) names.push_back(body.name);
   if (std::find(names.begin(), names.end(), name) == names.end())
-    issues.push_back({"--body", name, scene::unknown_name_rule("body", name, names)});
+    throw base::InputError({{"--body", name, scene::unknown_name_rule("body", name, names)}});
   std::erase_if(bodies, [&](const Body& body) { return body.name != name; });
 }
 
@@ -67,24 +68,26 @@ std::string note_of(const Identity& run, const ExportedShape& shape) {
          "; reye " + version;
 }
 
-/// Wear that the shape of a frame does not show.
-void judge(double worn, double shown, const std::string& unit, ExportedShape& shape) {
-  const double lacking = worn - shown;
-  if (worn <= 0.0 || lacking <= 0.1 * worn) return;
-  const std::string text = "of " + rounded(worn, 3) + ' ' + unit + " that are worn off at frame " +
-                           std::to_string(shape.frame) + " the shape lacks " + rounded(lacking, 3) +
-                           ": it is still in the gap, because the scene has shape = \"off\" or the frame lies between "
-                           "two moves of the shape";
-  if (lacking > 0.5 * worn)
-    throw base::InputError({{"--frame", std::to_string(shape.frame), text + "; choose another frame (--list)"}});
-  shape.warnings.push_back(text);
+/// Whether the scene leaves all shapes as they were drawn: shape = "off" before its first table.
+bool keeps_shapes(const Identity& run) {
+  static const std::regex off("(^|\\n)[ \\t]*shape[ \\t]*=[ \\t]*[\"']off[\"']");
+  return std::regex_search(run.scene_text.substr(0, run.scene_text.find("\n[")), off);
 }
 
-/// A line of the table: a body, its content, and how much of it is gone since the first frame.
-void add_line(const std::string& name, double now, double gone, const std::string& unit, ExportedShape& shape) {
-  const std::string what = base::formatted("%.9g %s, %s %s less than in frame 0", now, unit.c_str(),
-                                           rounded(std::abs(gone) < 1e-12 * now ? 0.0 : gone, 4).c_str(), unit.c_str());
-  shape.lines.push_back("body " + base::printable(name) + ": " + what);
+/// Refuses, or warns of, a frame whose shapes lack wear that it counts.
+void judge(const ShapeWish& wish, const Identity& run, ExportedShape& shape) {
+  if (keeps_shapes(run))
+    throw base::InputError({{"dir", wish.dir,
+                             "its scene has shape = \"off\": wear only opens the gaps, and the bodies keep the shape "
+                             "that was drawn"}});
+  const Lag lag = lag_of(wish.dir, run.solid, shape.frame);
+  if (lag.lacking_mm <= 0.1 * lag.deepest_mm) return;
+  const std::string text = "the shapes of frame " + std::to_string(shape.frame) + " are those of frame " +
+                           std::to_string(lag.shown) + ": of its depth of " + rounded(lag.deepest_mm, 3) +
+                           " mm they lack " + rounded(lag.lacking_mm, 3) + " mm, which is still in the gap";
+  if (lag.lacking_mm > 0.5 * lag.deepest_mm)
+    throw base::InputError({{"--frame", std::to_string(shape.frame), text + "; choose another frame (--list)"}});
+  shape.warnings.push_back(text);
 }
 
 /// Plane bodies as stl, one text each.
@@ -103,20 +106,14 @@ void add_extruded(const std::vector<WornBody>& bodies, double thickness, const s
 }
 
 void export_plane(const ShapeWish& wish, const Identity& run, ExportedShape& shape) {
-  const std::string file = frame_path(wish.dir, "bodies", "vtu", shape.frame);
-  auto bodies = read_worn_bodies(file);
-  const auto first = read_worn_bodies(frame_path(wish.dir, "bodies", "vtu", 0));
-  std::vector<base::Issue> issues;
-  keep_wished(bodies, wish.body, issues);
-  if (!issues.empty()) throw base::InputError(std::move(issues));
+  auto bodies = read_worn_bodies(frame_path(wish.dir, "bodies", "vtu", shape.frame));
+  keep_wished(bodies, wish.body);
   const bool ring = run.analysis == base::Analysis::axisymmetric;
-  const std::string unit = ring ? "mm3" : "mm2";
   for (const auto& body : bodies) {
-    const auto& before = first.at(static_cast<std::size_t>(body.index));
-    const double now = content(body, run.analysis), gone = content(before, run.analysis) - now;
-    add_line(body.name, now, gone, unit, shape);
-    judge(depth_amount(body, run.analysis) - depth_amount(before, run.analysis), gone,
-          unit + " of body " + base::printable(body.name), shape);
+    const char* unit = ring ? "mm3" : "mm2";
+    shape.lines.push_back("body " + base::printable(body.name) +
+                          base::formatted(": %.9g %s; its depths amount to %.4g %s", content(body, run.analysis), unit,
+                                          depth_amount(body, run.analysis), unit));
   }
   const std::string note = note_of(run, shape);
   if (wish.format == "csv")
@@ -132,24 +129,14 @@ void export_plane(const ShapeWish& wish, const Identity& run, ExportedShape& sha
 
 void export_solid(const ShapeWish& wish, const Identity& run, ExportedShape& shape) {
   auto bodies = read_worn_solids(frame_path(wish.dir, "bodies", "vtu", shape.frame));
-  const auto first = read_worn_solids(frame_path(wish.dir, "bodies", "vtu", 0));
-  double shown = 0.0;
-  std::vector<double> gone;
-  for (std::size_t b = 0; b < bodies.size(); ++b) gone.push_back(content(first.at(b)) - content(bodies[b]));
-  for (const double volume : gone) shown += volume;
-  std::vector<base::Issue> issues;
-  keep_wished(bodies, wish.body, issues);
-  if (!issues.empty()) throw base::InputError(std::move(issues));
+  keep_wished(bodies, wish.body);
   for (const auto& body : bodies)
-    add_line(body.name, content(body), gone[static_cast<std::size_t>(body.index)], "mm3", shape);
-  judge(worn_volume(wish.dir, shape.cycle) - worn_volume(wish.dir, frame_cycles(wish.dir).front()), shown, "mm3",
-        shape);
+    shape.lines.push_back("body " + base::printable(body.name) + base::formatted(": %.9g mm3", content(body)));
   const std::string note = note_of(run, shape);
-  if (wish.format == "csv") {
+  if (wish.format == "csv")
     shape.texts.emplace_back("", worn_faces_csv(wish.dir, shape.frame, wish.body, note));
-    return;
-  }
-  for (const auto& body : bodies) shape.texts.emplace_back(body.name, stl(triangles_of(body), note));
+  else
+    for (const auto& body : bodies) shape.texts.emplace_back(body.name, stl(triangles_of(body), note));
 }
 
 }  // namespace
@@ -162,6 +149,7 @@ ExportedShape export_shape(const ShapeWish& wish) {
   const auto cycles = frame_cycles(wish.dir);
   shape.frame = chosen_frame(cycles, wish.cycle, wish.frame);
   shape.cycle = cycles[shape.frame];
+  judge(wish, run, shape);
   if (run.solid)
     export_solid(wish, run, shape);
   else

@@ -1,13 +1,14 @@
 #include "output/export/worn_off.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 #include "mesh/measure.hpp"
 #include "mesh/solid/solid_measure.hpp"
-#include "output/solid/solid_run_data.hpp"
+#include "output/report/run_data.hpp"
+#include "output/solid/solid_vtk.hpp"
 
 namespace reye::output {
 
@@ -58,16 +59,46 @@ double depth_amount(const WornBody& body, base::Analysis analysis) {
   return sum;
 }
 
-double worn_volume(const std::string& dir, double cycle) {
-  const Table history = read_solid_run(dir).run.history;
-  const auto& cycles = history.column("cycle");
-  std::size_t row = 0;
-  while (row < cycles.size() && cycles[row] <= cycle * (1.0 + 1e-9)) ++row;
-  double sum = 0.0;
-  for (std::size_t c = 0; c < history.columns.size() && row > 0; ++c)
-    if (history.columns[c].ends_with("_volume_secondary_mm3") || history.columns[c].ends_with("_volume_primary_mm3"))
-      sum += history.values[c][row - 1];
-  return sum;
+namespace {
+
+/// What a frame says of shapes and wear.
+struct Look {
+  std::vector<base::Points> plane;
+  std::vector<base::Points3> solid;
+  double deepest_mm = 0.0;
+};
+
+Look look_at(const std::string& dir, bool solid, std::size_t frame) {
+  Look look;
+  const std::string bodies = frame_path(dir, "bodies", "vtu", frame),
+                    surfaces = frame_path(dir, "surface", "vtp", frame);
+  const auto count = [&look](const std::vector<double>& depths) {
+    for (const double depth : depths) look.deepest_mm = std::max(look.deepest_mm, depth);
+  };
+  if (solid) {
+    for (auto& body : read_worn_solids(bodies)) look.solid.push_back(std::move(body.mesh.X));
+    for (const auto& skin : read_drawn_skins(surfaces).all) count(skin.wear_depth_mm);
+    return look;
+  }
+  for (auto& body : read_worn_bodies(bodies)) {
+    count(body.wear_depth_mm);
+    look.plane.push_back(std::move(body.mesh.X));
+  }
+  return look;
+}
+
+}  // namespace
+
+Lag lag_of(const std::string& dir, bool solid, std::size_t frame) {
+  const Look now = look_at(dir, solid, frame);
+  Lag lag{frame, now.deepest_mm, 0.0};
+  while (lag.shown > 0) {
+    const Look before = look_at(dir, solid, lag.shown - 1);
+    if (before.plane != now.plane || before.solid != now.solid) break;
+    --lag.shown;
+    lag.lacking_mm = now.deepest_mm - before.deepest_mm;
+  }
+  return lag;
 }
 
 }  // namespace reye::output

@@ -17,7 +17,12 @@ double content(const WornSolid& solid);
 /// what is worn off, exact on straight outlines.
 double depth_amount(const WornBody& body, base::Analysis analysis);
 
-/// Volume worn off all bodies of a run of solids until a cycle [mm^3], by its history; 0 where it has no such row.
-double worn_volume(const std::string& dir, double cycle);
+/// Wear that a frame counts and its shapes do not show yet: shapes move at the end of blocks, those of solids once
+/// their wear is no longer small.
+struct Lag {
+  std::size_t shown = 0;                      ///< the first frame with these shapes
+  double deepest_mm = 0.0, lacking_mm = 0.0;  ///< the largest depth, and what it has grown since that frame
+};
+Lag lag_of(const std::string& dir, bool solid, std::size_t frame);
 
 }  // namespace reye::output
