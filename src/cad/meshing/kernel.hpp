@@ -1,6 +1,6 @@
 #pragma once
 #include "cad/meshing/region.hpp"
-#include "cad/meshing/step_writing.hpp"
+#include "cad/part/plane_face.hpp"
 #include "cad/part/raw.hpp"
 
 /// gmsh and OpenCASCADE are in a separate library (`cad/gmsh`), loaded on first use: loading takes longer than many a

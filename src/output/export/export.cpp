@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 #include "base/printable.hpp"
+#include "cad/meshing/step_writing.hpp"
 #include "output/export/outline_files.hpp"
 #include "output/export/run_frames.hpp"
 #include "output/export/stl.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "cad/meshing/step_writing.hpp"
+#include "cad/part/plane_face.hpp"
 #include "output/export/worn_bodies.hpp"
 
 /// Outlines of plane and axisymmetric bodies as texts of files.
