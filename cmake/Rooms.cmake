@@ -13,7 +13,7 @@ set(REYE_FLOORS_solver solid)
 set(REYE_FLOORS_adapt shape redraw transfer solid)
 set(REYE_FLOORS_scene solid)
 set(REYE_FLOORS_sim problem measure place reshape march solid study)
-set(REYE_FLOORS_output folder picture report run solid)
+set(REYE_FLOORS_output folder picture report run solid export)
 foreach(room IN LISTS REYE_ROOMS)
   string(JOIN "/" order ${room} ${REYE_FLOORS_${room}})
   list(APPEND REYE_HOUSE ${order})   # sim/problem/measure/...: a room and its floors in order

@@ -9,6 +9,8 @@ _reye() {
     [mesh]="--out --trust-geometry --help"
     [sweep]="--vary --out --jobs --member --slurm --table --force --quiet --trust-geometry --help"
     [calibrate]="--measured --at --contact --side --free --out --threads --force --quiet --trust-geometry --help"
+    [new]="--like --out --list --help"
+    [export]="--format --cycle --frame --body --thickness --out --list --force --help"
     [report]="--animation --help"
   )
   COMPREPLY=()
@@ -18,7 +20,13 @@ _reye() {
     return
   fi
   case $before in
-    --threads | --trial | --jobs | --member | --vary | --at | --contact | --free) return ;;
+    --threads | --trial | --jobs | --member | --vary | --at | --contact | --free | --cycle | --frame | --body | --thickness) return ;;
+    --like)
+      mapfile -t COMPREPLY < <(compgen -W "fretting bearing pin_on_disc block_on_ring seal dovetail hip_cup ball_on_flat" -- "$word")
+      return ;;
+    --format)
+      mapfile -t COMPREPLY < <(compgen -W "csv dxf step stl" -- "$word")
+      return ;;
     --side)
       mapfile -t COMPREPLY < <(compgen -W "secondary primary" -- "$word")
       return ;;
@@ -28,7 +36,7 @@ _reye() {
     return
   fi
   case $before:${COMP_WORDS[1]} in
-    --out:* | *:report) ;;
+    --out:* | *:report | *:export | *:new) ;;
     --picture:*) words='!*.svg' ;;
     --measured:*) words='!*.@(csv|toml)' ;;
     *) words='!*.toml' ;;

@@ -8,8 +8,10 @@
 #include "base/printable.hpp"
 #include "calibrate.hpp"
 #include "commands.hpp"
+#include "export.hpp"
 #include "heap.hpp"
 #include "many.hpp"
+#include "new_scene.hpp"
 #include "scene/scars.hpp"
 
 namespace {
@@ -72,6 +74,31 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateLine& line) {
   return calibrate;
 }
 
+CLI::App* add_new(CLI::App& app, reye::apps::NewRequest& request) {
+  auto* made = app.add_subcommand("new", "make a folder with a commented scene that runs, to start from");
+  made->add_option("name", request.name, "name of your part");
+  made->add_option("--like", request.like, "kind of contact; --list shows them");
+  made->add_option("--out", request.out, "folder to make (default: ./<name>)");
+  made->add_flag("--list", request.list, "show the kinds");
+  return made;
+}
+
+CLI::App* add_export(CLI::App& app, reye::apps::ExportRequest& request) {
+  auto* shape = app.add_subcommand("export", "write the worn shape of a run for CAD or tables");
+  shape->add_option("dir", request.dir, "output folder")->required();
+  shape->add_option("--format", request.format, "csv, dxf, step or stl (of solids: stl or csv)");
+  auto* cycle = shape->add_option("--cycle", request.cycle, "the shape at this cycle (default: the last frame)");
+  shape->add_option("--frame", request.frame, "the shape of this frame, from 0; --list shows them")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(cycle);
+  shape->add_option("--body", request.body, "this body alone");
+  shape->add_option("--thickness", request.thickness_mm, "of a plane body as stl: its extrusion along z [mm]");
+  shape->add_option("--out", request.out, "file to write (default: ./<run>_cycle_<cycle>.<format>)");
+  shape->add_flag("--list", request.list, "show the frames of the run");
+  shape->add_flag("--force", request.force, "replace a file that is no former export");
+  return shape;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -117,6 +144,10 @@ int main(int argc, char** argv) {
   report->add_option("dir", request.path, "output folder")->required();
   report->add_flag("--animation", request.animation,
                    "bodies, pressure and wear moving from frame to frame, in the page");
+  apps::NewRequest start;
+  auto* made = add_new(app, start);
+  apps::ExportRequest shape;
+  auto* exported = add_export(app, shape);
   auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
   bool of_solids = false, of_scars = false;
   reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
@@ -139,6 +170,8 @@ int main(int argc, char** argv) {
     if (*calibrate) return apps::calibrate(measured.path, measured.request, measured.trust_geometry, measured.quiet);
     if (*mesh) return apps::mesh(request);
     if (*report) return apps::report(request);
+    if (*made) return apps::new_scene(start);
+    if (*exported) return apps::export_shape(shape);
     if (*reference) std::cout << (of_scars ? scene::scar_reference() : apps::reference(of_solids));
     if (*schema) std::cout << apps::schema();
     return 0;

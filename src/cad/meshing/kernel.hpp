@@ -1,5 +1,6 @@
 #pragma once
 #include "cad/meshing/region.hpp"
+#include "cad/part/plane_face.hpp"
 #include "cad/part/raw.hpp"
 
 /// gmsh and OpenCASCADE are in a separate library (`cad/gmsh`), loaded on first use: loading takes longer than many a
@@ -10,6 +11,7 @@ namespace reye::cad {
 struct Kernel {
   std::vector<RawPart> (*read_file)(const std::string& path, Format format, const std::optional<Section>& section);
   void (*fill)(Region& region, const SizeField& size);
+  std::string (*write_step)(const std::vector<PlaneFace>& faces);
 };
 
 /// Loads it; throws std::runtime_error when it is not found.
@@ -20,5 +22,6 @@ const void* kernel_symbol(const char* name);
 
 std::vector<RawPart> read_by_gmsh(const std::string& path, Format format, const std::optional<Section>& section);
 void fill_by_gmsh(Region& region, const SizeField& size);
+std::string write_step_by_gmsh(const std::vector<PlaneFace>& faces);
 
 }  // namespace reye::cad
