@@ -1,4 +1,4 @@
-"""Calibrations from Python must find what the command finds, and refuse what it refuses."""
+"""Calibrations from Python find what the command finds, and refuse what it refuses."""
 import json
 import pathlib
 import subprocess
@@ -32,8 +32,8 @@ class Calibrations(unittest.TestCase):
         self.addCleanup(place.cleanup)
         self.folder = pathlib.Path(place.name)
 
-    # A calibration must give the values, the notes and the scene of the command's, and leave its folder.
     def test_equals_the_command(self):
+        """A calibration gives the values of the command's, and the scene with them."""
         scene, scar = small_scene(), write_scar(self.folder)
         fit = reye.calibrate(scene, scar, self.folder / "fit", at=400, side="secondary", threads=1)
         self.assertAlmostEqual(fit[KEY]["fitted"] / (1.25 * scene[KEY]), 1.0, delta=0.02)
@@ -46,8 +46,8 @@ class Calibrations(unittest.TestCase):
         told = json.loads((self.folder / "command" / "calibration.json").read_text(encoding="utf-8"))
         self.assertEqual(told["values"], fit.summary["values"])
 
-    # What cannot be read must be an InputError with all issues, before anything is written.
     def test_bad_input(self):
+        """What cannot be read is an InputError with all issues, before anything is written."""
         (self.folder / "scar.csv").write_text("x_mm,depth\n1,2\n", encoding="utf-8")
         with self.assertRaises(reye.InputError) as caught:
             reye.calibrate(small_scene(), self.folder / "scar.csv", self.folder / "fit")
