@@ -123,7 +123,7 @@ SessionCalibration calibrate(const Text& text, const CalibrateRequest& request, 
     const auto result = calibrate(scene, request, {nullptr, interrupted});
     SessionCalibration session{calibration_folder(scene.name, request), result.failure, result.measured.warnings};
     if (!result.estimate.poor.empty()) session.warnings.push_back("the fit is poor: " + result.estimate.poor);
-    for (const auto& warning : result.warnings) session.warnings.push_back(sim::in_words(warning));
+    for (const auto& text : in_words(result.warnings)) session.warnings.push_back(text);
     return session;
   });
 }

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <functional>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -16,13 +16,80 @@
 
 namespace {
 
+using namespace reye;
+
+/// What the command line asks for.
+struct Line {
+  apps::Request request;
+  apps::SweepRequest many;
+  apps::CalibrateRequest measured;
+  apps::NewRequest start;
+  apps::ExportRequest shape;
+  bool of_solids = false, of_scars = false;
+  std::function<int()> act;  ///< of the command that is given
+};
+
+/// A command; its options are added to what is returned.
+CLI::App* add_command(CLI::App& app, Line& line, const char* name, const char* what, std::function<int()> act) {
+  auto* command = app.add_subcommand(name, what);
+  command->callback([&line, act = std::move(act)] { line.act = act; });
+  return command;
+}
+
 void add_trust(CLI::App& command, bool& trust) {
   command.add_flag("--trust-geometry", trust,
                    "let the scene's geometry files do whatever gmsh can, and take what time and memory they take");
 }
 
-CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request, bool& quiet) {
-  auto* sweep = app.add_subcommand("sweep", "run a scene many times with other values, and collect one table");
+CLI::App* add_scene(CLI::App* command, apps::Request& request) {
+  command->add_option("scene", request.path, "scene file (.toml)")->required();
+  add_trust(*command, request.trust_geometry);
+  return command;
+}
+
+void add_threads(CLI::App* command, apps::Request& request) {
+  command->add_option("--threads", request.threads, "cores to compute on (default: all physical ones)")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_run(CLI::App& app, Line& line) {
+  auto& request = line.request;
+  auto* run = add_scene(
+      add_command(app, line, "run", "run a scene and write its results", [&] { return apps::run(request); }), request);
+  run->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
+  run->add_flag("--restart", request.restart,
+                "resume from the last checkpoint; a run that has ended resumes when its scene has more cycles in the "
+                "last step or other limits");
+  run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
+  run->add_flag("--quiet", request.quiet, "no progress, errors only");
+  add_threads(run, request);
+}
+
+/// Commands that look at a scene.
+void add_looks(CLI::App& app, Line& line) {
+  auto& request = line.request;
+  auto* plan =
+      add_scene(add_command(app, line, "plan",
+                            "say what each body and contact is, what is skipped and why, and what the run will take",
+                            [&] { return apps::plan(request); }),
+                request);
+  plan->add_option("--trial", request.trial_s, "seconds of the run to play for that (default: 2; 0: none)")
+      ->check(CLI::NonNegativeNumber);
+  add_threads(plan, request);
+  auto* check = add_scene(add_command(app, line, "check", "read scene and geometry, mesh in memory, write nothing",
+                                      [&] { return apps::check(request); }),
+                          request);
+  check->add_option("--picture", request.picture, "draw the scene into this file (.svg)");
+  auto* mesh = add_scene(
+      add_command(app, line, "mesh", "write the meshes for a look in ParaView", [&] { return apps::mesh(request); }),
+      request);
+  mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
+}
+
+void add_sweep(CLI::App& app, Line& line) {
+  auto& request = line.many;
+  auto* sweep = add_command(app, line, "sweep", "run a scene many times with other values, and collect one table",
+                            [&] { return apps::sweep(line.many, line.request.quiet); });
   sweep->add_option("scene", request.path, "scene file (.toml)")->required();
   sweep->add_option("--vary", request.vary, "KEY=a:b:n, KEY=log:a:b:n or KEY=v1,v2,...; several: the full grid")
       ->required()
@@ -37,23 +104,17 @@ CLI::App* add_sweep(CLI::App& app, reye::apps::SweepRequest& request, bool& quie
   member->excludes(slurm)->excludes(table);
   slurm->excludes(table);
   sweep->add_flag("--force", request.force, "run every member again, whatever its folder holds");
-  sweep->add_flag("--quiet", quiet, "reasons only");
+  sweep->add_flag("--quiet", line.request.quiet, "reasons only");
   add_trust(*sweep, request.trust_geometry);
-  return sweep;
 }
 
-/// The whole command line of `reye calibrate`.
-struct CalibrateLine {
-  std::string path;
-  reye::apps::CalibrateRequest request;
-  int threads = 0;
-  bool trust_geometry = false, quiet = false;
-};
-
-CLI::App* add_calibrate(CLI::App& app, CalibrateLine& line) {
-  auto& request = line.request;
-  auto* calibrate = app.add_subcommand("calibrate", "find the wear coefficients of a scene from measured scars");
-  calibrate->add_option("scene", line.path, "scene file (.toml)")->required();
+void add_calibrate(CLI::App& app, Line& line) {
+  auto& request = line.measured;
+  auto& common = line.request;
+  auto* calibrate = add_scene(
+      add_command(app, line, "calibrate", "find the wear coefficients of a scene from measured scars",
+                  [&] { return apps::calibrate(common.path, line.measured, common.trust_geometry, common.quiet); }),
+      common);
   calibrate->add_option("--measured", request.measured, "scar as a table (.csv), or several and numbers (.toml)")
       ->required();
   calibrate->add_option("--at", request.at, "cycles after which scars were measured that name none")
@@ -66,25 +127,34 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateLine& line) {
   calibrate->add_option("--side", request.side, "side of scars that name none: secondary or primary")
       ->check(CLI::IsMember({"secondary", "primary"}));
   calibrate->add_option("--out", request.out, "output folder (default: ./<scene name>.calibration)");
-  calibrate->add_option("--threads", line.threads, "cores to compute on (default: all physical ones)")
-      ->check(CLI::Range(1, 1024));
+  add_threads(calibrate, common);
   calibrate->add_flag("--force", request.force, "write into a folder that holds something else");
-  calibrate->add_flag("--quiet", line.quiet, "results and warnings only");
-  add_trust(*calibrate, line.trust_geometry);
-  return calibrate;
+  calibrate->add_flag("--quiet", common.quiet, "results and warnings only");
 }
 
-CLI::App* add_new(CLI::App& app, reye::apps::NewRequest& request) {
-  auto* made = app.add_subcommand("new", "make a folder with a commented scene that runs, to start from");
+void add_report(CLI::App& app, Line& line) {
+  auto& request = line.request;
+  auto* report = add_command(app, line, "report", "make the page and the pictures of an output folder again",
+                             [&] { return apps::report(request); });
+  report->add_option("dir", request.path, "output folder")->required();
+  report->add_flag("--animation", request.animation,
+                   "bodies, pressure and wear moving from frame to frame, in the page");
+}
+
+void add_new(CLI::App& app, Line& line) {
+  auto& request = line.start;
+  auto* made = add_command(app, line, "new", "make a folder with a commented scene that runs, to start from",
+                           [&] { return apps::new_scene(line.start); });
   made->add_option("name", request.name, "name of your part");
   made->add_option("--like", request.like, "kind of contact; --list shows them");
   made->add_option("--out", request.out, "folder to make (default: ./<name>)");
   made->add_flag("--list", request.list, "show the kinds");
-  return made;
 }
 
-CLI::App* add_export(CLI::App& app, reye::apps::ExportRequest& request) {
-  auto* shape = app.add_subcommand("export", "write the worn shape of a run for CAD or tables");
+void add_export(CLI::App& app, Line& line) {
+  auto& request = line.shape;
+  auto* shape = add_command(app, line, "export", "write the worn shape of a run for CAD or tables",
+                            [&] { return apps::export_shape(line.shape); });
   shape->add_option("dir", request.dir, "output folder")->required();
   shape->add_option("--format", request.format, "csv, dxf, step or stl (of solids: stl or csv)");
   auto* cycle = shape->add_option("--cycle", request.cycle, "the shape at this cycle (default: the last frame)");
@@ -96,64 +166,35 @@ CLI::App* add_export(CLI::App& app, reye::apps::ExportRequest& request) {
   shape->add_option("--out", request.out, "file to write (default: ./<run>_cycle_<cycle>.<format>)");
   shape->add_flag("--list", request.list, "show the frames of the run");
   shape->add_flag("--force", request.force, "replace a file that is no former export");
-  return shape;
+}
+
+/// Commands that are not in the help: what the project's own pages are made of.
+void add_hidden(CLI::App& app, Line& line) {
+  const auto print = [](const std::string& text) {
+    std::cout << text;
+    return 0;
+  };
+  auto* reference = add_command(
+      app, line, "reference", "the table of scene keys, as in geo/REFERENCE.md",
+      [&line, print] { return print(line.of_scars ? scene::scar_reference() : apps::reference(line.of_solids)); });
+  reference->group("");
+  reference->add_flag("--solid", line.of_solids, "of scenes with analysis = \"solid\"");
+  reference->add_flag("--scars", line.of_scars, "of what `calibrate` reads");
+  add_command(app, line, "schema", "the JSON Schema of scenes, as in geo/scene.schema.json", [print] {
+    return print(apps::schema());
+  })->group("");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace reye;
   apps::keep_heap();
   CLI::App app{"Reye: how contacts wear. From CAD and a load cycle to the worn shape and the wear life.", "reye"};
   app.set_version_flag("--version", apps::version());
   app.require_subcommand(1);
-  apps::Request request;
-
-  const auto with_scene = [&](const char* name, const char* what) {
-    auto* command = app.add_subcommand(name, what);
-    command->add_option("scene", request.path, "scene file (.toml)")->required();
-    add_trust(*command, request.trust_geometry);
-    return command;
-  };
-  auto* run = with_scene("run", "run a scene and write its results");
-  run->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
-  run->add_flag("--restart", request.restart,
-                "resume from the last checkpoint; a run that has ended resumes when its scene has more cycles in the "
-                "last step or other limits");
-  run->add_flag("--force", request.force, "take over a folder that holds another scene's run");
-  run->add_flag("--quiet", request.quiet, "no progress, errors only");
-  const auto with_threads = [&request](CLI::App* command) {
-    command->add_option("--threads", request.threads, "cores to compute on (default: all physical ones)")
-        ->check(CLI::Range(1, 1024));
-  };
-  with_threads(run);
-  auto* plan =
-      with_scene("plan", "say what each body and contact is, what is skipped and why, and what the run will take");
-  plan->add_option("--trial", request.trial_s, "seconds of the run to play for that (default: 2; 0: none)")
-      ->check(CLI::NonNegativeNumber);
-  with_threads(plan);
-  auto* check = with_scene("check", "read scene and geometry, mesh in memory, write nothing");
-  check->add_option("--picture", request.picture, "draw the scene into this file (.svg)");
-  auto* mesh = with_scene("mesh", "write the meshes for a look in ParaView");
-  mesh->add_option("--out", request.out, "output folder (default: ./<scene name>.out)");
-  apps::SweepRequest many;
-  auto* sweep = add_sweep(app, many, request.quiet);
-  CalibrateLine measured;
-  auto* calibrate = add_calibrate(app, measured);
-  auto* report = app.add_subcommand("report", "make the page and the pictures of an output folder again");
-  report->add_option("dir", request.path, "output folder")->required();
-  report->add_flag("--animation", request.animation,
-                   "bodies, pressure and wear moving from frame to frame, in the page");
-  apps::NewRequest start;
-  auto* made = add_new(app, start);
-  apps::ExportRequest shape;
-  auto* exported = add_export(app, shape);
-  auto* reference = app.add_subcommand("reference", "the table of scene keys, as in geo/REFERENCE.md")->group("");
-  bool of_solids = false, of_scars = false;
-  reference->add_flag("--solid", of_solids, "of scenes with analysis = \"solid\"");
-  reference->add_flag("--scars", of_scars, "of what `calibrate` reads");
-  auto* schema = app.add_subcommand("schema", "the JSON Schema of scenes, as in geo/scene.schema.json")->group("");
-
+  Line line;
+  for (const auto add : {add_run, add_looks, add_sweep, add_calibrate, add_report, add_new, add_export, add_hidden})
+    add(app, line);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -161,20 +202,8 @@ int main(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   try {
-    const int threads = std::max(request.threads, measured.threads);
-    const base::Cores cores(threads > 0 ? threads : base::physical_cores());
-    if (*run) return apps::run(request);
-    if (*plan) return apps::plan(request);
-    if (*check) return apps::check(request);
-    if (*sweep) return apps::sweep(many, request.quiet);
-    if (*calibrate) return apps::calibrate(measured.path, measured.request, measured.trust_geometry, measured.quiet);
-    if (*mesh) return apps::mesh(request);
-    if (*report) return apps::report(request);
-    if (*made) return apps::new_scene(start);
-    if (*exported) return apps::export_shape(shape);
-    if (*reference) std::cout << (of_scars ? scene::scar_reference() : apps::reference(of_solids));
-    if (*schema) std::cout << apps::schema();
-    return 0;
+    const base::Cores cores(line.request.threads > 0 ? line.request.threads : base::physical_cores());
+    return line.act();
   } catch (const base::InputError& error) {
     std::cerr << error.what() << '\n';
     return 2;

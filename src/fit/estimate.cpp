@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "algebra/decompose.hpp"
+#include "fit/doubts.hpp"
+#include "fit/interval.hpp"
 #include "fit/mixture.hpp"
+#include "fit/refusal.hpp"
 #include "fit/search.hpp"
 
 namespace reye::fit {
@@ -37,15 +40,7 @@ Found first_found(std::vector<Record>& records, const Model& model, const Vector
   return descend(records, model, found.at);
 }
 
-std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
-  std::vector<Evidence> all;
-  for (const Record& record : records)
-    all.push_back(evidence_of(record, columns_of(record, model, at), static_cast<int>(at.theta.size()),
-                              candidates(record.blocks, record.series->map)));
-  return all;
-}
-
-SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Evidence& evidence) {
+SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Belief& belief) {
   const Series& series = *record.series;
   SeriesFit fit;
   fit.shift = at.shift[record.number];
@@ -57,41 +52,87 @@ SeriesFit described(const Record& record, const Model& model, const Unknowns& at
     fit.fitted[static_cast<Eigen::Index>(i)] += level[0] + fit.tilt.dot(series.at[i]);
   const auto rms = [](const Vector& v) { return std::sqrt(v.squaredNorm() / static_cast<double>(v.size())); };
   fit.residual = rms(series.value - fit.fitted);
-  const Told& told = likeliest(evidence);
-  const bool white = told.noise.order < 0;
-  fit.scatter = record.known() ? rms(series.scatter)
-                               : std::sqrt(told.squares / evidence.freedom * (told.noise.nugget + (white ? 0.0 : 1.0)));
-  fit.correlation_mm = white ? 0.0 : told.noise.length_mm;
+  const Likely& likely = belief.noises.front();
+  const bool white = likely.noise.order < 0;
+  fit.scatter =
+      record.known() ? rms(series.scatter) : std::sqrt(likely.variance * (likely.noise.nugget + (white ? 0.0 : 1.0)));
+  fit.correlation_mm = white ? 0.0 : likely.noise.length_mm;
   return fit;
+}
+
+/// Series weighed by what they inform: README (3).
+void weigh_by_information(std::vector<Record>& records, const std::vector<Scores>& scores,
+                          const std::vector<Belief>& beliefs) {
+  for (Record& record : records) {
+    if (record.known()) continue;
+    const Scores& own = scores[record.number];
+    const Matrix inverse = algebra::pseudo_inverse(own.information);
+    const double rank = (inverse * own.information).trace();
+    if (rank > 0.5) record.variance *= (inverse * variance_of(own, beliefs[record.number])).trace() / rank;
+  }
+}
+
+std::vector<Belief> beliefs_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
+  std::vector<Belief> beliefs;
+  for (const Record& record : records) beliefs.push_back(belief_of(record, taken_columns(record, model, at)));
+  return beliefs;
+}
+
+/// Intervals and covariance, or why there are none.
+void bound(Estimate& result, const std::vector<Record>& records, const Model& model, const Found& found,
+           const std::vector<Scores>& scores, const std::vector<Belief>& beliefs,
+           const std::vector<std::string>& names) {
+  constexpr double upper = 0.975, farthest = 6.9;  // the latter is a factor of a thousand
+  const Mixture mixture = mixture_of(scores, beliefs);
+  result.covariance = mean_of(mixture);
+  result.low = result.high = result.theta;
+  for (int k = 0; k < result.theta.size(); ++k) {
+    const double deviation = std::sqrt(result.covariance(k, k));
+    if (!(deviation < farthest)) {
+      result.refused = unbounded(names[k], true);
+      return;
+    }
+    const double z = quantile_of(mixture, k, upper) / deviation;
+    result.low[k] = bound_of(records, model, beliefs, found.at, k, -z, deviation);
+    result.high[k] = bound_of(records, model, beliefs, found.at, k, z, deviation);
+    for (const bool below : {true, false})
+      if (!std::isfinite(below ? result.low[k] : result.high[k])) {
+        result.refused = unbounded(names[k], below);
+        return;
+      }
+  }
 }
 
 }  // namespace
 
 Estimate estimate(const std::vector<Series>& series, const Model& model, const std::vector<std::string>& names,
                   const Vector& start) {
-  (void)names;
+  Estimate result;
+  result.refused = refusal_of(series, start.size());
+  if (!result.refused.empty()) return result;
   std::vector<Record> records = records_of(series);
   Found found = first_found(records, model, start);
-  std::vector<Evidence> evidence = evidence_at(records, model, found.at);
+  if (!std::isfinite(found.S)) {
+    result.refused = "what is computed is not finite where the search begins";
+    return result;
+  }
+  std::vector<Scores> scores = scores_at(records, model, found.at);
+  result.refused = undetermined(scores, names);
+  if (!result.refused.empty()) return result;
+  std::vector<Belief> beliefs = beliefs_at(records, model, found.at);
   if (records.size() > 1) {
-    for (std::size_t s = 0; s < records.size(); ++s) records[s].variance = variance_as_white(records[s], evidence[s]);
+    weigh_by_information(records, scores, beliefs);
     found = descend(records, model, found.at);
-    evidence = evidence_at(records, model, found.at);
+    beliefs = beliefs_at(records, model, found.at);
+    scores = scores_at(records, model, found.at);
   }
-  const Mixture mixture = mixture_of(evidence);
-  Estimate result;
   result.theta = found.at.theta;
-  result.covariance = mean_of(mixture);
   result.converged = found.converged;
-  result.low = result.high = found.at.theta;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < start.size(); ++k) {
-    const double reach = quantile_of(mixture, k, 0.975);
-    result.low[k] = bound_of(records, model, found.at, k, -reach).value_or(-infinite);
-    result.high[k] = bound_of(records, model, found.at, k, reach).value_or(infinite);
-  }
-  for (std::size_t s = 0; s < records.size(); ++s)
-    result.series.push_back(described(records[s], model, found.at, evidence[s]));
+  bound(result, records, model, found, scores, beliefs, names);
+  if (!result.refused.empty()) return result;
+  result.poor = doubt_of(records, model, found.at, scores, beliefs);
+  for (const Record& record : records)
+    result.series.push_back(described(record, model, found.at, beliefs[record.number]));
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-#include "fit/noise.hpp"
+#include "fit/blocks.hpp"
+#include "fit/covariance.hpp"
 
 /// Whitening along a line at a cost that grows with its length alone.
 namespace reye::fit {

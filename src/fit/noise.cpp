@@ -32,15 +32,7 @@ Weighed weigh_map(const Blocks& blocks, const Noise& noise, Matrix columns) {
 
 }  // namespace
 
-double correlation(const Noise& noise, double distance) {
-  if (noise.order < 0) return distance == 0.0 ? 1.0 : 0.0;
-  const double s = std::sqrt(2.0 * noise.order + 1.0) / noise.length_mm * distance, decay = std::exp(-s);
-  if (noise.order == 0) return decay;
-  return noise.order == 1 ? (1.0 + s) * decay : (1.0 + s + s * s / 3.0) * decay;
-}
-
 std::vector<Noise> candidates(const Blocks& blocks, bool map) {
-  if (getenv("TRUEL")) return {Noise{0, atof(getenv("TRUEL")), 1e-6}};
   std::vector<Noise> all{{}};
   const auto count = static_cast<double>(blocks.at.size());
   const Vec2 extent = extent_of(blocks.at);
