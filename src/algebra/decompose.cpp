@@ -23,9 +23,15 @@ SingularValues right_singular_values(const Matrix& A) {
   return {svd.singularValues(), {}, svd.matrixV()};
 }
 
-Matrix pseudo_inverse(const Matrix& A) { return A.completeOrthogonalDecomposition().pseudoInverse(); }
+Matrix pseudo_inverse(const Matrix& A) {
+  if (A.size() == 0) return Matrix::Zero(A.cols(), A.rows());
+  return A.completeOrthogonalDecomposition().pseudoInverse();
+}
 
-Matrix least_squares(const Matrix& A, const Matrix& B) { return A.completeOrthogonalDecomposition().solve(B); }
+Matrix least_squares(const Matrix& A, const Matrix& B) {
+  if (A.size() == 0) return Matrix::Zero(A.cols(), B.cols());
+  return A.completeOrthogonalDecomposition().solve(B);
+}
 
 Matrix least_squares(const Matrix& A, const Matrix& B, double least) {
   Eigen::CompleteOrthogonalDecomposition<Matrix> solver;

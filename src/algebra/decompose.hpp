@@ -29,7 +29,7 @@ SingularValues right_singular_values(const Matrix& A);
 /// A^+ of Moore and Penrose, by a complete orthogonal decomposition.
 Matrix pseudo_inverse(const Matrix& A);
 
-/// Column by column the shortest x of all with the least |A x - b|.
+/// Column by column the shortest x of all with the least |A x - b|; A may have no rows or no columns.
 Matrix least_squares(const Matrix& A, const Matrix& B);
 /// Least squares where pivots below `least` times the largest count as none.
 Matrix least_squares(const Matrix& A, const Matrix& B, double least);

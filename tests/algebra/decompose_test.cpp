@@ -52,6 +52,13 @@ TEST(decompose, least_squares) {
   EXPECT_LT((algebra::pseudo_inverse(A) * b - x).norm(), 1e-13);
 }
 
+// Without columns, or without rows, there is nothing to find, and nothing must fail.
+TEST(decompose, empty_matrices) {
+  EXPECT_EQ(algebra::least_squares(Matrix(3, 0), Matrix::Ones(3, 2)).rows(), 0);
+  EXPECT_EQ(algebra::least_squares(Matrix(0, 2), Matrix(0, 1)), Matrix::Zero(2, 1));
+  EXPECT_EQ(algebra::pseudo_inverse(Matrix(3, 0)).cols(), 3);
+}
+
 // What is nearly dependent must count as dependent where the threshold says so.
 TEST(decompose, rank_threshold) {
   const Matrix A{{1.0, 1.0}, {0.0, 1e-8}};

@@ -78,7 +78,7 @@ std::vector<std::array<int, 3>> parts_of(const mesh::Facet& facet) {
   return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
 }
 
-/// An empty raster about the worn rows; four points to a row each way, as far as that is affordable.
+/// An empty raster about the worn rows; eight points to a row each way, as far as that is affordable.
 Raster raster_about(const SkinRecord& skin, const std::vector<ScarAxis>& axes) {
   constexpr double most_points = 600.0;
   Vec2 low(INFINITY, INFINITY), high(-INFINITY, -INFINITY);
@@ -95,7 +95,7 @@ Raster raster_about(const SkinRecord& skin, const std::vector<ScarAxis>& axes) {
   Raster raster;
   if (count == 0 || !(area > 0.0)) return raster;
   const double row = std::sqrt(area / count), extent = (high - low).maxCoeff() + 4.0 * row;
-  raster.spacing = std::max(0.25 * row, extent / most_points);
+  raster.spacing = std::max(0.125 * row, extent / most_points);
   raster.low = low.array() - 2.0 * row;
   raster.nx = 2 + static_cast<int>((high.x() - low.x() + 4.0 * row) / raster.spacing);
   raster.ny = 2 + static_cast<int>((high.y() - low.y() + 4.0 * row) / raster.spacing);
