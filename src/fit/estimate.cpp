@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/decompose.hpp"
+#include "fit/interval.hpp"
 #include "fit/mixture.hpp"
 #include "fit/search.hpp"
 
@@ -37,15 +39,22 @@ Found first_found(std::vector<Record>& records, const Model& model, const Vector
   return descend(records, model, found.at);
 }
 
-std::vector<Evidence> evidence_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
-  std::vector<Evidence> all;
-  for (const Record& record : records)
-    all.push_back(evidence_of(record, columns_of(record, model, at), static_cast<int>(at.theta.size()),
-                              candidates(record.blocks, record.series->map)));
-  return all;
+/// What a series itself takes: its levels and derivatives, and where the model bends within a standard deviation.
+Belief belief_at(const Record& record, const Model& model, const Unknowns& at) {
+  const Matrix columns = columns_of(record, model, at);
+  const int unknowns = record.shifts() + static_cast<int>(at.theta.size());
+  const Belief first = belief_of(record, columns);
+  if (record.known()) return first;
+  const Scores scores = scores_of(record, columns, unknowns);
+  const Matrix inverse = algebra::pseudo_inverse(scores.information);
+  const Vector deviation = (inverse * variance_of(scores, first) * inverse).diagonal().cwiseSqrt();
+  const Matrix bends = bends_of(record, model, at, deviation.cwiseMin(0.5));
+  Matrix taken(columns.rows(), columns.cols() + bends.cols());
+  taken << bends, columns;
+  return belief_of(record, taken);
 }
 
-SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Evidence& evidence) {
+SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Belief& belief) {
   const Series& series = *record.series;
   SeriesFit fit;
   fit.shift = at.shift[record.number];
@@ -57,11 +66,11 @@ SeriesFit described(const Record& record, const Model& model, const Unknowns& at
     fit.fitted[static_cast<Eigen::Index>(i)] += level[0] + fit.tilt.dot(series.at[i]);
   const auto rms = [](const Vector& v) { return std::sqrt(v.squaredNorm() / static_cast<double>(v.size())); };
   fit.residual = rms(series.value - fit.fitted);
-  const Told& told = likeliest(evidence);
-  const bool white = told.noise.order < 0;
-  fit.scatter = record.known() ? rms(series.scatter)
-                               : std::sqrt(told.squares / evidence.freedom * (told.noise.nugget + (white ? 0.0 : 1.0)));
-  fit.correlation_mm = white ? 0.0 : told.noise.length_mm;
+  const Likely& likely = belief.noises.front();
+  const bool white = likely.noise.order < 0;
+  fit.scatter =
+      record.known() ? rms(series.scatter) : std::sqrt(likely.variance * (likely.noise.nugget + (white ? 0.0 : 1.0)));
+  fit.correlation_mm = white ? 0.0 : likely.noise.length_mm;
   return fit;
 }
 
@@ -72,26 +81,33 @@ Estimate estimate(const std::vector<Series>& series, const Model& model, const s
   (void)names;
   std::vector<Record> records = records_of(series);
   Found found = first_found(records, model, start);
-  std::vector<Evidence> evidence = evidence_at(records, model, found.at);
+  std::vector<Belief> beliefs;
+  for (const Record& record : records) beliefs.push_back(belief_at(record, model, found.at));
   if (records.size() > 1) {
-    for (std::size_t s = 0; s < records.size(); ++s) records[s].variance = variance_as_white(records[s], evidence[s]);
+    for (Record& record : records) {
+      if (record.known()) continue;
+      const Scores scores = scores_of(record, columns_of(record, model, found.at), static_cast<int>(start.size()));
+      const Matrix inverse = algebra::pseudo_inverse(scores.information);
+      record.variance *= (inverse * variance_of(scores, beliefs[record.number])).trace() /
+                         std::max((inverse * scores.information).trace(), 1.0);
+    }
     found = descend(records, model, found.at);
-    evidence = evidence_at(records, model, found.at);
+    for (const Record& record : records) beliefs[record.number] = belief_at(record, model, found.at);
   }
-  const Mixture mixture = mixture_of(evidence);
+  const Mixture mixture = mixture_of(scores_at(records, model, found.at), beliefs);
   Estimate result;
   result.theta = found.at.theta;
   result.covariance = mean_of(mixture);
   result.converged = found.converged;
   result.low = result.high = found.at.theta;
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   for (int k = 0; k < start.size(); ++k) {
-    const double reach = quantile_of(mixture, k, 0.975);
-    result.low[k] = bound_of(records, model, found.at, k, -reach).value_or(-infinite);
-    result.high[k] = bound_of(records, model, found.at, k, reach).value_or(infinite);
+    const double deviation = std::sqrt(result.covariance(k, k));
+    const double z = quantile_of(mixture, k, 0.975) / deviation;
+    result.low[k] = bound_of(records, model, beliefs, found.at, k, -z, deviation);
+    result.high[k] = bound_of(records, model, beliefs, found.at, k, z, deviation);
   }
   for (std::size_t s = 0; s < records.size(); ++s)
-    result.series.push_back(described(records[s], model, found.at, evidence[s]));
+    result.series.push_back(described(records[s], model, found.at, beliefs[s]));
   return result;
 }
 

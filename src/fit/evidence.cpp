@@ -5,72 +5,58 @@
 #include <limits>
 
 #include "algebra/decompose.hpp"
-#include "fit/pairs.hpp"
 
 namespace reye::fit {
 
 namespace {
 
-/// Weights of logarithms: of all one, those that count for nothing left out.
-void normalise(std::vector<Told>& told, const std::vector<double>& logs) {
+/// Weights of logarithms, of all one; those that count for nothing are left out.
+void normalise(std::vector<Likely>& noises) {
   constexpr double nothing = 1e-4;
-  const double best = *std::max_element(logs.begin(), logs.end());
+  std::sort(noises.begin(), noises.end(), [](const Likely& a, const Likely& b) { return a.weight > b.weight; });
+  const double best = noises.front().weight;
+  for (Likely& one : noises) one.weight = std::exp(one.weight - best);
+  std::erase_if(noises, [](const Likely& one) { return one.weight < nothing; });
   double sum = 0.0;
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    const double weight = std::exp(logs[i] - best);
-    told[i].weight = weight > nothing ? weight : 0.0;
-    sum += told[i].weight;
-  }
-  for (Told& one : told) one.weight /= sum;
-  std::erase_if(told, [](const Told& one) { return one.weight == 0.0; });
+  for (const Likely& one : noises) sum += one.weight;
+  for (Likely& one : noises) one.weight /= sum;
 }
 
 }  // namespace
 
-Evidence evidence_of(const Record& record, const Matrix& columns, int asked, const std::vector<Noise>& noises) {
+Scores scores_of(const Record& record, const Matrix& columns, int asked) {
   const Matrix means = record.blocks.averaged(columns);
   const Eigen::Index own = columns.cols() - 1 - asked;
-  const Vector weights = record.blocks.count / record.variance;
+  const Matrix weighted = (record.blocks.count / record.variance).asDiagonal() * means;
   const auto nuisances = means.leftCols(own);
-  const Matrix J =
-      means.middleCols(own, asked) -
-      nuisances * algebra::least_squares(nuisances.transpose() * weights.asDiagonal() * nuisances,
-                                         nuisances.transpose() * weights.asDiagonal() * means.middleCols(own, asked));
-  const Matrix u = weights.asDiagonal() * J;
-  Evidence evidence{u.transpose() * J, u.transpose() * means.rightCols(1), 0, {}};
-  if (record.known()) {
-    evidence.told.push_back({{}, 1.0, 1.0, evidence.information});
-    return evidence;
-  }
-  const Pairs pairs = pairs_of(record.blocks, u);
-  std::vector<double> logs;
-  for (const Noise& noise : noises) {
+  const Matrix along = algebra::least_squares(nuisances.transpose() * weighted.leftCols(own),
+                                              nuisances.transpose() * weighted.middleCols(own, asked));
+  const Matrix u = weighted.middleCols(own, asked) - weighted.leftCols(own) * along;
+  return {u.transpose() * means.middleCols(own, asked), u.transpose() * means.rightCols(1), pairs_of(record.blocks, u)};
+}
+
+Belief belief_of(const Record& record, const Matrix& columns) {
+  if (record.known()) return {{{}}, 0};
+  const Matrix means = record.blocks.averaged(columns);
+  const Eigen::Index own = columns.cols() - 1;
+  Belief belief;
+  for (const Noise& noise : candidates(record.blocks, record.series->map)) {
     auto [gram, log_determinant] = weigh(record.blocks, record.series->map, noise, means);
-    const Eliminated eliminated = eliminate(gram, static_cast<int>(own) + asked);
-    const double freedom = static_cast<double>(means.rows() - eliminated.rank);
-    const double squares = std::max(gram(own + asked, own + asked), std::numeric_limits<double>::min());
-    evidence.freedom = static_cast<int>(freedom);
-    evidence.told.push_back({noise, 1.0, squares, {}});
-    logs.push_back(std::log(noise.prior) -
-                   0.5 * (log_determinant + eliminated.log_pivots + freedom * std::log(squares)));
+    const Eliminated eliminated = eliminate(gram, static_cast<int>(own));
+    belief.freedom = static_cast<int>(means.rows()) - eliminated.rank;
+    const double squares = std::max(gram(own, own), std::numeric_limits<double>::min());
+    const double log_weight =
+        std::log(noise.prior) - 0.5 * (log_determinant + eliminated.log_pivots + belief.freedom * std::log(squares));
+    belief.noises.push_back({noise, log_weight, squares / belief.freedom});
   }
-  normalise(evidence.told, logs);
-  for (Told& one : evidence.told) one.variance = variance_of(pairs, one.noise);
-  return evidence;
+  normalise(belief.noises);
+  return belief;
 }
 
-const Told& likeliest(const Evidence& evidence) {
-  return *std::max_element(evidence.told.begin(), evidence.told.end(),
-                           [](const Told& a, const Told& b) { return a.weight < b.weight; });
-}
-
-double variance_as_white(const Record& record, const Evidence& evidence) {
-  if (record.known() || evidence.freedom < 1) return record.variance;
-  double ratio = 0.0;
-  const Matrix inverse = algebra::pseudo_inverse(evidence.information);
-  for (const Told& one : evidence.told)
-    ratio += one.weight * one.squares / evidence.freedom * (inverse * one.variance).trace();
-  return record.variance * ratio / std::max((inverse * evidence.information).trace(), 1.0);
+Matrix variance_of(const Scores& scores, const Belief& belief) {
+  Matrix variance = Matrix::Zero(scores.score.size(), scores.score.size());
+  for (const Likely& one : belief.noises) variance += one.weight * one.variance * variance_of(scores.pairs, one.noise);
+  return variance;
 }
 
 }  // namespace reye::fit

@@ -1,34 +1,37 @@
 #pragma once
 #include <vector>
 
+#include "fit/pairs.hpp"
 #include "fit/record.hpp"
 
 /// What a series says of theta, and of its noise.
 namespace reye::fit {
 
+/// Scores J^T W (value - model) of a series, shifts and levels eliminated: J^T W e of the noise e, with covariance
+/// J^T W V W J.
+struct Scores {
+  Matrix information;  ///< J^T W J
+  Vector score;
+  Pairs pairs;  ///< of W J
+};
+/// Of columns of the record: nuisances first, then `asked` ones, then value - model.
+Scores scores_of(const Record& record, const Matrix& columns, int asked);
+
 /// One noise that a series may have.
-struct Told {
+struct Likely {
   Noise noise;
-  double weight = 1.0;   ///< restricted likelihood times prior, of all one: README (6)
-  double squares = 0.0;  ///< what theta of the series alone, shifts and levels leave of the values, in units of V
-  Matrix variance;       ///< of the scores, over sigma^2
+  double weight = 1.0;    ///< restricted likelihood times prior, of all one: README (6)
+  double variance = 1.0;  ///< sigma^2
 };
-
-struct Evidence {
-  Matrix information;  ///< J^T W J, shifts and levels eliminated; the score J^T W e has covariance sigma^2 variance
-  Vector score;        ///< J^T W (value - model)
-  int freedom = 0;     ///< blocks minus what the series itself takes; 0: scatter is given
-  std::vector<Told> told;
+/// What is believed of the noise of a series.
+struct Belief {
+  std::vector<Likely> noises;  ///< the likeliest first
+  int freedom = 0;             ///< blocks minus what the series itself takes; 0: scatter is given
 };
+/// From columns that the series itself takes, then value - model.
+Belief belief_of(const Record& record, const Matrix& columns);
 
-/// Of columns of the record (a row per value, nuisances first, then `asked` ones, then values): under each noise.
-/// Weights W are those of the record.
-Evidence evidence_of(const Record& record, const Matrix& columns, int asked, const std::vector<Noise>& noises);
-
-const Told& likeliest(const Evidence& evidence);
-
-/// The variance under which independent values would inform as much as those of the series do (mean over the
-/// directions of theta): README (3).
-double variance_as_white(const Record& record, const Evidence& evidence);
+/// Mean covariance of scores.
+Matrix variance_of(const Scores& scores, const Belief& belief);
 
 }  // namespace reye::fit

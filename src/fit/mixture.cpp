@@ -38,34 +38,31 @@ std::vector<double> spread_of_chi(int freedom) {
   return values;
 }
 
-const Told& drawn(const Evidence& evidence, double u) {
-  for (const Told& one : evidence.told) {
+const Likely& drawn(const Belief& belief, double u) {
+  for (const Likely& one : belief.noises) {
     u -= one.weight;
     if (u < 0.0) return one;
   }
-  return evidence.told.back();
+  return belief.noises.back();
 }
 
 }  // namespace
 
-Mixture mixture_of(const std::vector<Evidence>& series) {
-  const Eigen::Index p = series.front().score.size();
-  const Spread spread(2 * series.size());
+Mixture mixture_of(const std::vector<Scores>& scores, const std::vector<Belief>& beliefs) {
+  const Eigen::Index p = scores.front().score.size();
+  const Spread spread(2 * scores.size());
   std::vector<std::vector<double>> chi;
   Matrix information = Matrix::Zero(p, p);
-  for (const Evidence& one : series) {
-    chi.push_back(spread_of_chi(one.freedom));
-    information += one.information;
-  }
+  for (const Belief& one : beliefs) chi.push_back(spread_of_chi(one.freedom));
+  for (const Scores& one : scores) information += one.information;
   const Matrix inverse = algebra::solve_symmetric(information, Matrix::Identity(p, p));
   Mixture mixture;
   for (int k = 0; k < draws; ++k) {
     Matrix variance = Matrix::Zero(p, p);
-    for (std::size_t s = 0; s < series.size(); ++s) {
-      const Told& one = drawn(series[s], spread.at(k, 2 * s));
-      const int freedom = series[s].freedom;
-      const double sigma2 = freedom > 0 ? one.squares / freedom : 1.0;
-      variance += sigma2 / chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)] * one.variance;
+    for (std::size_t s = 0; s < scores.size(); ++s) {
+      const Likely& one = drawn(beliefs[s], spread.at(k, 2 * s));
+      const double over = chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)];
+      variance += one.variance / over * variance_of(scores[s].pairs, one.noise);
     }
     mixture.push_back(inverse * variance * inverse);
   }

@@ -8,7 +8,7 @@ namespace reye::fit {
 
 /// Covariances of theta, equally likely, each under noises drawn for every series.
 using Mixture = std::vector<Matrix>;
-Mixture mixture_of(const std::vector<Evidence>& series);
+Mixture mixture_of(const std::vector<Scores>& scores, const std::vector<Belief>& beliefs);
 
 Matrix mean_of(const Mixture& mixture);
 /// What the error of theta[k] exceeds with probability 1 - p.

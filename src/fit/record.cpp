@@ -63,6 +63,24 @@ Matrix columns_of(const Record& record, const Model& model, const Unknowns& at) 
   return scaled(record, std::move(columns));
 }
 
+Matrix bends_of(const Record& record, const Model& model, const Unknowns& at, const Vector& reach) {
+  const int shifts = record.shifts();
+  const auto p = static_cast<int>(at.theta.size());
+  Matrix bends(record.series->value.size(), 2 * (shifts + p));
+  const Vec2& shift = at.shift[record.number];
+  const Vector here = model(at.theta, record.number, shift);
+  for (int j = 0; j < shifts + p; ++j) {
+    Vec2 aside = Vec2::Zero();
+    Vector along = Vector::Zero(p);
+    (j < shifts ? aside[j] : along[j - shifts]) = reach[j];
+    const Vector after = model(at.theta + along, record.number, shift + aside);
+    const Vector before = model(at.theta - along, record.number, shift - aside);
+    bends.col(2 * j) = 0.5 * (after + before) - here;
+    bends.col(2 * j + 1) = 0.5 * (after - before);
+  }
+  return scaled(record, std::move(bends));
+}
+
 Matrix residual_columns(const Record& record, const Model& model, const Unknowns& at) {
   Matrix columns(record.series->value.size(), record.levels() + 1);
   columns.leftCols(record.levels()) = level_columns(record);

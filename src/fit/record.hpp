@@ -32,6 +32,9 @@ Matrix level_columns(const Record& record);
 /// A row per value: levels, derivatives of the model by shifts and by theta (central differences), and value - model.
 /// Of given scatter each row is divided by it. Not finite where the model is not.
 Matrix columns_of(const Record& record, const Model& model, const Unknowns& at);
+/// Where the model bends within a reach of each unknown (shifts first): half of the second difference, and half of the
+/// first one. A row per value.
+Matrix bends_of(const Record& record, const Model& model, const Unknowns& at, const Vector& reach);
 /// Levels and value - model alone.
 Matrix residual_columns(const Record& record, const Model& model, const Unknowns& at);
 

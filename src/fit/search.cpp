@@ -45,9 +45,16 @@ Vector damped_step(const Normal& normal, double damping, const std::vector<Recor
   return reach > 1.0 ? Vector(step / reach) : step;
 }
 
+void hold(Normal& normal, int held) {
+  if (held < 0) return;
+  normal.H.row(held).setZero();
+  normal.H.col(held).setZero();
+  normal.g[held] = 0.0;
+}
+
 }  // namespace
 
-Found descend(const std::vector<Record>& records, const Model& model, Unknowns start) {
+Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held) {
   constexpr double negligible = 1e-7, tolerable = 1e-2;  // decrease of S over the variance of a value
   const Eigen::Index p = start.theta.size();
   const Vector first = start.theta;
@@ -55,8 +62,9 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
   if (!std::isfinite(found.S)) return found;
   double damping = 1e-3, ahead = infinite;
   for (int i = 0; i < most_steps; ++i) {
-    const Normal normal = normal_at(records, model, found.at);
+    Normal normal = normal_at(records, model, found.at);
     if (!normal.H.allFinite()) break;
+    hold(normal, held);
     const double unit = std::max(found.S / values_of(records), std::numeric_limits<double>::min());
     bool better = false;
     while (!better && damping < 1e8) {

@@ -12,9 +12,9 @@ struct Found {
   bool converged = false;
 };
 
-/// From `start` downhill to the next minimum. A start where the model is not finite is returned as it is, with an
-/// infinite S.
-Found descend(const std::vector<Record>& records, const Model& model, Unknowns start);
+/// From `start` downhill to the next minimum; theta[held] keeps its value (-1: none). A start where the model is not
+/// finite is returned as it is, with an infinite S.
+Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held = -1);
 
 /// The shifts that fit best on a grid over each series, for a given theta: protects against wrong minima.
 void scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at);
