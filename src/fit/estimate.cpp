@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "algebra/decompose.hpp"
+#include "fit/alone.hpp"
+#include "fit/doubts.hpp"
 #include "fit/interval.hpp"
 #include "fit/mixture.hpp"
+#include "fit/refusal.hpp"
 #include "fit/search.hpp"
 
 namespace reye::fit {
@@ -39,21 +41,6 @@ Found first_found(std::vector<Record>& records, const Model& model, const Vector
   return descend(records, model, found.at);
 }
 
-/// What a series itself takes: its levels and derivatives, and where the model bends within a standard deviation.
-Belief belief_at(const Record& record, const Model& model, const Unknowns& at) {
-  const Matrix columns = columns_of(record, model, at);
-  const int unknowns = record.shifts() + static_cast<int>(at.theta.size());
-  const Belief first = belief_of(record, columns);
-  if (record.known()) return first;
-  const Scores scores = scores_of(record, columns, unknowns);
-  const Matrix inverse = algebra::pseudo_inverse(scores.information);
-  const Vector deviation = (inverse * variance_of(scores, first) * inverse).diagonal().cwiseSqrt();
-  const Matrix bends = bends_of(record, model, at, deviation.cwiseMin(0.5));
-  Matrix taken(columns.rows(), columns.cols() + bends.cols());
-  taken << bends, columns;
-  return belief_of(record, taken);
-}
-
 SeriesFit described(const Record& record, const Model& model, const Unknowns& at, const Belief& belief) {
   const Series& series = *record.series;
   SeriesFit fit;
@@ -74,40 +61,72 @@ SeriesFit described(const Record& record, const Model& model, const Unknowns& at
   return fit;
 }
 
+/// Series weighed by what they inform: README (3).
+void weigh_by_information(std::vector<Record>& records, const std::vector<Scores>& scores,
+                          const std::vector<Belief>& beliefs) {
+  for (Record& record : records) {
+    if (record.known()) continue;
+    const Scores& own = scores[record.number];
+    const Matrix inverse = algebra::pseudo_inverse(own.information);
+    const double rank = (inverse * own.information).trace();
+    if (rank > 0.5) record.variance *= (inverse * variance_of(own, beliefs[record.number])).trace() / rank;
+  }
+}
+
+/// Intervals and covariance, or why there are none.
+void bound(Estimate& result, const std::vector<Record>& records, const Model& model, const Found& found,
+           const std::vector<Belief>& beliefs, const std::vector<std::string>& names) {
+  constexpr double upper = 0.975, farthest = 6.9;  // the latter is a factor of a thousand
+  const Mixture mixture = mixture_of(scores_at(records, model, found.at), beliefs);
+  result.covariance = mean_of(mixture);
+  result.low = result.high = result.theta;
+  for (int k = 0; k < result.theta.size(); ++k) {
+    const double deviation = std::sqrt(result.covariance(k, k));
+    if (!(deviation < farthest)) {
+      result.refused = unbounded(names[k], true);
+      return;
+    }
+    const double z = quantile_of(mixture, k, upper) / deviation;
+    result.low[k] = bound_of(records, model, beliefs, found.at, k, -z, deviation);
+    result.high[k] = bound_of(records, model, beliefs, found.at, k, z, deviation);
+    for (const bool below : {true, false})
+      if (!std::isfinite(below ? result.low[k] : result.high[k])) {
+        result.refused = unbounded(names[k], below);
+        return;
+      }
+  }
+}
+
 }  // namespace
 
 Estimate estimate(const std::vector<Series>& series, const Model& model, const std::vector<std::string>& names,
                   const Vector& start) {
-  (void)names;
+  Estimate result;
+  result.refused = refusal_of(series, start.size());
+  if (!result.refused.empty()) return result;
   std::vector<Record> records = records_of(series);
   Found found = first_found(records, model, start);
+  if (!std::isfinite(found.S)) {
+    result.refused = "what is computed is not finite where the search begins";
+    return result;
+  }
+  result.refused = undetermined(scores_at(records, model, found.at), names);
+  if (!result.refused.empty()) return result;
+  const std::vector<Alone> alone = each_alone(records, model, found.at);
   std::vector<Belief> beliefs;
-  for (const Record& record : records) beliefs.push_back(belief_at(record, model, found.at));
+  for (const Alone& one : alone) beliefs.push_back(one.belief);
   if (records.size() > 1) {
-    for (Record& record : records) {
-      if (record.known()) continue;
-      const Scores scores = scores_of(record, columns_of(record, model, found.at), static_cast<int>(start.size()));
-      const Matrix inverse = algebra::pseudo_inverse(scores.information);
-      record.variance *= (inverse * variance_of(scores, beliefs[record.number])).trace() /
-                         std::max((inverse * scores.information).trace(), 1.0);
-    }
+    weigh_by_information(records, scores_at(records, model, found.at), beliefs);
     found = descend(records, model, found.at);
-    for (const Record& record : records) beliefs[record.number] = belief_at(record, model, found.at);
   }
-  const Mixture mixture = mixture_of(scores_at(records, model, found.at), beliefs);
-  Estimate result;
   result.theta = found.at.theta;
-  result.covariance = mean_of(mixture);
   result.converged = found.converged;
-  result.low = result.high = found.at.theta;
-  for (int k = 0; k < start.size(); ++k) {
-    const double deviation = std::sqrt(result.covariance(k, k));
-    const double z = quantile_of(mixture, k, 0.975) / deviation;
-    result.low[k] = bound_of(records, model, beliefs, found.at, k, -z, deviation);
-    result.high[k] = bound_of(records, model, beliefs, found.at, k, z, deviation);
-  }
-  for (std::size_t s = 0; s < records.size(); ++s)
-    result.series.push_back(described(records[s], model, found.at, beliefs[s]));
+  result.poor = doubt_of(records, model, found.at, alone);
+  bound(result, records, model, found, beliefs, names);
+  if (!result.refused.empty() && !result.poor.empty()) result.refused = result.poor + "; " + result.refused;
+  if (!result.refused.empty()) return result;
+  for (const Record& record : records)
+    result.series.push_back(described(record, model, found.at, beliefs[record.number]));
   return result;
 }
 

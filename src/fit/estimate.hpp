@@ -25,8 +25,8 @@ struct Estimate {
   std::vector<SeriesFit> series;
   bool converged = false;
   std::string poor;     ///< empty, or one sentence why the fit is poor
-  std::string refused;  ///< not empty: what the data cannot tell, one sentence naming parameters and why; then the rest
-                        ///< is not to be used
+  std::string refused;  ///< not empty: what the data do not determine, one sentence naming parameters and why; then the
+                        ///< rest is not to be used
 };
 
 /// Generalised least squares with noise of unknown size and correlation: README (1) to (9). `names`: of the parameters,

@@ -28,15 +28,16 @@ Scores scores_of(const Record& record, const Matrix& columns, int asked) {
   const Matrix means = record.blocks.averaged(columns);
   const Eigen::Index own = columns.cols() - 1 - asked;
   const Matrix weighted = (record.blocks.count / record.variance).asDiagonal() * means;
-  const auto nuisances = means.leftCols(own);
-  const Matrix along = algebra::least_squares(nuisances.transpose() * weighted.leftCols(own),
-                                              nuisances.transpose() * weighted.middleCols(own, asked));
-  const Matrix u = weighted.middleCols(own, asked) - weighted.leftCols(own) * along;
+  Matrix u = weighted.middleCols(own, asked);
+  if (own > 0) {
+    const Matrix cross = means.leftCols(own).transpose() * weighted;
+    u -= weighted.leftCols(own) * algebra::least_squares(cross.leftCols(own), cross.middleCols(own, asked));
+  }
   return {u.transpose() * means.middleCols(own, asked), u.transpose() * means.rightCols(1), pairs_of(record.blocks, u)};
 }
 
 Belief belief_of(const Record& record, const Matrix& columns) {
-  if (record.known()) return {{{}}, 0};
+  if (record.known()) return {std::vector<Likely>(1), 0};
   const Matrix means = record.blocks.averaged(columns);
   const Eigen::Index own = columns.cols() - 1;
   Belief belief;
@@ -51,6 +52,18 @@ Belief belief_of(const Record& record, const Matrix& columns) {
   }
   normalise(belief.noises);
   return belief;
+}
+
+Matrix taken_columns(const Record& record, const Model& model, const Unknowns& at) {
+  constexpr double longest = 0.5;
+  const Matrix columns = columns_of(record, model, at);
+  const Scores scores = scores_of(record, columns, record.shifts() + static_cast<int>(at.theta.size()));
+  const Matrix inverse = algebra::pseudo_inverse(scores.information);
+  const Matrix covariance = inverse * variance_of(scores, belief_of(record, columns)) * inverse;
+  const Matrix bends = bends_of(record, model, at, covariance.diagonal().cwiseSqrt().cwiseMin(longest));
+  Matrix taken(columns.rows(), columns.cols() + bends.cols());
+  taken << bends, columns;
+  return taken;
 }
 
 Matrix variance_of(const Scores& scores, const Belief& belief) {

@@ -30,6 +30,9 @@ struct Belief {
 };
 /// From columns that the series itself takes, then value - model.
 Belief belief_of(const Record& record, const Matrix& columns);
+/// The columns it takes at a place: levels, derivatives by all unknowns, and where the model bends within a standard
+/// deviation of them; then value - model.
+Matrix taken_columns(const Record& record, const Model& model, const Unknowns& at);
 
 /// Mean covariance of scores.
 Matrix variance_of(const Scores& scores, const Belief& belief);

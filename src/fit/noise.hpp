@@ -14,8 +14,8 @@ struct Noise {
   double prior = 1.0;      ///< weight before the data are looked at
 };
 
-/// White noise, and correlated noise of each order, of lengths from the distance of blocks to half of the series, with
-/// nuggets from none to where they hide the correlation: README (4).
+/// White noise, and correlated noise of each order, of lengths from the distance of blocks to a quarter of the series,
+/// with nuggets from none to where they hide the correlation: README (4).
 std::vector<Noise> candidates(const Blocks& blocks, bool map);
 
 /// Correlation of two values at a distance [mm].
