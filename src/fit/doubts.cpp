@@ -12,8 +12,10 @@ namespace reye::fit {
 
 namespace {
 
-constexpr double doubtful = 1e-3;     ///< probability of a worse fit
-constexpr double noticeable = 0.1;    ///< part of the depth of another shape
+constexpr double doubtful = 1e-3;  ///< probability of a worse fit
+constexpr double surely = 0.99, large = 0.1;
+constexpr double far_reaching = 0.4;  ///< correlation length over the width of the scar
+constexpr double noticeable = 0.05;   ///< part of the depth that is left
 constexpr double independent = 1e-8;  ///< least singular value over the largest
 
 std::string printed(const char* format, double a, double b = 0.0) {
@@ -22,45 +24,47 @@ std::string printed(const char* format, double a, double b = 0.0) {
   return text;
 }
 
-/// What a series alone gives for theta, from the place of the fit.
-struct Alone {
-  Vector theta;
-  Matrix covariance;
-};
-Alone alone(const Scores& scores, const Belief& belief) {
-  const Matrix inverse = algebra::pseudo_inverse(scores.information);
-  return {inverse * scores.score, inverse * variance_of(scores, belief) * inverse};
+/// How likely the noise is correlated over more than a length.
+double far(const Belief& belief, double length_mm) {
+  double likely = 0.0;
+  for (const Likely& one : belief.noises)
+    if (one.noise.order >= 0 && one.noise.length_mm > length_mm) likely += one.weight;
+  return likely;
+}
+
+/// Of theta that a series alone gives.
+Matrix covariance_of(const Alone& one) {
+  const Matrix inverse = algebra::pseudo_inverse(one.scores.information);
+  return inverse * variance_of(one.scores, one.belief) * inverse;
 }
 
 /// Probability that two series which agree differ as much, in the directions of theta that both determine.
-double agreement(const Scores& a, const Scores& b, const Belief& of_a, const Belief& of_b) {
-  const Matrix both =
-      a.information * algebra::pseudo_inverse(a.information + b.information) * b.information;  // the parallel sum
+double agreement(const Alone& a, const Alone& b) {
+  const Matrix &A = a.scores.information, &B = b.scores.information;
+  const Matrix both = A * algebra::pseudo_inverse(A + B) * B;  // the parallel sum
   const auto [values, U, V] = algebra::singular_values(both);
   Eigen::Index rank = 0;
-  while (rank < values.size() && values[rank] > independent * (a.information + b.information).norm()) ++rank;
+  while (rank < values.size() && values[rank] > independent * (A + B).norm()) ++rank;
   if (rank == 0) return 1.0;
-  const Alone one = alone(a, of_a), other = alone(b, of_b);
   const Matrix along = U.leftCols(rank).transpose();
-  const Vector apart = along * (one.theta - other.theta);
-  const Matrix covariance = along * (one.covariance + other.covariance) * along.transpose();
+  const Vector apart = along * (a.at.theta - b.at.theta);
+  const Matrix covariance = along * (covariance_of(a) + covariance_of(b)) * along.transpose();
   const Vector weighted = algebra::solve_symmetric(covariance, apart);
   const double distance = apart.dot(weighted);
   int freedom = 0;
-  for (const Belief* belief : {&of_a, &of_b})
+  for (const Belief* belief : {&a.belief, &b.belief})
     if (belief->freedom > 0) freedom = freedom > 0 ? std::min(freedom, belief->freedom) : belief->freedom;
   const auto of = static_cast<double>(rank);
   return freedom > 0 ? fisher_tail(of, freedom, distance / of) : chi_squared_tail(of, distance);
 }
 
-std::string contradiction(const std::vector<Record>& records, const std::vector<Scores>& scores,
-                          const std::vector<Belief>& beliefs) {
+std::string contradiction(const std::vector<Record>& records, const std::vector<Alone>& alone) {
   const double pairs = 0.5 * static_cast<double>(records.size() * (records.size() - 1));
   double least = doubtful / pairs;
   std::string found;
   for (std::size_t i = 0; i < records.size(); ++i)
     for (std::size_t j = i + 1; j < records.size(); ++j) {
-      const double p = agreement(scores[i], scores[j], beliefs[i], beliefs[j]);
+      const double p = agreement(alone[i], alone[j]);
       if (p >= least) continue;
       least = p;
       found = records[i].series->name + " and " + records[j].series->name +
@@ -91,16 +95,19 @@ std::string excess(const std::vector<Record>& records, const Model& model, const
 
 }  // namespace
 
-std::string doubt_of(const std::vector<Record>& records, const Model& model, const Unknowns& at,
-                     const std::vector<Scores>& scores, const std::vector<Belief>& beliefs) {
-  if (const std::string found = contradiction(records, scores, beliefs); !found.empty()) return found;
-  if (const std::string found = excess(records, model, at); !found.empty()) return found;
+std::string doubt_of(const std::vector<Record>& records, const Model& model, const Unknowns& together,
+                     const std::vector<Alone>& alone) {
+  if (const std::string found = contradiction(records, alone); !found.empty()) return found;
+  if (const std::string found = excess(records, model, together); !found.empty()) return found;
   for (const Record& record : records) {
     if (record.known()) continue;
-    const ShapeTest test = shape_test(record, model, at);
-    if (test.probability < doubtful / static_cast<double>(records.size()) && test.part > noticeable)
+    const Alone& own = alone[record.number];
+    const ShapeTest test = shape_test(record, model, own.at, own.taken, noticeable);
+    const bool wide = far(own.belief, far_reaching * test.width) > surely && test.part > large;
+    const bool other = test.probability < doubtful / static_cast<double>(records.size());
+    if (test.part > noticeable && (wide || other))
       return record.series->name + " has another shape than what is computed: " +
-             printed("%.0f %% of the depth is left, which is not noise", 100.0 * test.part);
+             printed("%.0f %% of its depth is left and is not noise", 100.0 * test.part);
   }
   return {};
 }

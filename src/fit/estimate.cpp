@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/decompose.hpp"
+#include "fit/alone.hpp"
 #include "fit/doubts.hpp"
 #include "fit/interval.hpp"
 #include "fit/mixture.hpp"
@@ -72,18 +73,11 @@ void weigh_by_information(std::vector<Record>& records, const std::vector<Scores
   }
 }
 
-std::vector<Belief> beliefs_at(const std::vector<Record>& records, const Model& model, const Unknowns& at) {
-  std::vector<Belief> beliefs;
-  for (const Record& record : records) beliefs.push_back(belief_of(record, taken_columns(record, model, at)));
-  return beliefs;
-}
-
 /// Intervals and covariance, or why there are none.
 void bound(Estimate& result, const std::vector<Record>& records, const Model& model, const Found& found,
-           const std::vector<Scores>& scores, const std::vector<Belief>& beliefs,
-           const std::vector<std::string>& names) {
+           const std::vector<Belief>& beliefs, const std::vector<std::string>& names) {
   constexpr double upper = 0.975, farthest = 6.9;  // the latter is a factor of a thousand
-  const Mixture mixture = mixture_of(scores, beliefs);
+  const Mixture mixture = mixture_of(scores_at(records, model, found.at), beliefs);
   result.covariance = mean_of(mixture);
   result.low = result.high = result.theta;
   for (int k = 0; k < result.theta.size(); ++k) {
@@ -116,21 +110,21 @@ Estimate estimate(const std::vector<Series>& series, const Model& model, const s
     result.refused = "what is computed is not finite where the search begins";
     return result;
   }
-  std::vector<Scores> scores = scores_at(records, model, found.at);
-  result.refused = undetermined(scores, names);
+  result.refused = undetermined(scores_at(records, model, found.at), names);
   if (!result.refused.empty()) return result;
-  std::vector<Belief> beliefs = beliefs_at(records, model, found.at);
+  const std::vector<Alone> alone = each_alone(records, model, found.at);
+  std::vector<Belief> beliefs;
+  for (const Alone& one : alone) beliefs.push_back(one.belief);
   if (records.size() > 1) {
-    weigh_by_information(records, scores, beliefs);
+    weigh_by_information(records, scores_at(records, model, found.at), beliefs);
     found = descend(records, model, found.at);
-    beliefs = beliefs_at(records, model, found.at);
-    scores = scores_at(records, model, found.at);
   }
   result.theta = found.at.theta;
   result.converged = found.converged;
-  bound(result, records, model, found, scores, beliefs, names);
+  result.poor = doubt_of(records, model, found.at, alone);
+  bound(result, records, model, found, beliefs, names);
+  if (!result.refused.empty() && !result.poor.empty()) result.refused = result.poor + "; " + result.refused;
   if (!result.refused.empty()) return result;
-  result.poor = doubt_of(records, model, found.at, scores, beliefs);
   for (const Record& record : records)
     result.series.push_back(described(record, model, found.at, beliefs[record.number]));
   return result;

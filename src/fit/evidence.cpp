@@ -28,15 +28,16 @@ Scores scores_of(const Record& record, const Matrix& columns, int asked) {
   const Matrix means = record.blocks.averaged(columns);
   const Eigen::Index own = columns.cols() - 1 - asked;
   const Matrix weighted = (record.blocks.count / record.variance).asDiagonal() * means;
-  const auto nuisances = means.leftCols(own);
-  const Matrix along = algebra::least_squares(nuisances.transpose() * weighted.leftCols(own),
-                                              nuisances.transpose() * weighted.middleCols(own, asked));
-  const Matrix u = weighted.middleCols(own, asked) - weighted.leftCols(own) * along;
+  Matrix u = weighted.middleCols(own, asked);
+  if (own > 0) {
+    const Matrix cross = means.leftCols(own).transpose() * weighted;
+    u -= weighted.leftCols(own) * algebra::least_squares(cross.leftCols(own), cross.middleCols(own, asked));
+  }
   return {u.transpose() * means.middleCols(own, asked), u.transpose() * means.rightCols(1), pairs_of(record.blocks, u)};
 }
 
 Belief belief_of(const Record& record, const Matrix& columns) {
-  if (record.known()) return {{{}}, 0};
+  if (record.known()) return {std::vector<Likely>(1), 0};
   const Matrix means = record.blocks.averaged(columns);
   const Eigen::Index own = columns.cols() - 1;
   Belief belief;

@@ -37,7 +37,7 @@ std::vector<Noise> candidates(const Blocks& blocks, bool map) {
   const auto count = static_cast<double>(blocks.at.size());
   const Vec2 extent = extent_of(blocks.at);
   const double dimensions = map ? 2.0 : 1.0;
-  const double longest = 0.5 * extent.maxCoeff();
+  const double longest = 0.25 * extent.maxCoeff();
   const double distance = map ? std::sqrt(extent.x() * extent.y() / count) : extent.norm() / count;
   if (count < 8 || !(distance > 0.0)) return all;
   for (int order = 0; order < orders; ++order)

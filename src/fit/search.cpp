@@ -56,6 +56,7 @@ void hold(Normal& normal, int held) {
 
 Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held) {
   constexpr double negligible = 1e-7, tolerable = 1e-2;  // decrease of S over the variance of a value
+  constexpr double shortest = 1e-8;
   const Eigen::Index p = start.theta.size();
   const Vector first = start.theta;
   Found found{start, sum_of_squares(records, model, start)};
@@ -70,6 +71,7 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
     while (!better && damping < 1e8) {
       const Vector step = damped_step(normal, damping, records, p);
       ahead = step.dot(2.0 * normal.g - normal.H * step) / unit;
+      if (damping < 1.0 && step.cwiseAbs().maxCoeff() < shortest) ahead = 0.0;
       const Unknowns next = moved(records, found.at, step);
       if (ahead < negligible || (next.theta - first).cwiseAbs().maxCoeff() > farthest_theta) break;
       const double S = sum_of_squares(records, model, next);
@@ -83,41 +85,47 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
   return found;
 }
 
-void scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at) {
+double scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at) {
   constexpr int along_a_line = 16, along_a_side = 4;  // to either side, of half an extent
+  double sum = 0.0;
   for (const Record& record : records) {
-    if (!record.series->moved) continue;
     const std::vector<Record> alone{record};
-    const int steps = record.series->map ? along_a_side : along_a_line, across = record.series->map ? steps : 0;
+    const int steps = !record.series->moved ? 0 : record.series->map ? along_a_side : along_a_line;
+    const int across = record.series->map ? steps : 0;
     const Vec2 centre = at.shift[record.number];
     Unknowns trial = at;
-    double least = sum_of_squares(alone, model, at);
+    double least = infinite;
     for (int j = -across; j <= across; ++j)
       for (int i = -steps; i <= steps; ++i) {
-        const Vec2 part{0.5 * i / steps, across > 0 ? 0.5 * j / across : 0.0};
+        const Vec2 part{steps > 0 ? 0.5 * i / steps : 0.0, across > 0 ? 0.5 * j / across : 0.0};
         trial.shift[record.number] = centre + part.cwiseProduct(record.extent);
         const double S = sum_of_squares(alone, model, trial);
-        if (S < least) {
-          least = S;
-          at.shift[record.number] = trial.shift[record.number];
-        }
+        if (S >= least) continue;
+        least = S;
+        at.shift[record.number] = trial.shift[record.number];
       }
+    sum += least;
   }
+  return sum;
 }
 
-Found search(const std::vector<Record>& records, const Model& model, Unknowns start) {
-  scan_shifts(records, model, start);
-  Found found = descend(records, model, start);
-  constexpr int most_scans = 3;
-  for (int i = 0; i < most_scans; ++i) {
-    Unknowns elsewhere = found.at;
-    scan_shifts(records, model, elsewhere);
-    if (elsewhere.shift == found.at.shift) break;
-    const Found other = descend(records, model, elsewhere);
-    if (!(other.S < found.S * (1.0 - 1e-6))) break;
-    found = other;
+Found search(const std::vector<Record>& records, const Model& model, const Unknowns& start) {
+  constexpr std::size_t descents = 3;
+  const Eigen::Index p = start.theta.size();
+  std::vector<Found> starts{{start, 0.0, false}};
+  for (Eigen::Index k = p > 1 ? -1 : 0; k < p; ++k)
+    for (const double by : {-2.0, -1.0, 1.0, 2.0}) {
+      starts.push_back({start, 0.0, false});
+      starts.back().at.theta += by * (k < 0 ? Vector::Ones(p) : Vector(Vector::Unit(p, k)));
+    }
+  for (Found& one : starts) one.S = scan_shifts(records, model, one.at);
+  std::sort(starts.begin(), starts.end(), [](const Found& a, const Found& b) { return a.S < b.S; });
+  Found best{start, infinite, false};
+  for (std::size_t i = 0; i < std::min(descents, starts.size()); ++i) {
+    const Found found = descend(records, model, starts[i].at);
+    if (found.S < best.S) best = found;
   }
-  return found;
+  return best;
 }
 
 }  // namespace reye::fit

@@ -16,10 +16,11 @@ struct Found {
 /// finite is returned as it is, with an infinite S.
 Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held = -1);
 
-/// The shifts that fit best on a grid over each series, for a given theta: protects against wrong minima.
-void scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at);
+/// The shifts that fit best on a grid over each series, for a given theta; returns the S of all series there.
+double scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at);
 
-/// Scans and descents by turns until no scan finds a better place.
-Found search(const std::vector<Record>& records, const Model& model, Unknowns start);
+/// Descends from the best of many starts: theta as given, and with each parameter or all of them raised and lowered by
+/// factors of e and e^2, shifts scanned for each. A scar that fills what was measured has wrong minima.
+Found search(const std::vector<Record>& records, const Model& model, const Unknowns& start);
 
 }  // namespace reye::fit

@@ -27,8 +27,8 @@ Depth depth_of(const Record& record, const Model& model, const Unknowns& at) {
   return depth;
 }
 
-/// The depth times the powers of the distance from its middle that a map or a line distinguishes, and how the depth
-/// changes where the scar is stretched.
+/// The depth times the powers of the distance from its middle that a map or a line distinguishes, and scars of less and
+/// more wear (a third, three and seven times), which are narrower and wider.
 Matrix free_shapes(const Record& record, const Model& model, const Unknowns& at, const Depth& depth) {
   const int directions = record.series->map ? 2 : 1, most = record.series->map ? 2 : 4;
   const auto& places = record.series->at;
@@ -40,11 +40,10 @@ Matrix free_shapes(const Record& record, const Model& model, const Unknowns& at,
   for (int a = 0; a <= most; ++a)
     for (int b = 0; a + b <= most && b <= (directions - 1) * most; ++b)
       shapes.emplace_back(depth.value.array() * coordinates.col(0).array().pow(a) * coordinates.col(1).array().pow(b));
-  for (int i = 0; i < directions; ++i) {
-    const Vec2 step = 0.05 * depth.width[i] * Vec2::Unit(i);
-    const Vec2& shift = at.shift[record.number];
-    const Vector slope = model(at.theta, record.number, shift + step) - model(at.theta, record.number, shift - step);
-    shapes.emplace_back(slope.array() * coordinates.col(i).array());
+  for (const double growth : {-1.0, 1.0, 2.0}) {
+    const Vector theta = at.theta.array() + growth;
+    shapes.push_back(model(theta, record.number, at.shift[record.number]));
+    if (!shapes.back().allFinite()) shapes.pop_back();
   }
   Matrix columns(n, static_cast<Eigen::Index>(shapes.size()));
   for (std::size_t j = 0; j < shapes.size(); ++j) columns.col(static_cast<Eigen::Index>(j)) = shapes[j];
@@ -71,32 +70,41 @@ Squares squares_of(const Record& record, const Noise& noise, const Matrix& colum
           shapes.rank, freedom};
 }
 
-}  // namespace
-
-ShapeTest shape_test(const Record& record, const Model& model, const Unknowns& at) {
-  const Matrix own = taken_columns(record, model, at);
-  const Depth depth = depth_of(record, model, at);
-  const Matrix shapes = free_shapes(record, model, at, depth);
-  const auto taken = static_cast<int>(own.cols()) - 1;
-  Matrix columns(own.rows(), own.cols() + shapes.cols());
-  columns << own.leftCols(taken), shapes, own.rightCols(1);
-  const Matrix means = record.blocks.averaged(columns);
-  const Squares white = squares_of(record, {}, means, taken);
-  const double depth_squares = depth.value.squaredNorm();
-  if (white.shapes == 0 || white.freedom < 1 || !(depth_squares > 0.0)) return {};
-  ShapeTest test{0.0, std::sqrt(std::max(white.before - white.after, 0.0) / depth_squares)};
+/// Of noise that the free shapes among the columns improve as much, a mean over what the noise may be.
+double probability_of(const Record& record, const Matrix& means, int taken) {
+  constexpr double nothing = 1e-6;
   std::vector<Squares> all;
   for (const Noise& noise : candidates(record.blocks, record.series->map))
     all.push_back(squares_of(record, noise, means, taken));
-  double best = all.front().log_weight, sum = 0.0;
+  if (all.front().shapes == 0 || all.front().freedom < 1) return 1.0;
+  double best = all.front().log_weight, sum = 0.0, probability = 0.0;
   for (const Squares& one : all) best = std::max(best, one.log_weight);
   for (const Squares& one : all) {
     const double weight = std::exp(one.log_weight - best);
     const double F = std::max(one.before - one.after, 0.0) / one.shapes / (one.after / one.freedom);
     sum += weight;
-    if (weight > 1e-6) test.probability += weight * fisher_tail(one.shapes, one.freedom, F);
+    if (weight > nothing) probability += weight * fisher_tail(one.shapes, one.freedom, F);
   }
-  test.probability /= sum;
+  return probability / sum;
+}
+
+}  // namespace
+
+ShapeTest shape_test(const Record& record, const Model& model, const Unknowns& at, const Matrix& taken,
+                     double noticeable) {
+  const Depth depth = depth_of(record, model, at);
+  const double depth_squares = depth.value.squaredNorm();
+  if (!(depth_squares > 0.0)) return {};
+  const auto own = static_cast<int>(taken.cols()) - 1;
+  Matrix gram = weigh(record.blocks, record.series->map, {}, record.blocks.averaged(taken)).gram;
+  eliminate(gram, own);
+  const double width = 4.0 * depth.width.head(record.series->map ? 2 : 1).minCoeff();
+  ShapeTest test{1.0, std::sqrt(gram(own, own) / depth_squares), width};
+  if (test.part < noticeable) return test;
+  const Matrix shapes = free_shapes(record, model, at, depth);
+  Matrix columns(taken.rows(), taken.cols() + shapes.cols());
+  columns << taken.leftCols(own), shapes, taken.rightCols(1);
+  test.probability = probability_of(record, record.blocks.averaged(columns), own);
   return test;
 }
 
