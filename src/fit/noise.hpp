@@ -7,14 +7,6 @@
 /// Kinds of noise, and what series are worth under each.
 namespace reye::fit {
 
-/// Covariance of values over sigma^2: README (2). White noise has `order` -1.
-struct Noise {
-  int order = -1;          ///< of the Matern correlation: 0 exponential, 1 and 2 once and twice differentiable
-  double length_mm = 0.0;  ///< correlation length
-  double nugget = 1.0;     ///< variance of what each value has of its own
-  double prior = 1.0;      ///< weight before the data are looked at
-};
-
 /// White noise, and correlated noise of each order, of lengths from the distance of blocks to a quarter of the series,
 /// with nuggets from none to where they hide the correlation: README (4).
 std::vector<Noise> candidates(const Blocks& blocks, bool map);

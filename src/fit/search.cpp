@@ -86,7 +86,7 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
 }
 
 double scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at) {
-  constexpr int along_a_line = 16, along_a_side = 4;  // to either side, of half an extent
+  constexpr int along_a_line = 16, along_a_side = 3;  // to either side, of half an extent
   double sum = 0.0;
   for (const Record& record : records) {
     const std::vector<Record> alone{record};

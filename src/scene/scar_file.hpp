@@ -2,7 +2,7 @@
 #include <string>
 
 #include "scene/check.hpp"
-#include "scene/scars.hpp"
+#include "scene/measured_scars.hpp"
 
 /// Tables of a profilometer and of a force sensor.
 namespace reye::scene {
