@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Makes the package, installs it on an empty Debian 12 without compiler, runs the demo there as a plain user, and removes the root.
+# Makes the package, installs it on an empty Debian 12 without compiler, runs the demo there as a plain user, by the command and by
+# Python, a scene of `reye new` and the examples of Python, and removes the root.
 #
-#   package_test.sh BUILD OUT   the package, its run (demo) and figures.txt, a line `name number` each, are left in OUT
+#   package_test.sh BUILD OUT   the package, its runs (demo, demo_python) and figures.txt, a line `name number` each, are left in OUT
 #
 # As root, with debootstrap and dpkg-dev; packages come from the mirror of this machine. 77: one of these is missing.
 set -euo pipefail
-[ $# -eq 2 ] || { sed -n '2,6s/^# \{0,1\}//p' "$0"; exit 2; }
+[ $# -eq 2 ] || { sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 2; }
 if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap dpkg-shlibdeps unshare >/dev/null; then
   echo "package_test: root, debootstrap and dpkg-dev are needed" >&2
   exit 77
@@ -39,7 +40,7 @@ seconds() {
   echo "$EPOCHREALTIME $start" | awk '{ printf "%.1f", $1 - $2 }'
 }
 
-rm -rf "$out"/{demo,figures.txt,log.txt} "$out"/reye_*.deb
+rm -rf "$out"/{demo,demo_python,figures.txt,log.txt} "$out"/reye_*.deb
 (cd "$build" && cpack -G DEB -B "$out" >"$out/log.txt")
 rm -rf "$out/_CPack_Packages"
 package=$(basename "$out"/reye_*.deb)
@@ -56,9 +57,18 @@ figure installed_packages $(($(packages) - before_packages))
 ! inside sh -c 'command -v gcc g++ cc cmake' || { echo "package_test: the root has a compiler" >&2; exit 1; }
 
 inside useradd --create-home visitor
-took=$(seconds inside su visitor -c 'cd && reye run /usr/share/reye/geo/fretting_demo/scene.toml --out demo --quiet')
+visitor() { inside su visitor -c "cd && $1"; }
+took=$(seconds visitor 'reye run /usr/share/reye/geo/fretting_demo/scene.toml --out demo --quiet')
 figure run_s "$took"
-cp -r "$root/home/visitor/demo" "$out/demo"
+took=$(seconds visitor "python3 -c 'import reye; reye.Scene(\"/usr/share/reye/geo/fretting_demo/scene.toml\").run(out=\"demo_python\")'")
+figure python_run_s "$took"
+cp -r "$root"/home/visitor/{demo,demo_python} "$out"
+for example in "$root"/usr/share/reye/apps/python/examples/*.py; do
+  seconds visitor "python3 ${example#"$root"}" >/dev/null
+done
+figure examples "$(ls "$root"/usr/share/reye/apps/python/examples/*.py | wc -l)"
+took=$(seconds visitor 'reye new mine --like seal && reye check mine/scene.toml && reye run mine/scene.toml --out mine.out --quiet')
+figure new_s "$took"
 
 seconds inside apt-get install -y --no-install-recommends lintian >/dev/null
 inside su visitor -c "lintian --fail-on none /var/tmp/$package" >"$out/lintian.txt"

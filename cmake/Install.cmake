@@ -14,6 +14,9 @@ install(FILES README.md LICENSE apps/install/copyright "${PROJECT_BINARY_DIR}/ch
 install(FILES apps/install/reye.1 apps/install/reye-import.1 DESTINATION share/man/man1)
 install(FILES apps/install/completion.bash DESTINATION share/bash-completion/completions RENAME reye)
 
-# The Python module, where the build has made one.
-install(DIRECTORY "${PROJECT_BINARY_DIR}/python/" DESTINATION lib/python3/dist-packages OPTIONAL
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.so" PATTERN "__pycache__" EXCLUDE)
+if(TARGET reye_python)
+  install(TARGETS reye_python LIBRARY DESTINATION lib/python3/dist-packages/reye)
+  install(DIRECTORY apps/python/reye DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
+endif()
+# Examples seek scenes in ../../../geo, here as in the sources.
+install(DIRECTORY apps/python/examples DESTINATION share/reye/apps/python FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)

@@ -34,12 +34,13 @@ def main():
     done.check_returncode()
     scene, built = ROOT / "geo" / "fretting_demo" / "scene.toml", WORK / "built"
     subprocess.run([REYE, "run", scene, "--out", built, "--quiet", "--force"], check=True)
-    packaged, reference = figures(WORK / "demo"), figures(built)
-    if packaged.keys() != reference.keys():
-        raise SystemExit("the two runs have other figures")
+    reference = figures(built)
+    packaged = [figures(WORK / run) for run in ("demo", "demo_python")]
+    if any(run.keys() != reference.keys() for run in packaged):
+        raise SystemExit("the runs have other figures")
     lines = (WORK / "figures.txt").read_text(encoding="utf-8").split("\n")
     measured = {name: float(number) for name, number in map(str.split, filter(None, lines))}
-    apart = [abs(packaged[name] - value) / abs(value) if value else abs(packaged[name]) for name, value in reference.items()]
+    apart = [abs(run[name] - value) / abs(value) if value else abs(run[name]) for run in packaged for name, value in reference.items()]
     return write_measured(measured | {"compared_figures": len(apart), "largest_relative_difference": max(apart)})
 
 

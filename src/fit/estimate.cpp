@@ -35,7 +35,9 @@ void weigh_white(std::vector<Record>& records, const Model& model, const Unknown
 
 Found first_found(std::vector<Record>& records, const Model& model, const Vector& start) {
   assume_white(records);
-  Found found = search(records, model, {start, std::vector<Vec2>(records.size(), Vec2::Zero())});
+  Unknowns first{start, {}};
+  for (const Record& record : records) first.shift.push_back(record.series->near);
+  Found found = search(records, model, first);
   if (!std::isfinite(found.S)) return found;
   weigh_white(records, model, found.at);
   return descend(records, model, found.at);

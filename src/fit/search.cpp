@@ -86,7 +86,8 @@ Found descend(const std::vector<Record>& records, const Model& model, Unknowns s
 }
 
 double scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at) {
-  constexpr int along_a_line = 16, along_a_side = 3;  // to either side, of half an extent
+  constexpr int along_a_line = 24, along_a_side = 4;  // to either side
+  constexpr double farthest = 0.75;                   // of the extent
   double sum = 0.0;
   for (const Record& record : records) {
     const std::vector<Record> alone{record};
@@ -97,7 +98,7 @@ double scan_shifts(const std::vector<Record>& records, const Model& model, Unkno
     double least = infinite;
     for (int j = -across; j <= across; ++j)
       for (int i = -steps; i <= steps; ++i) {
-        const Vec2 part{steps > 0 ? 0.5 * i / steps : 0.0, across > 0 ? 0.5 * j / across : 0.0};
+        const Vec2 part{steps > 0 ? farthest * i / steps : 0.0, across > 0 ? farthest * j / across : 0.0};
         trial.shift[record.number] = centre + part.cwiseProduct(record.extent);
         const double S = sum_of_squares(alone, model, trial);
         if (S >= least) continue;
@@ -114,7 +115,7 @@ Found search(const std::vector<Record>& records, const Model& model, const Unkno
   const Eigen::Index p = start.theta.size();
   std::vector<Found> starts{{start, 0.0, false}};
   for (Eigen::Index k = p > 1 ? -1 : 0; k < p; ++k)
-    for (const double by : {-2.0, -1.0, 1.0, 2.0}) {
+    for (const double by : {-6.0, -4.0, -2.0, -1.0, 1.0, 2.0, 4.0}) {
       starts.push_back({start, 0.0, false});
       starts.back().at.theta += by * (k < 0 ? Vector::Ones(p) : Vector(Vector::Unit(p, k)));
     }

@@ -24,6 +24,7 @@ struct Series {
   bool map = false;      ///< places fill a plane (two tilts, shift in two directions), else a line
   bool level = true;     ///< offset and tilt(s) of the instrument are unknown
   bool moved = true;     ///< where the instrument's origin lies is unknown
+  Vec2 near{0.0, 0.0};   ///< shift about which it is sought, by up to 0.75 of the extent of the places
 };
 
 /// What is computed at the places of series s moved by `shift`, for parameters theta (logarithms of factors). Cheap,

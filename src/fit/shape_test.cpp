@@ -58,11 +58,11 @@ struct Squares {
 Squares squares_of(const Record& record, const Noise& noise, const Matrix& columns, int taken) {
   auto [gram, log_determinant] = weigh(record.blocks, record.series->map, noise, columns);
   const Eigen::Index last = gram.cols() - 1;
-  Eliminated first = eliminate(gram, taken);
+  const Vector whole = gram.diagonal();
+  const Eliminated first = eliminate(gram, 0, taken, whole);
   const double before = gram(last, last);
-  Matrix rest = gram.bottomRightCorner(gram.cols() - taken, gram.cols() - taken);
-  const Eliminated shapes = eliminate(rest, static_cast<int>(rest.cols()) - 1);
-  const double after = std::max(rest(rest.cols() - 1, rest.cols() - 1), 1e-300);
+  const Eliminated shapes = eliminate(gram, taken, static_cast<int>(last) - taken, whole);
+  const double after = std::max(gram(last, last), 1e-300);
   const int freedom = static_cast<int>(columns.rows()) - first.rank - shapes.rank;
   return {before, after,
           std::log(noise.prior) -

@@ -38,8 +38,8 @@ std::vector<std::array<double, 2>> scar_at(const std::string& table, double cycl
   return scar;
 }
 
-/// What a profilometer has of a side of the run in `truth`: an offset, a tilt and an origin of its own, and noise of
-/// 2 % of the depth.
+/// What a profilometer has of a side of the run in `truth`: an offset, a tilt and an origin of its own, five traces
+/// away, and noise of 2 % of the depth.
 void write_scar(const test::Place& place, const std::string& side, double cycle, const std::string& file) {
   const auto scar = scar_at(test::read(place / ("truth/surface_pad_" + side + ".csv")), cycle);
   double deepest = 0.0;
@@ -54,7 +54,7 @@ void write_scar(const test::Place& place, const std::string& side, double cycle,
     const auto above = std::lower_bound(scar.begin(), scar.end(), std::array{x, -1.0});
     const auto below = above - 1;
     const double depth = (*below)[1] + ((*above)[1] - (*below)[1]) * (x - (*below)[0]) / ((*above)[0] - (*below)[0]);
-    text << x + 0.004 << ',' << depth + 3e-4 + 1e-3 * x + noise(random) << '\n';
+    text << x + 0.9 << ',' << depth + 3e-4 + 1e-3 * x + noise(random) << '\n';
   }
   place.write(file, text.str());
 }
@@ -117,7 +117,7 @@ TEST(Calibrate, BothSides) {
     EXPECT_LT(fitted["low_95"].get<double>(), truth * 1.005);
     EXPECT_GT(fitted["high_95"].get<double>(), truth * 0.995);
   }
-  EXPECT_NEAR(result["scars"][0]["moved_mm"][0].get<double>(), -0.004, 2e-4);
+  EXPECT_NEAR(result["scars"][0]["moved_mm"][0].get<double>(), -0.9, 2e-4);
   EXPECT_NEAR(result["scars"][0]["tilt"][0].get<double>(), 1e-3, 1e-4);
   EXPECT_TRUE(result["poor"].is_null()) << result["poor"];
   EXPECT_LE(result["increments"].get<int>(), 4 * increments_of_a_run);
@@ -136,6 +136,22 @@ TEST(Calibrate, OneSide) {
   EXPECT_NEAR(result["values"][0]["fitted"].get<double>() / result["values"][1]["fitted"].get<double>(), 1.5, 1e-6);
   EXPECT_TRUE(test::holds(told.out, "Only the secondary side was measured"));
   EXPECT_LE(result["increments"].get<int>(), 1.5 * increments_of_a_run);
+}
+
+// The same coefficient must be found from guesses a thousand times too small and too large.
+TEST(Calibrate, AnyGuess) {
+  const Rig rig;
+  for (const std::string exponent : {"e-8", "e-2"}) {
+    rig.write("guess.toml", changed(finer(), Changes{{"3.0e-5", "3.0" + exponent},
+                                                     {"2.0e-5", "2.0" + exponent},
+                                                     {"jump = 40", "jump = { tolerance = 0.02 }"}}));
+    const auto told = rig.reye({"calibrate", "guess.toml", "--measured", "flat.csv", "--side", "secondary", "--at",
+                                "400", "--out", "out", "--force"});
+    ASSERT_EQ(told.code, 0) << told.err;
+    const auto result = rig.result();
+    EXPECT_NEAR(result["values"][0]["fitted"].get<double>() / 3.9e-5, 1.0, 0.06) << exponent;
+    EXPECT_LE(result["runs"].get<int>(), 4) << exponent;
+  }
 }
 
 // A number with its scatter must give its interval; without it the interval is refused with the reason.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include <cmath>
 #include <random>
@@ -55,6 +56,30 @@ TEST(noise, weighed_as_by_the_whole_covariance) {
       EXPECT_LT((gram - expected).norm(), 1e-8 * expected.norm()) << order;
       EXPECT_NEAR(logs, 2.0 * factor.matrixLLT().diagonal().array().log().sum(), 1e-8) << order;
     }
+}
+
+// Of columns that nearly depend on each other elimination, all at once or in two parts, must leave what least squares
+// leave, and never less.
+TEST(noise, what_nearly_dependent_columns_leave) {
+  constexpr int n = 200, powers = 14;
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  Matrix columns(n, powers + 1);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < powers; ++k) columns(i, k) = std::pow(i / (n - 1.0), k);
+  columns.col(powers) = Vector::NullaryExpr(n, [&] { return 1e-6 * normal(random); });
+  const Matrix basis = columns.leftCols(powers);
+  const Vector y = columns.col(powers);
+  const double least = (y - basis * basis.colPivHouseholderQr().solve(y)).squaredNorm();
+  for (const int first : {0, 3, 8}) {
+    Matrix gram = columns.transpose() * columns;
+    const Vector whole = gram.diagonal();
+    fit::eliminate(gram, 0, first, whole);
+    const int rank = fit::eliminate(gram, first, powers - first, whole).rank;
+    EXPECT_LT(rank, powers - first);
+    EXPECT_GE(gram(powers, powers), 0.999 * least) << first;
+    EXPECT_LE(gram(powers, powers), 1.1 * least) << first;
+  }
 }
 
 // Sums over pairs by distance must give u^T V u: exactly where places are evenly spaced, nearly elsewhere.

@@ -29,8 +29,8 @@ double at(const ScarFamily& family, double cycles, double x) {
   return family.at(cycles, std::span(&place, 1))[0];
 }
 
-// Between the ends of blocks depths must be linear in the cycles, before the first in proportion, zero where nothing
-// wears.
+// Between the ends of blocks depths of a scar that keeps its width must be linear in the cycles, before the first in
+// proportion, zero where nothing wears.
 TEST(scar_family, between_blocks) {
   ScarFamily family;
   family.add(100.0, profile_of(scar(1.0, 1.0), ScarAxis::x));
@@ -43,6 +43,17 @@ TEST(scar_family, between_blocks) {
   EXPECT_EQ(at(family, 150.0, 70.0), 0.0);
 }
 
+// Between the ends of two blocks far apart a scar that deepens by t^(2/3) and widens by t^(1/3) must keep its shape.
+TEST(scar_family, similar_to_itself_between_blocks) {
+  ScarFamily family;
+  for (const double t : {0.5, 1.5}) family.add(t, profile_of(scar(std::pow(t, 2.0 / 3.0), std::cbrt(t)), ScarAxis::x));
+  for (const double t : {0.6, 1.0, 1.4}) {
+    for (const double x : {0.1, 0.2, 1.0, 1.5, 1.9, 2.1})
+      EXPECT_NEAR(at(family, t, x), std::max(0.0, std::pow(t, 2.0 / 3.0) - (x - 1.0) * (x - 1.0)), 4e-3)
+          << t << " " << x;
+  }
+}
+
 // Beyond what was computed a scar that deepens by t^(2/3) and widens by t^(1/3) must continue so.
 TEST(scar_family, beyond_the_last_block) {
   ScarFamily family;
@@ -53,11 +64,11 @@ TEST(scar_family, beyond_the_last_block) {
     EXPECT_NEAR(at(family, t, x), std::pow(t, 2.0 / 3.0) * (1.0 - (x - 1.0) * (x - 1.0) / (a * a)), 2e-3);
 }
 
-// A number must continue by the power with which it grew.
+// A number must grow between blocks and beyond them by the power with which it grew.
 TEST(scar_family, numbers) {
   ScarFamily family;
   for (const double t : {1.0, 2.0, 4.0}) family.add(t, sim::number_of(std::sqrt(t)));
-  EXPECT_NEAR(at(family, 3.0, 0.0), 0.5 * (std::sqrt(2.0) + 2.0), 1e-12);
+  EXPECT_NEAR(at(family, 3.0, 0.0), std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(at(family, 9.0, 0.0), 3.0, 1e-12);
 }
 

@@ -115,6 +115,7 @@ struct Moments {
   }
   void place(ScarShape& shape) const {
     if (!(volume > 0.0)) return;
+    shape.volume = volume;
     shape.middle = first / volume;
     shape.width = std::sqrt(std::max(0.0, second / volume - shape.middle.squaredNorm()));
   }
@@ -168,7 +169,8 @@ ScarShape map_of(const SkinRecord& skin, const std::vector<ScarAxis>& axes) {
     }
   Moments moments;
   for (int j = 0; j < raster.ny; ++j)
-    for (int i = 0; i < raster.nx; ++i) moments.add(raster.at(i, j), raster.low + raster.spacing * Vec2(i, j));
+    for (int i = 0; i < raster.nx; ++i)
+      moments.add(raster.spacing * raster.spacing * raster.at(i, j), raster.low + raster.spacing * Vec2(i, j));
   ScarShape shape{.depth = std::move(raster), .directions = 2};
   moments.place(shape);
   return shape;
@@ -186,28 +188,54 @@ void ScarFamily::add(double cycles, ScarShape shape) {
     power_ = std::clamp(std::log(size(now) / size(then)) / std::log(growth), 0.0, 1.0);
 }
 
-double ScarFamily::beyond(double growth, const Vec2& place) const {
-  const auto& last = shapes_.back();
-  if (!last.worn) return last.depth(place);
+DepthField ScarFamily::beyond(double growth) const {
+  const ScarShape& last = shapes_.back();
+  if (!last.worn) return last.depth;
   const double wider = std::pow(growth, power_);
-  if (last.directions == 0) return wider * last.depth(place);
-  return growth / std::pow(wider, last.directions) * last.depth(last.middle + (place - last.middle) / wider);
+  if (last.directions == 0) return [&last, wider](const Vec2& place) { return wider * last.depth(place); };
+  const double deeper = growth / std::pow(wider, last.directions);
+  return [&last, wider, deeper](const Vec2& place) {
+    return deeper * last.depth(last.middle + (place - last.middle) / wider);
+  };
 }
 
-double ScarFamily::depth(double cycles, const Vec2& place) const {
+DepthField ScarFamily::between(std::size_t next, double cycles) const {
+  const ScarShape &a = shapes_[next - 1], &b = shapes_[next];
+  const double from = cycles_[next - 1], to = cycles_[next], s = (cycles - from) / (to - from);
+  const double power = std::log(cycles / from) / std::log(to / from);
+  const auto grown = [power](double x, double y) { return x * std::pow(y / x, power); };
+  if (a.directions == 0 && a.worn) {
+    const double x = a.depth(Vec2::Zero()), y = b.depth(Vec2::Zero());
+    if (x > 0.0 && y > 0.0) return [number = grown(x, y)](const Vec2&) { return number; };
+  }
+  if (!(a.width > 0.0 && b.width > 0.0))
+    return [&a, &b, s](const Vec2& place) { return (1.0 - s) * a.depth(place) + s * b.depth(place); };
+  const double volume = (1.0 - s) * a.volume + s * b.volume, width = grown(a.width, b.width);
+  const Vec2 middle = (1.0 - s) * a.middle + s * b.middle;
+  const auto depths = [&](const ScarShape& shape) {
+    return volume / shape.volume * std::pow(shape.width / width, shape.directions);
+  };
+  return [&a, &b, x = (1.0 - s) * depths(a), y = s * depths(b), width, middle](const Vec2& place) {
+    const Vec2 xi = (place - middle) / width;
+    return x * a.depth(a.middle + a.width * xi) + y * b.depth(b.middle + b.width * xi);
+  };
+}
+
+DepthField ScarFamily::after(double cycles) const {
   const auto next =
       static_cast<std::size_t>(std::upper_bound(cycles_.begin(), cycles_.end(), cycles) - cycles_.begin());
-  if (next == cycles_.size()) return beyond(cycles / cycles_.back(), place);
-  if (next == 0 && !shapes_.front().worn) return shapes_.front().depth(place);
-  if (next == 0) return cycles / cycles_.front() * shapes_.front().depth(place);
-  const double share = (cycles - cycles_[next - 1]) / (cycles_[next] - cycles_[next - 1]);
-  return (1.0 - share) * shapes_[next - 1].depth(place) + share * shapes_[next].depth(place);
+  if (next == cycles_.size()) return beyond(cycles / cycles_.back());
+  if (next > 0) return between(next, cycles);
+  const ScarShape& first = shapes_.front();
+  if (!first.worn) return first.depth;
+  return [&first, part = cycles / cycles_.front()](const Vec2& place) { return part * first.depth(place); };
 }
 
 Vector ScarFamily::at(double cycles, std::span<const Vec2> places) const {
   Vector result = Vector::Zero(static_cast<Eigen::Index>(places.size()));
   if (cycles_.empty()) return result;
-  for (std::size_t i = 0; i < places.size(); ++i) result[static_cast<Eigen::Index>(i)] = depth(cycles, places[i]);
+  const DepthField depth = after(cycles);
+  for (std::size_t i = 0; i < places.size(); ++i) result[static_cast<Eigen::Index>(i)] = depth(places[i]);
   return result;
 }
 

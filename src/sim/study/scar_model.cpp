@@ -40,6 +40,15 @@ Vector of_run(const ScarParameters& parameters, const MeasuredScars& measured, c
   return part * played.run.families[s].at(cycles, places);
 }
 
+Vec2 middle_of(const std::vector<Vec2>& places) {
+  Vec2 low = places.front(), high = low;
+  for (const auto& place : places) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  return 0.5 * (low + high);
+}
+
 /// Weights of runs whose varied parameters have the wanted ones as their mean.
 Vector weights(const ScarParameters& parameters, const std::vector<PlayedScars>& runs, const Vector& theta) {
   const auto n = static_cast<Eigen::Index>(runs.size());
@@ -72,16 +81,20 @@ std::vector<std::string> ScarParameters::names() const {
   return all;
 }
 
-std::vector<fit::Series> series_of(const MeasuredScars& measured) {
+std::vector<fit::Series> series_of(const MeasuredScars& measured, const ScarRun& run) {
   std::vector<fit::Series> all;
-  for (const auto& scar : measured.scars)
+  for (const auto& scar : measured.scars) {
+    const bool moved = !scar.origin_known;
+    const Vec2 near = moved ? Vec2(run.families[all.size()].middle() - middle_of(scar.at)) : Vec2(Vec2::Zero());
     all.push_back({.name = scar.of.key.empty() ? scar.file : scar.of.key,
                    .at = scar.at,
                    .value = scar.depth_mm,
                    .scatter = scar.scatter_mm,
                    .map = scar.axes.size() > 1,
                    .level = scar.level,
-                   .moved = !scar.origin_known});
+                   .moved = moved,
+                   .near = near});
+  }
   for (const auto& figure : measured.figures) {
     Vector scatter;
     if (figure.scatter > 0.0) scatter = Vector::Constant(1, figure.scatter * figure.value);
@@ -91,7 +104,8 @@ std::vector<fit::Series> series_of(const MeasuredScars& measured) {
                    .scatter = scatter,
                    .map = false,
                    .level = false,
-                   .moved = false});
+                   .moved = false,
+                   .near = Vec2::Zero()});
   }
   return all;
 }

@@ -19,6 +19,9 @@ constexpr int most_corrections = 4;
 /// than `too_small` times of them, or for less than `too_large`, the run is left for one with better ones: it would
 /// take long, or have few blocks.
 constexpr double first_look = 0.15, too_small = 1.3, too_large = 0.4;
+/// A run is left before the first look, too, once it has played more than this part of what the scars ask for: its blocks
+/// are then long for them.
+constexpr double too_soon = 0.35;
 /// How far beyond the fitted cycles a run is played, so that they lie between ends of blocks on either side.
 constexpr double beyond = 1.06;
 /// Change of the ratio of two coefficients below which a run with the former ratio serves.
@@ -31,7 +34,7 @@ constexpr double step_of_share = 0.25, step_of_factor = 0.2;
 class Search {
  public:
   Search(const ScarScene& scene, std::vector<FreeKey> free, const CalibrationWatch& watch, Calibration& result)
-      : scene_(scene), watch_(watch), result_(result), measured_(result.measured), series_(series_of(result.measured)) {
+      : scene_(scene), watch_(watch), result_(result), measured_(result.measured) {
     parameters_.keys = std::move(free);
     parameters_.scales = result_.scales = scene.no_scaling.empty();
     choose_factors();
@@ -42,7 +45,8 @@ class Search {
     Vector theta = start();
     if (!play_first(theta)) return;
     for (int correction = 0;; ++correction) {
-      result_.estimate = fit::estimate(series_, scar_model(parameters_, measured_, runs_), parameters_.names(), theta);
+      const auto series = series_of(measured_, runs_.back().run);
+      result_.estimate = fit::estimate(series, scar_model(parameters_, measured_, runs_), parameters_.names(), theta);
       if (!result_.estimate.refused.empty()) {
         result_.failure = result_.estimate.refused;
         return;
@@ -171,12 +175,15 @@ class Search {
     PlayedScars played{theta, {}};
     quick_ = theta;
     left_ = false;
-    double next_look = first_look * most_cycles_;
+    double next_look = 0.0;
     const auto enough = [&](const ScarRun& now) {
       if (!parameters_.scales) return now.cycles >= most_cycles_;
       if (now.cycles < next_look) return false;
-      next_look = 1.04 * now.cycles;
+      const bool early = now.cycles < first_look * most_cycles_;
+      if (early && !may_leave) return false;
+      next_look = (early ? 1.5 : 1.04) * now.cycles;
       const double more = wanted(theta, now);
+      if (early) return left_ = now.cycles >= too_soon * more * most_cycles_;
       if (now.cycles >= beyond * more * most_cycles_) return true;
       left_ = may_leave && now.cycles < 0.5 * most_cycles_ && (more > too_small || more < too_large);
       return left_;
@@ -201,7 +208,7 @@ class Search {
     factors.keys.clear();
     const std::vector<PlayedScars> run{{theta.head(factors.factors), now}};
     quick_.head(factors.factors) =
-        fit::quick_theta(series_, scar_model(factors, measured_, run), quick_.head(factors.factors));
+        fit::quick_theta(series_of(measured_, now), scar_model(factors, measured_, run), quick_.head(factors.factors));
     return parameters_.total(parameters_.factors_of(quick_)) / parameters_.total(parameters_.factors_of(theta));
   }
 
@@ -235,7 +242,6 @@ class Search {
   const CalibrationWatch& watch_;
   Calibration& result_;
   const MeasuredScars& measured_;
-  std::vector<fit::Series> series_;
   ScarParameters parameters_;
   double most_cycles_ = 0.0;
   std::vector<PlayedScars> runs_;
