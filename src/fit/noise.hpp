@@ -25,8 +25,8 @@ struct Eliminated {
   double log_pivots = 0.0;
 };
 Eliminated eliminate(Matrix& gram, int count);
-/// The same of columns from `first` on, of a matrix in which others were eliminated before; `whole`: its diagonal when
-/// nothing was, against which a column is judged dependent.
+/// Eliminates `count` columns from `first` on, of a matrix in which others were eliminated before; `whole`: its
+/// diagonal when nothing was, against which a column is judged dependent.
 Eliminated eliminate(Matrix& gram, int first, int count, const Vector& whole);
 
 }  // namespace reye::fit

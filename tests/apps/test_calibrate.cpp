@@ -138,7 +138,7 @@ TEST(Calibrate, OneSide) {
   EXPECT_LE(result["increments"].get<int>(), 1.5 * increments_of_a_run);
 }
 
-// The same coefficient must be found from guesses a thousand times too small and too large.
+// One coefficient must be found from guesses a thousand times too small and too large.
 TEST(Calibrate, AnyGuess) {
   const Rig rig;
   for (const std::string exponent : {"e-8", "e-2"}) {

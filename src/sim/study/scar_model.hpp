@@ -43,8 +43,8 @@ struct PlayedScars {
   ScarRun run;
 };
 
-/// The measurements as series of a fit, in the order of the families of a run. Where an instrument's origin is unknown its
-/// places are sought with their middle about that of the computed scar.
+/// The measurements as series of a fit, in the order of the families of a run. Where an instrument's origin is unknown
+/// its places are sought with their middle about that of the computed scar.
 std::vector<fit::Series> series_of(const scene::MeasuredScars& measured, const ScarRun& run);
 
 /// Scars at parameters from one run: depths depend on the sum of both coefficients times the cycles, and either side

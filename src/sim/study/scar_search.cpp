@@ -19,8 +19,8 @@ constexpr int most_corrections = 4;
 /// than `too_small` times of them, or for less than `too_large`, the run is left for one with better ones: it would
 /// take long, or have few blocks.
 constexpr double first_look = 0.15, too_small = 1.3, too_large = 0.4;
-/// A run is left before the first look, too, once it has played more than this part of what the scars ask for: its blocks
-/// are then long for them.
+/// A run is left before the first look, too, once it has played more than this part of what the scars ask for: its
+/// blocks are then long for them.
 constexpr double too_soon = 0.35;
 /// How far beyond the fitted cycles a run is played, so that they lie between ends of blocks on either side.
 constexpr double beyond = 1.06;
