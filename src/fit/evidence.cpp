@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "algebra/decompose.hpp"
+#include "fit/basis.hpp"
 
 namespace reye::fit {
 
@@ -38,8 +39,10 @@ Scores scores_of(const Record& record, const Matrix& columns, int asked) {
 
 Belief belief_of(const Record& record, const Matrix& columns) {
   if (record.known()) return {std::vector<Likely>(1), 0};
-  const Matrix means = record.blocks.averaged(columns);
-  const Eigen::Index own = columns.cols() - 1;
+  Matrix means = record.blocks.averaged(columns);
+  const Matrix basis = basis_of(means.leftCols(columns.cols() - 1));
+  const Eigen::Index own = basis.cols();
+  means = (Matrix(means.rows(), own + 1) << basis, means.rightCols(1)).finished();
   Belief belief;
   for (const Noise& noise : candidates(record.blocks, record.series->map)) {
     auto [gram, log_determinant] = weigh(record.blocks, record.series->map, noise, means);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "algebra/factor.hpp"
 #include "fit/markov.hpp"
@@ -61,28 +60,21 @@ Weighed weigh(const Blocks& blocks, bool map, const Noise& noise, const Matrix& 
   return {white.columns.transpose() * white.columns, white.log_determinant};
 }
 
-Eliminated eliminate(Matrix& gram, int count) { return eliminate(gram, 0, count, gram.diagonal()); }
-
-Eliminated eliminate(Matrix& gram, int first, int count, const Vector& whole) {
-  constexpr double dependent = 1e-8;
+Eliminated eliminate(Matrix& gram, int count) {
+  constexpr double dependent = 1e-10;
   Eliminated result;
-  const Vector scale = whole.segment(first, count).cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
-  Vector left = gram.diagonal().segment(first, count).cwiseProduct(scale);
-  const auto drop = [&](Eigen::Index j) {
-    gram.row(first + j).setZero();
-    gram.col(first + j).setZero();
-  };
-  Eigen::Index j = 0;
-  while (result.rank < count && left.maxCoeff(&j) > dependent) {  // the largest first, or errors of small ones grow
-    const double pivot = gram(first + j, first + j);
-    const Vector column = gram.col(first + j);
-    gram -= column * column.transpose() / pivot;
-    result.log_pivots += std::log(pivot);
-    ++result.rank;
-    drop(j);
-    left = gram.diagonal().segment(first, count).cwiseProduct(scale);
+  const Vector whole = gram.diagonal();
+  for (int j = 0; j < count; ++j) {
+    const double pivot = gram(j, j);
+    if (pivot > dependent * whole[j]) {
+      const Vector column = gram.col(j);
+      gram -= column * column.transpose() / pivot;
+      result.log_pivots += std::log(pivot);
+      ++result.rank;
+    }
+    gram.row(j).setZero();
+    gram.col(j).setZero();
   }
-  for (j = 0; j < count; ++j) drop(j);
   return result;
 }
 

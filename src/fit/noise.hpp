@@ -25,8 +25,5 @@ struct Eliminated {
   double log_pivots = 0.0;
 };
 Eliminated eliminate(Matrix& gram, int count);
-/// Eliminates `count` columns from `first` on, of a matrix in which others were eliminated before; `whole`: its
-/// diagonal when nothing was, against which a column is judged dependent.
-Eliminated eliminate(Matrix& gram, int first, int count, const Vector& whole);
 
 }  // namespace reye::fit

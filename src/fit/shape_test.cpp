@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/basis.hpp"
 #include "fit/quantiles.hpp"
 
 namespace reye::fit {
@@ -58,11 +59,11 @@ struct Squares {
 Squares squares_of(const Record& record, const Noise& noise, const Matrix& columns, int taken) {
   auto [gram, log_determinant] = weigh(record.blocks, record.series->map, noise, columns);
   const Eigen::Index last = gram.cols() - 1;
-  const Vector whole = gram.diagonal();
-  const Eliminated first = eliminate(gram, 0, taken, whole);
+  Eliminated first = eliminate(gram, taken);
   const double before = gram(last, last);
-  const Eliminated shapes = eliminate(gram, taken, static_cast<int>(last) - taken, whole);
-  const double after = std::max(gram(last, last), 1e-300);
+  Matrix rest = gram.bottomRightCorner(gram.cols() - taken, gram.cols() - taken);
+  const Eliminated shapes = eliminate(rest, static_cast<int>(rest.cols()) - 1);
+  const double after = std::max(rest(rest.cols() - 1, rest.cols() - 1), 1e-300);
   const int freedom = static_cast<int>(columns.rows()) - first.rank - shapes.rank;
   return {before, after,
           std::log(noise.prior) -
@@ -95,16 +96,21 @@ ShapeTest shape_test(const Record& record, const Model& model, const Unknowns& a
   const Depth depth = depth_of(record, model, at);
   const double depth_squares = depth.value.squaredNorm();
   if (!(depth_squares > 0.0)) return {};
-  const auto own = static_cast<int>(taken.cols()) - 1;
-  Matrix gram = weigh(record.blocks, record.series->map, {}, record.blocks.averaged(taken)).gram;
+  const Matrix means = record.blocks.averaged(taken);
+  const Matrix basis = basis_of(means.leftCols(taken.cols() - 1));
+  const auto own = static_cast<int>(basis.cols());
+  Matrix left(means.rows(), own + 1);
+  left << basis, means.rightCols(1);
+  Matrix gram = weigh(record.blocks, record.series->map, {}, left).gram;
   eliminate(gram, own);
   const double width = 4.0 * depth.width.head(record.series->map ? 2 : 1).minCoeff();
   ShapeTest test{1.0, std::sqrt(gram(own, own) / depth_squares), width};
   if (test.part < noticeable) return test;
-  const Matrix shapes = free_shapes(record, model, at, depth);
-  Matrix columns(taken.rows(), taken.cols() + shapes.cols());
-  columns << taken.leftCols(own), shapes, taken.rightCols(1);
-  test.probability = probability_of(record, record.blocks.averaged(columns), own);
+  constexpr double another = 1e-4;  // of a shape, below which it is the error of a difference quotient
+  const Matrix shapes = basis_beside(basis, record.blocks.averaged(free_shapes(record, model, at, depth)), another);
+  Matrix columns(means.rows(), left.cols() + shapes.cols());
+  columns << basis, shapes, means.rightCols(1);
+  test.probability = probability_of(record, columns, own);
   return test;
 }
 

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include <cmath>
 #include <random>
 
+#include "fit/basis.hpp"
 #include "fit/pairs.hpp"
 
 namespace {
@@ -58,28 +58,22 @@ TEST(noise, weighed_as_by_the_whole_covariance) {
     }
 }
 
-// Of columns that nearly depend on each other elimination, all at once or in two parts, must leave what least squares
-// leave, and never less.
-TEST(noise, what_nearly_dependent_columns_leave) {
+// Of columns that nearly depend on each other a basis must be orthonormal, and leave of others what least squares
+// leave; beside a basis nothing is left of its own columns.
+TEST(basis, of_nearly_dependent_columns) {
   constexpr int n = 200, powers = 14;
-  std::mt19937_64 random(4);
-  std::normal_distribution<double> normal;
-  Matrix columns(n, powers + 1);
+  Matrix columns(n, powers);
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < powers; ++k) columns(i, k) = std::pow(i / (n - 1.0), k);
-  columns.col(powers) = Vector::NullaryExpr(n, [&] { return 1e-6 * normal(random); });
-  const Matrix basis = columns.leftCols(powers);
-  const Vector y = columns.col(powers);
-  const double least = (y - basis * basis.colPivHouseholderQr().solve(y)).squaredNorm();
-  for (const int first : {0, 3, 8}) {
-    Matrix gram = columns.transpose() * columns;
-    const Vector whole = gram.diagonal();
-    fit::eliminate(gram, 0, first, whole);
-    const int rank = fit::eliminate(gram, first, powers - first, whole).rank;
-    EXPECT_LT(rank, powers - first);
-    EXPECT_GE(gram(powers, powers), 0.999 * least) << first;
-    EXPECT_LE(gram(powers, powers), 1.1 * least) << first;
-  }
+  const Matrix basis = fit::basis_of(columns);
+  EXPECT_LT((basis.transpose() * basis - Matrix::Identity(basis.cols(), basis.cols())).norm(), 1e-7);
+  EXPECT_LT((columns - basis * (basis.transpose() * columns)).norm(), 1e-6);
+  EXPECT_EQ(fit::basis_beside(basis, 3.0 * columns * Matrix::Ones(powers, 4), 1e-4).cols(), 0);
+  Matrix others(n, 2);
+  others << columns.col(2), (20.0 * columns.col(1)).array().sin().matrix();
+  const Matrix beside = fit::basis_beside(basis, others, 1e-4);
+  ASSERT_EQ(beside.cols(), 1);
+  EXPECT_LT((basis.transpose() * beside).norm(), 1e-7);
 }
 
 // Sums over pairs by distance must give u^T V u: exactly where places are evenly spaced, nearly elsewhere.

@@ -31,17 +31,17 @@ struct Tally {
     error += result.theta.cwiseAbs2();
   }
   /// Prints a row of the table for each parameter, and holds it to what is promised.
-  void check(const std::string& what, double least) const {
+  void check(const std::string& what) const {
     const double answered = fits - refused;
     for (Eigen::Index k = 0; k < held.size(); ++k) {
       const double percent = 100.0 * held[k] / answered;
       std::printf("coverage,%s,%d,%.1f,%.4f,%.4f,%.1f,%.1f\n", what.c_str(), static_cast<int>(k + 1), percent,
                   deviation[k] / answered, std::sqrt(error[k] / answered), 100.0 * poor / fits, 100.0 * refused / fits);
       std::fflush(stdout);
-      EXPECT_GE(percent, least) << what;
+      EXPECT_GE(percent, 92.0) << what;
       EXPECT_LE(percent, 98.0) << what;
     }
-    EXPECT_LE(poor, fits / 50) << what;
+    EXPECT_LE(poor, fits / 100) << what;
   }
 };
 
@@ -51,7 +51,7 @@ std::string row(const char* kind, Scar scar, double noise, double correlation) {
   return text;
 }
 
-void one_profile(const char* kind, double from, double to, double least = 92.0) {
+void one_profile(const char* kind, double from, double to) {
   for (const Scar scar : {Scar::parabola, Scar::u, Scar::w})
     for (const double noise : {0.01, 0.05, 0.2})
       for (const double correlation : {0.0, 0.02, 0.05, 0.1}) {
@@ -62,7 +62,7 @@ void one_profile(const char* kind, double from, double to, double least = 92.0) 
               random, {.scar = scar, .noise = noise, .correlation = correlation, .from = from, .to = to});
           tally.add(fit::estimate({series}, support::model_of(scar, {series}, {1.0}), {"k"}, Vector::Constant(1, 0.5)));
         }
-        tally.check(row(kind, scar, noise, correlation), least);
+        tally.check(row(kind, scar, noise, correlation));
       }
 }
 
@@ -87,7 +87,7 @@ void two_profiles(const char* kind, double second, bool both) {
           tally.add(both ? fit::estimate(series, model, {"k"}, Vector::Constant(1, 0.3))
                          : fit::estimate(series, of_sides, {"k", "ratio"}, Vector::Constant(2, 0.3)));
         }
-        tally.check(row(kind, scar, noise, correlation), 92.0);
+        tally.check(row(kind, scar, noise, correlation));
       }
 }
 
@@ -97,9 +97,8 @@ TEST(FitCoverage, OneProfile) { one_profile("one profile", -1.0, 1.0); }
 // It must hold where both ends are cut, so that next to nothing of the unworn surface is seen.
 TEST(FitCoverage, CutEnds) { one_profile("cut ends", -0.55, 0.55); }
 
-// Where most of one flank is missing the edge of what was measured is that of the scar, and noise that is correlated
-// over a tenth of the width gives errors with heavy tails: the interval must still hold the truth in 88 of 100 fits.
-TEST(FitCoverage, FlankMissing) { one_profile("a flank missing", -0.35, 1.0, 88.0); }
+// It must hold where most of one flank is missing.
+TEST(FitCoverage, FlankMissing) { one_profile("a flank missing", -0.35, 1.0); }
 
 // It must hold for two profiles at two cycles.
 TEST(FitCoverage, TwoProfiles) { two_profiles("two profiles", 3.0, true); }
