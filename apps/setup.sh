@@ -74,7 +74,7 @@ run_demo() {
 programs_of() {
   local program files=("results/$1/"make.*)
   [ "$1" != all ] || files=(results/*/make.*)
-  for program in reye reye-bench test_stability test_verification; do
+  for program in reye reye-bench test_stability test_verification test_slow; do
     [ "$program" != reye ] && ! grep -qs -- "$program" "${files[@]}" || echo "$program"
   done
 }

@@ -16,13 +16,9 @@ def main():
     running = [subprocess.Popen([tests, f"--gtest_filter=FitCoverage.{kind}"], stdout=subprocess.PIPE, text=True) for kind in KINDS]
     rows = [line.split(",")[1:] for run in running for line in run.communicate()[0].splitlines() if line.startswith("coverage,")]
     write_csv("coverage.csv", COLUMNS, rows)
-    coverage = {kind: [float(row[5]) for row in rows if (row[0] == "a flank missing") == (kind == "flank_missing")]
-                for kind in ("profiles", "flank_missing")}
-    measured = {"intervals": len(rows), "called_poor_percent": max(float(row[8]) for row in rows)}
-    for kind, percent in coverage.items():
-        measured |= {f"{kind}_mean_percent": sum(percent) / len(percent), f"{kind}_least_percent": min(percent),
-                     f"{kind}_most_percent": max(percent)}
-    write_measured(measured)
+    coverage = [float(row[5]) for row in rows]
+    write_measured({"intervals": len(rows), "mean_percent": sum(coverage) / len(coverage), "least_percent": min(coverage),
+                    "most_percent": max(coverage), "called_poor_percent": max(float(row[8]) for row in rows)})
 
 
 if __name__ == "__main__":
