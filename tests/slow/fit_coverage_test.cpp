@@ -95,8 +95,8 @@ void two_profiles(const char* kind, double second, bool both) {
 TEST(FitCoverage, OneProfile) { one_profile("one profile", -1.0, 1.0); }
 
 // It must nearly hold where both ends are cut at the scar, so that next to nothing of the unworn surface is seen. Of
-// noise that is correlated over a tenth of the width some ten lengths are left then, which do not tell how far it
-// reaches.
+// noise that is correlated over a tenth of the width some ten lengths are left then, from which
+// its reach cannot be known.
 TEST(FitCoverage, CutEnds) { one_profile("cut ends", -0.55, 0.55, 90.0, 99.0); }
 
 // It must nearly hold where most of one flank is missing, too.
