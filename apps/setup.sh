@@ -2,7 +2,8 @@
 # Reye on an empty Debian 12: installs what is missing, builds, then runs the demo, the tests or a case.
 #
 #   bash apps/setup.sh demo           the fretting demo; ends with where its page, pictures and series lie
-#   bash apps/setup.sh test           the test suite without the slow ones
+#   bash apps/setup.sh test           the test suite without the long and the slow ones
+#   bash apps/setup.sh test long      the test suite without the slow ones
 #   bash apps/setup.sh build          packages and build only
 #   bash apps/setup.sh results CASE   remakes results/CASE and compares; CASE = all does every one
 #
@@ -20,7 +21,7 @@ packages=(
 build=build
 
 usage() {
-  sed -n '2,9s/^# \{0,1\}//p' apps/setup.sh
+  sed -n '2,10s/^# \{0,1\}//p' apps/setup.sh
   exit 2
 }
 
@@ -81,7 +82,8 @@ programs_of() {
 
 [ $# -ge 1 ] || usage
 case "$1" in
-  demo | test | build) [ $# -eq 1 ] || usage ;;
+  test) [ $# -eq 1 ] || { [ $# -eq 2 ] && [ "$2" = long ]; } || usage ;;
+  demo | build) [ $# -eq 1 ] || usage ;;
   results) [ $# -eq 2 ] || usage ;;
   *) usage ;;
 esac
@@ -90,6 +92,11 @@ install_missing
 case "$1" in
   demo) build reye; run_demo ;;
   build) build ;;
-  test) build; ctest --test-dir "$build" --output-on-failure -LE slow -j2 ;;
+  test)
+    build
+    left_out='slow|long'
+    [ $# -eq 1 ] || left_out=slow
+    ctest --test-dir "$build" --output-on-failure -LE "$left_out" -j2
+    ;;
   results) mapfile -t programs < <(programs_of "$2"); build "${programs[@]}"; python3 apps/results.py compare "$2" ;;
 esac

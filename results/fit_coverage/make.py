@@ -17,8 +17,10 @@ def main():
     rows = [line.split(",")[1:] for run in running for line in run.communicate()[0].splitlines() if line.startswith("coverage,")]
     write_csv("coverage.csv", COLUMNS, rows)
     coverage = [float(row[5]) for row in rows]
+    uncut = [float(row[5]) for row in rows if row[0] not in ("cut ends", "a flank missing")]
     write_measured({"intervals": len(rows), "mean_percent": sum(coverage) / len(coverage), "least_percent": min(coverage),
-                    "most_percent": max(coverage), "called_poor_percent": max(float(row[8]) for row in rows)})
+                    "most_percent": max(coverage), "uncut_least_percent": min(uncut), "uncut_most_percent": max(uncut),
+                    "called_poor_percent": max(float(row[8]) for row in rows)})
 
 
 if __name__ == "__main__":

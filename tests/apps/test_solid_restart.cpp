@@ -15,7 +15,7 @@ nlohmann::json summary(const test::Place& place, const std::string& folder) {
   return nlohmann::json::parse(test::read(place / (folder + "/summary.json")));
 }
 
-test::Changes cycles(const std::string& count) { return {{"cycles = 3", "cycles = " + count}}; }
+test::Changes solid_cycles(const std::string& count) { return {{"cycles = 3", "cycles = " + count}}; }
 
 }  // namespace
 
@@ -101,7 +101,7 @@ TEST(SolidRestart, RareCheckpoints) {
 TEST(SolidRestart, MoreCycles) {
   const WithRubbing place;
   ASSERT_EQ(place.run("whole").code, 0);
-  place.scene(cycles("2"));
+  place.scene(solid_cycles("2"));
   ASSERT_EQ(place.interrupted("o", 17, SIGKILL).code, 128 + SIGKILL);
   ASSERT_EQ(place.run("o", true).code, 0);
   test::fs::copy(place / "o", place / "before", test::fs::copy_options::recursive);
@@ -132,7 +132,7 @@ TEST(SolidRestart, Refused) {
     EXPECT_EQ(place.files("o"), before);
     return answer.err;
   };
-  EXPECT_TRUE(holds(refused(cycles("1")),
+  EXPECT_TRUE(holds(refused(solid_cycles("1")),
                     "rubbing.toml:62: step[1].cycles = 1: the run has begun 2 cycles of this step already"));
   EXPECT_TRUE(holds(refused({{"friction  = 0.3", "friction  = 0.4"}}),
                     "rubbing.toml:31: contact.pad.friction = 0.4: was 0.3 in the run to be resumed; it takes other "

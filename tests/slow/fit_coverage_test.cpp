@@ -41,7 +41,7 @@ struct Tally {
       EXPECT_GE(percent, least) << what;
       EXPECT_LE(percent, most) << what;
     }
-    EXPECT_LE(poor, fits / 100) << what;
+    EXPECT_LE(poor, 3 * fits / 200) << what;  // edges make tails heavier than those of the test at 0.001
   }
 };
 
