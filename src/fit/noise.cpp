@@ -46,7 +46,9 @@ std::vector<Noise> candidates(const Blocks& blocks, bool map) {
       for (const double share : nuggets)
         all.push_back({order, length, share * std::pow(2.0 * length / distance, dimensions) * blocks.count.mean()});
     }
-  for (std::size_t i = 1; i < all.size(); ++i) all[i].prior = 1.0 / static_cast<double>(all.size() - 1);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < all.size(); ++i) sum += all[i].prior = std::pow(all[i].length_mm, 0.25);
+  for (std::size_t i = 1; i < all.size(); ++i) all[i].prior /= sum;
   return all;
 }
 
