@@ -16,11 +16,13 @@ struct Found {
 /// finite is returned as it is, with an infinite S.
 Found descend(const std::vector<Record>& records, const Model& model, Unknowns start, int held = -1);
 
-/// The shifts that fit best on a grid over each series, for a given theta; returns the S of all series there.
+/// The shifts that fit best on a grid of 0.75 extents to either side of those given, for a given theta; returns the S
+/// of all series there.
 double scan_shifts(const std::vector<Record>& records, const Model& model, Unknowns& at);
 
 /// Descends from the best of many starts: theta as given, and with each parameter or all of them raised and lowered by
-/// factors of e and e^2, shifts scanned for each. A scar that fills what was measured has wrong minima.
+/// factors from e to e^4, and lowered by e^6, too; shifts are scanned for each. A scar that fills what was measured has
+/// wrong minima.
 Found search(const std::vector<Record>& records, const Model& model, const Unknowns& start);
 
 }  // namespace reye::fit
