@@ -1,5 +1,6 @@
 """Memory stays flat over many runs in one process: by default 30, or as many as REYE_PYTHON_RUNS says."""
 import os
+import statistics
 import unittest
 
 import places
@@ -12,7 +13,7 @@ def resident_MB():
 
 class Memory(places.Place):
     def test_flat(self):
-        """After a third of the runs the process takes no more memory; every fifth reads CAD."""
+        """The last third of the runs takes no more memory than the third before; every fifth reads CAD."""
         runs = int(os.environ.get("REYE_PYTHON_RUNS", "30"))
         scenes = [places.small_scene(cad=i == 0) for i in range(5)]
         for scene in scenes:
@@ -21,8 +22,10 @@ class Memory(places.Place):
         for i in range(runs):
             self.assertEqual(scenes[i % len(scenes)].run().status, "done")
             sizes.append(resident_MB())
-        print(f"{runs} runs: {sizes[0]:.1f} MB after the first, {sizes[runs // 3]:.1f} after a third, {sizes[-1]:.1f} at the end")
-        self.assertLess(sizes[-1], sizes[runs // 3] + 4)
+        before = statistics.median(sizes[runs // 3:2 * runs // 3])   # single ones scatter by 4 MB with the allocator's pools
+        at_end = statistics.median(sizes[2 * runs // 3:])
+        print(f"{runs} runs: {sizes[0]:.1f} MB after the first, {before:.1f} in the second third, {at_end:.1f} in the last")
+        self.assertLess(at_end, before + 3)
 
 
 if __name__ == "__main__":
