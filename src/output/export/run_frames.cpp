@@ -1,5 +1,6 @@
 #include "output/export/run_frames.hpp"
 
+#include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
