@@ -199,8 +199,8 @@ const std::vector<SupportColumn>& LinearBody::support_columns() const { return i
 const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; }
 const std::vector<mesh::LineFacet>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
-NodePosition LinearBody::position(int contact_node, const Vector& q) const {
-  const ContactNode& node = impl_->columns.seen[contact_node];
+NodePosition LinearBody::position(ContactIndex at, const Vector& q) const {
+  const ContactNode& node = impl_->columns.seen[static_cast<std::size_t>(at)];
   NodePosition p;
   p.x = node.X;
   for (Term term : node.terms) {
@@ -227,7 +227,9 @@ NodePosition LinearBody::position(int contact_node, const Vector& q) const {
   return p;
 }
 
-NodeFreedom LinearBody::freedom(int contact_node) const { return impl_->columns.seen[contact_node].freedom; }
+NodeFreedom LinearBody::freedom(ContactIndex node) const {
+  return impl_->columns.seen[static_cast<std::size_t>(node)].freedom;
+}
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));

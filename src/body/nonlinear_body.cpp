@@ -57,10 +57,12 @@ const Translation& NonlinearBody::translation() const { return impl_->outer; }
 
 bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
 
-NodeFreedom NonlinearBody::freedom(int contact_node) const { return impl_->columns.seen[contact_node].freedom; }
+NodeFreedom NonlinearBody::freedom(ContactIndex node) const {
+  return impl_->columns.seen[static_cast<std::size_t>(node)].freedom;
+}
 
-NodePosition NonlinearBody::position(int contact_node, const Vector& q) const {
-  const ContactNode& node = impl_->columns.seen[contact_node];
+NodePosition NonlinearBody::position(ContactIndex at, const Vector& q) const {
+  const ContactNode& node = impl_->columns.seen[static_cast<std::size_t>(at)];
   NodePosition p;
   p.x = node.X;
   for (const Term& term : node.terms) {

@@ -29,6 +29,10 @@ struct Term {
   Vec2 direction{0.0, 0.0};
 };
 
+/// A node's place in the contact_nodes() of its body. Its number in the mesh and its place on a surface are ints: the
+/// three meet in a contact, and one cannot be taken for another.
+enum class ContactIndex : int {};
+
 /// Position of a boundary node and its derivative with respect to q; of a mid node that of its control point. On a
 /// linear body that turns dx/dangle has a part beside the terms: forces do no work on it, since the body balances them
 /// on X.
@@ -115,8 +119,8 @@ class LinearBody {
 
   int dofs() const;
   const std::vector<int>& contact_nodes() const;  ///< mesh nodes; of a body that turns two more may follow
-  NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
-  NodeFreedom freedom(int contact_node) const;
+  NodePosition position(ContactIndex node, const Vector& q) const;
+  NodeFreedom freedom(ContactIndex node) const;
   const std::vector<mesh::LineFacet>& curved_edges() const;  ///< on contact boundaries, mesh nodes
   const Matrix& stiffness() const;                           ///< S, constant, in the body's frame
   std::shared_ptr<const Matrix> shared_stiffness() const;
@@ -164,8 +168,8 @@ class RigidBody {
   static constexpr int angle = 2;  ///< column of theta
   int dofs() const { return 3; }
   const std::vector<int>& contact_nodes() const;
-  NodePosition position(int contact_node, const Vector& q) const;
-  NodeFreedom freedom(int contact_node) const;
+  NodePosition position(ContactIndex node, const Vector& q) const;
+  NodeFreedom freedom(ContactIndex node) const;
   /// Derivative of `residual`: the change of the moment of dead loads with the rotation (zero without factors),
   /// and one on the diagonal of a motion the body itself holds (see below).
   Matrix tangent(const Vector& q, const Vector& load_factors = {}) const;
@@ -205,9 +209,9 @@ class NonlinearBody {
   NonlinearBody(ShapePtr shape, const BodyInput& input);
 
   int dofs() const;
-  const std::vector<int>& contact_nodes() const;                   ///< mesh nodes
-  NodePosition position(int contact_node, const Vector& q) const;  ///< index into contact_nodes()
-  NodeFreedom freedom(int contact_node) const;
+  const std::vector<int>& contact_nodes() const;  ///< mesh nodes
+  NodePosition position(ContactIndex node, const Vector& q) const;
+  NodeFreedom freedom(ContactIndex node) const;
   const std::vector<SupportColumn>& support_columns() const;
   const std::vector<LoadColumn>& loads() const;
   int full_dofs() const;  ///< before condensation

@@ -104,10 +104,11 @@ RigidBody::RigidBody(ShapePtr shape, const BodyInput& input)
 const std::vector<int>& RigidBody::contact_nodes() const { return impl_->contact_nodes; }
 const std::vector<SupportColumn>& RigidBody::support_columns() const { return impl_->supports; }
 const std::vector<LoadColumn>& RigidBody::loads() const { return impl_->names; }
-NodeFreedom RigidBody::freedom(int) const { return {0, {0.0, 0.0}}; }  // no node can move by itself under a multiplier
+/// No node can move by itself under a multiplier.
+NodeFreedom RigidBody::freedom(ContactIndex) const { return {0, {0.0, 0.0}}; }
 
-NodePosition RigidBody::position(int contact_node, const Vector& q) const {
-  const Vec2& X = impl_->contact_X[contact_node];
+NodePosition RigidBody::position(ContactIndex node, const Vector& q) const {
+  const Vec2& X = impl_->contact_X[static_cast<std::size_t>(node)];
   NodePosition p;
   p.x = impl_->current(X, q);
   const Vec2 turning = rotation_rate(impl_->angle(q)) * (X - impl_->centre);

@@ -39,7 +39,7 @@ void seat(const LinearBody& body, const std::vector<Vec2>& u, Vector& q) {
   const base::Points seen = seen_by_contact(body, u);
   const Eigen::Matrix2d R = rotation(body.angle(q));
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    const NodePosition node = body.position(static_cast<int>(k), q);
+    const NodePosition node = body.position(ContactIndex(k), q);
     Vec2 rest = body.turning() ? Vec2(R * seen[k]) : seen[k];
     std::vector<Term> free;
     for (int t = 0; t < node.count; ++t) {

@@ -12,8 +12,8 @@ namespace {
 
 std::vector<SurfaceNode> located(int body, const std::vector<int>& mesh_nodes, const body::Operator& op) {
   const auto& retained = body::contact_nodes(op);
-  std::unordered_map<int, int> index;
-  for (std::size_t k = 0; k < retained.size(); ++k) index[retained[k]] = static_cast<int>(k);
+  std::unordered_map<int, body::ContactIndex> index;
+  for (std::size_t k = 0; k < retained.size(); ++k) index[retained[k]] = body::ContactIndex(k);
   std::vector<SurfaceNode> nodes;
   for (int node : mesh_nodes) nodes.push_back({body, node, index.at(node)});
   return nodes;

@@ -12,7 +12,7 @@ namespace reye::contact {
 struct SurfaceNode {
   int body = 0;
   int mesh_node = 0;
-  int contact_node = 0;  ///< index into the operator's contact_nodes()
+  body::ContactIndex contact_node{};
 };
 
 /// A contact on its present shapes: derived from them, renewed when one of them changes.

@@ -38,7 +38,8 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
   Eigen::Index k = 0;
   for (const auto* nodes : {&setup.secondary_nodes, &setup.primary_nodes})
     for (const auto& node : *nodes) {
-      if (!turned_[node.body].empty()) turned_[node.body][node.contact_node] += force.segment<2>(k);
+      if (!turned_[node.body].empty())
+        turned_[node.body][static_cast<std::size_t>(node.contact_node)] += force.segment<2>(k);
       k += 2;
     }
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {

@@ -10,6 +10,7 @@ using namespace reye;
 using base::Points;
 using base::Vec2;
 using base::Vector;
+using body::ContactIndex;
 using mesh::CellKind;
 
 /// A block of second order with curved sides.
@@ -46,7 +47,7 @@ Points seen(const mesh::Mesh& m, const body::BodyInput& in, const std::vector<Ve
 template <class Body>
 void expect_positions(const Body& b, const Vector& q, const Points& x) {
   for (std::size_t k = 0; k < b.contact_nodes().size(); ++k)
-    EXPECT_LT((b.position(static_cast<int>(k), q).x - x[b.contact_nodes()[k]]).norm(), 1e-12)
+    EXPECT_LT((b.position(ContactIndex(k), q).x - x[b.contact_nodes()[k]]).norm(), 1e-12)
         << "node " << b.contact_nodes()[k];
 }
 
@@ -79,7 +80,7 @@ TEST(control_points, move_by_their_terms) {
   const body::LinearBody b(body::make_shape(mesh), in);
   const Vector q = 0.1 * support::random_direction(b.dofs(), 2);
   for (int k = 0; k < static_cast<int>(b.contact_nodes().size()); ++k) {
-    const auto p = b.position(k, q);
+    const auto p = b.position(ContactIndex(k), q);
     for (int t = 0; t < p.count; ++t) {
       Vector other = q;
       other[p.terms[t].column] += 1.0;

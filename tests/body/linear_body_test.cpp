@@ -15,6 +15,7 @@ namespace {
 using namespace reye;
 using base::Vec2;
 using base::Vector;
+using body::ContactIndex;
 using body::Drive;
 using support::fixed_edge;
 using support::moved;
@@ -203,9 +204,9 @@ TEST(linear_body, corner_of_two_oblique_rollers) {
   const Vec2 d{std::cos(std::numbers::pi / 9), std::sin(std::numbers::pi / 9)};
   EXPECT_NEAR(u.y(), 0.02, 1e-14);
   EXPECT_NEAR(u.dot(d), -0.01, 1e-14);
-  EXPECT_EQ(b.freedom(0).free, 0);
-  EXPECT_EQ(b.freedom(1).free, 1);
-  EXPECT_NEAR(std::abs(b.freedom(1).direction.x()), 1.0, 1e-15);
+  EXPECT_EQ(b.freedom(ContactIndex(0)).free, 0);
+  EXPECT_EQ(b.freedom(ContactIndex(1)).free, 1);
+  EXPECT_NEAR(std::abs(b.freedom(ContactIndex(1)).direction.x()), 1.0, 1e-15);
 }
 
 // Positions must be X + u of the recovered field, and their terms its exact derivative.
@@ -222,12 +223,12 @@ TEST(linear_body, positions_match_recovery) {
   const auto u = b.recover(q, {});
   for (int k = 0; k < static_cast<int>(b.contact_nodes().size()); ++k) {
     const int node = b.contact_nodes()[k];
-    const auto p = b.position(k, q);
+    const auto p = b.position(ContactIndex(k), q);
     EXPECT_LT((p.x - m.X[node] - u[node]).norm(), 1e-13);
     for (int t = 0; t < p.count; ++t) {
       Vector moved_q = q;
       moved_q[p.terms[t].column] += 1.0;
-      EXPECT_LT((b.position(k, moved_q).x - p.x - p.terms[t].direction).norm(), 1e-13);
+      EXPECT_LT((b.position(ContactIndex(k), moved_q).x - p.x - p.terms[t].direction).norm(), 1e-13);
     }
   }
 }
@@ -310,7 +311,7 @@ TEST(linear_body, axis_of_symmetry_is_held) {
   const auto s = support::solve_linear(b, in);
   const auto u = b.recover(s.q, s.factors);
   for (int node : mesh::nodes_of(m.boundaries.at("left"))) EXPECT_EQ(u[node].x(), 0.0);
-  EXPECT_EQ(b.freedom(1).free, 1);
+  EXPECT_EQ(b.freedom(ContactIndex(1)).free, 1);
   const Vector r = b.residual(s.q, s.factors);
   double sum = 0.0;
   for (const auto& c : b.support_columns())

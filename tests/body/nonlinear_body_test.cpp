@@ -21,6 +21,7 @@ using base::Kinematics;
 using base::Matrix;
 using base::Vec2;
 using base::Vector;
+using body::ContactIndex;
 using body::Drive;
 using body::NonlinearBody;
 using support::fixed_edge;
@@ -91,7 +92,7 @@ TEST(nonlinear_body, small_elastic_equals_linear_body) {
   const Vector r = linear.residual(expected.q, expected.factors);
   EXPECT_LT((b.retained_residual(b.start(), s.state.y, s.q, s.factors) - r).norm(), 1e-10 * r.norm());
   for (size_t k = 0; k < b.contact_nodes().size(); ++k)
-    EXPECT_LT((b.position(static_cast<int>(k), s.q).x - linear.position(static_cast<int>(k), s.q).x).norm(), 1e-14);
+    EXPECT_LT((b.position(ContactIndex(k), s.q).x - linear.position(ContactIndex(k), s.q).x).norm(), 1e-14);
 }
 
 class nonlinear_body : public testing::TestWithParam<std::tuple<Kinematics, bool>> {
@@ -277,8 +278,9 @@ TEST(nonlinear_body, positions_on_a_turning_edge_are_differentiated) {
   std::vector<Vec2> forces;
   double second = 0.0;
   for (int k = 0; k < 4; ++k) {
-    const auto p = b.position(k, q);
-    const Vec2 plus = b.position(k, q + h * Vector::Unit(3, 2)).x, minus = b.position(k, q - h * Vector::Unit(3, 2)).x;
+    const auto p = b.position(ContactIndex(k), q);
+    const Vec2 plus = b.position(ContactIndex(k), q + h * Vector::Unit(3, 2)).x,
+               minus = b.position(ContactIndex(k), q - h * Vector::Unit(3, 2)).x;
     for (int t = 0; t < p.count; ++t)
       if (p.terms[t].column == 2) {
         EXPECT_LT((p.terms[t].direction - (plus - minus) / (2 * h)).norm(), 1e-7);

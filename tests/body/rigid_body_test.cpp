@@ -11,6 +11,7 @@ namespace {
 using namespace reye;
 using base::Vec2;
 using base::Vector;
+using body::ContactIndex;
 using body::Drive;
 using support::fixed_edge;
 using support::loaded;
@@ -38,12 +39,12 @@ mesh::Mesh rigid_block() { return rectangle({.corner = {1, 2}, .size = {3, 2}, .
 double rigid_position_error(const body::RigidBody& b, const Vector& q, double h) {
   double error = 0.0;
   for (int k = 0; k < static_cast<int>(b.contact_nodes().size()); ++k) {
-    const auto p = b.position(k, q);
+    const auto p = b.position(ContactIndex(k), q);
     for (int t = 0; t < p.count; ++t) {
       Vector plus = q, minus = q;
       plus[p.terms[t].column] += h;
       minus[p.terms[t].column] -= h;
-      const Vec2 difference = (b.position(k, plus).x - b.position(k, minus).x) / (2 * h);
+      const Vec2 difference = (b.position(ContactIndex(k), plus).x - b.position(ContactIndex(k), minus).x) / (2 * h);
       error = std::max(error, (difference - p.terms[t].direction).norm());
     }
   }
@@ -94,7 +95,7 @@ TEST(rigid_body, geometric_part_has_rate_two) {
   const std::vector<Vec2> forces{{1, 2}, {-3, 1}, {0.5, 4}, {2, -1}};
   const auto moment = [&](const Vector& q) {
     double sum = 0.0;
-    for (int k = 0; k < 4; ++k) sum += forces[k].dot(b.position(k, q).terms[2].direction);
+    for (int k = 0; k < 4; ++k) sum += forces[k].dot(b.position(ContactIndex(k), q).terms[2].direction);
     return sum;
   };
   const Vector q{{0.1, 0.2, 0.7}};
@@ -149,7 +150,7 @@ TEST(rigid_body, axisymmetric_moves_along_the_axis) {
   auto in = rigid_input();
   in.analysis = base::Analysis::axisymmetric;
   const body::RigidBody b(body::make_shape(rigid_block()), in);
-  const auto p = b.position(0, Vector{{5.0, 0.25, 1.0}});
+  const auto p = b.position(ContactIndex(0), Vector{{5.0, 0.25, 1.0}});
   ASSERT_EQ(p.count, 1);
   EXPECT_EQ(p.terms[0].column, 1);
   EXPECT_EQ(p.x, Vec2(1.0, 2.25));

@@ -12,6 +12,7 @@ namespace {
 using namespace reye;
 using base::Vec2;
 using base::Vector;
+using body::ContactIndex;
 using body::Drive;
 using support::loaded;
 using support::moved;
@@ -85,7 +86,7 @@ double position_error(const body::LinearBody& b, double h) {
   const Vector q = some(b);
   double error = 0.0;
   for (int k = 0; k < static_cast<int>(b.contact_nodes().size()); ++k) {
-    const auto p = b.position(k, q);
+    const auto p = b.position(ContactIndex(k), q);
     base::Matrix slope = base::Matrix::Zero(2, b.dofs());
     for (int t = 0; t < p.count; ++t) slope.col(p.terms[t].column) += p.terms[t].direction;
     slope.col(p.angle) += p.swing;
@@ -93,7 +94,10 @@ double position_error(const body::LinearBody& b, double h) {
       Vector plus = q, minus = q;
       plus[i] += h;
       minus[i] -= h;
-      error = std::max(error, ((b.position(k, plus).x - b.position(k, minus).x) / (2.0 * h) - slope.col(i)).norm());
+      error = std::max(
+          error,
+          ((b.position(ContactIndex(k), plus).x - b.position(ContactIndex(k), minus).x) / (2.0 * h) - slope.col(i))
+              .norm());
     }
   }
   return error;

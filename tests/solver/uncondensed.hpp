@@ -157,7 +157,7 @@ class Uncondensed {
     const auto* rigid = std::get_if<body::RigidBody>(&system_.bodies[at.body]);
     if (!rigid) return;
     std::vector<Vec2> forces(rigid->contact_nodes().size(), Vec2::Zero());
-    forces[at.contact_node] = force;
+    forces[static_cast<std::size_t>(at.contact_node)] = force;
     const int theta = system_.offset[at.body] + 2;
     A_(theta, theta) += rigid->geometric(system_.part(q, at.body), forces);
   }

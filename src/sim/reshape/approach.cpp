@@ -14,9 +14,11 @@ using body::Drive;
 /// Moves the contact nodes and the supports of a body by d, in its q.
 void translate(const auto& body, const Vec2& d, Vector& t) {
   const Vector zero = Vector::Zero(t.size());
-  for (int k = 0; k < static_cast<int>(body.contact_nodes().size()); ++k) {
-    const auto p = body.position(k, zero);
-    for (int i = p.count - body.freedom(k).free; i < p.count; ++i) t[p.terms[i].column] = p.terms[i].direction.dot(d);
+  for (std::size_t k = 0; k < body.contact_nodes().size(); ++k) {
+    const body::ContactIndex node{static_cast<int>(k)};
+    const auto p = body.position(node, zero);
+    for (int i = p.count - body.freedom(node).free; i < p.count; ++i)
+      t[p.terms[i].column] = p.terms[i].direction.dot(d);
   }
   for (const auto& column : body.support_columns()) t[column.column] = column.direction.dot(d);
 }
