@@ -38,3 +38,12 @@ endif()
 find_package(Python 3.11 COMPONENTS Interpreter Development.Module)
 set(PYBIND11_FINDPYTHON ON)
 find_package(pybind11 CONFIG)
+
+if(REYE_MPI)   # MUMPS as Debian's libmumps-dev brings it, over the MPI of mpi-default-dev
+  find_package(MPI REQUIRED COMPONENTS C)
+  find_path(MUMPS_INCLUDE_DIR dmumps_c.h REQUIRED)
+  find_library(MUMPS_LIBRARY dmumps REQUIRED)
+  add_library(Mumps INTERFACE)
+  target_include_directories(Mumps SYSTEM INTERFACE "${MUMPS_INCLUDE_DIR}")
+  target_link_libraries(Mumps INTERFACE "${MUMPS_LIBRARY}" MPI::MPI_C)
+endif()

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "algebra/ranks.hpp"
 #include "base/cores.hpp"
 #include "base/errors.hpp"
 #include "base/printable.hpp"
@@ -188,6 +189,8 @@ void add_hidden(CLI::App& app, Line& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const algebra::Ranks ranks;
+  if (ranks.served()) return 0;
   apps::keep_heap();
   CLI::App app{"Reye: how contacts wear. From CAD and a load cycle to the worn shape and the wear life.", "reye"};
   app.set_version_flag("--version", apps::version());

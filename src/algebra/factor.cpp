@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algebra/blas.hpp"
+#include "algebra/ranks.hpp"
 #include "algebra/supernodal.hpp"
 #include "base/errors.hpp"
 
@@ -17,6 +18,9 @@ namespace {
 /// Smallest share of its diagonal entry that a pivot of a healthy matrix keeps; below it the
 /// solution would have lost all but four digits.
 constexpr double smallest_pivot_share = 1e-12;
+
+/// Dofs from which a factor is worth the way to other ranks; one process needs seconds for it.
+constexpr int smallest_ranked = 30000;
 
 /// The upper triangle, the only part of a symmetric matrix that is read.
 SparseMatrix upper_triangle(const SparseMatrix& K) {
@@ -114,6 +118,8 @@ struct SchurFactor::Impl {
   SchurAnalysisPtr analysis;
   mutable Supernodal L;  // its workspace changes in solves
   Matrix Lcc, S;
+  std::unique_ptr<RankedFactor> ranked;  ///< in place of L, where several processes factorise
+  SparseMatrix K_ic;                     ///< with `ranked` alone
 
   int interior() const { return size - retained; }
 
@@ -122,6 +128,12 @@ struct SchurFactor::Impl {
     size = static_cast<int>(upper.rows());
     if (interior() == 0) {  // nothing to eliminate: no definiteness needed either
       S = Matrix(SparseMatrix(upper.selfadjointView<Eigen::Upper>()));
+      return;
+    }
+    if (ordering == Ordering::nested_dissection && ranks() > 1 && interior() >= smallest_ranked) {
+      K_ic = SparseMatrix(upper.rightCols(retained)).topRows(interior());
+      ranked = std::make_unique<RankedFactor>(upper, retained);
+      S = ranked->take_schur();
       return;
     }
     start(known && known->fits(upper, retained, ordering)
@@ -185,6 +197,7 @@ Matrix SchurFactor::take_schur() { return std::move(impl_->S); }
 Vector SchurFactor::condense(const Vector& f) const {
   const int c = retained();
   if (size() == c) return f;
+  if (impl_->ranked) return f.tail(c) - impl_->K_ic.transpose() * impl_->ranked->solve_interior(f.head(size() - c));
   const Vector tail = impl_->forward(f).tail(c);
   return f.tail(c) + impl_->Lcc.triangularView<Eigen::Lower>() * tail;
 }
@@ -192,6 +205,11 @@ Vector SchurFactor::condense(const Vector& f) const {
 Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
   const int c = retained();
   if (size() == c) return u_c;
+  if (impl_->ranked) {
+    Vector u(size());
+    u << impl_->ranked->solve_interior(f.head(size() - c) - impl_->K_ic * u_c), u_c;
+    return u;
+  }
   Vector y = impl_->forward(f);
   y.tail(c) = impl_->Lcc.transpose().triangularView<Eigen::Upper>() * u_c;
   const Vector x = impl_->L.backward(y);

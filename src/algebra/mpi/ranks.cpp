@@ -1,0 +1,237 @@
+#include "algebra/ranks.hpp"
+
+#include <dmumps_c.h>
+#include <mpi.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "algebra/blas.hpp"
+#include "base/errors.hpp"
+#include "base/formatted.hpp"
+
+namespace reye::algebra {
+
+using base::Matrix;
+using base::SolveError;
+using base::SparseMatrix;
+using base::Vector;
+
+namespace {
+
+/// Jobs of MUMPS, by its own numbers, and the end.
+enum class Job { end = 0, analyse = 1, factorise = 2, solve = 3, initialise = -1, release = -2 };
+
+/// What the first rank tells the others: a job for the factor with a number.
+struct Order {
+  Job job = Job::end;
+  int factor = 0;
+};
+
+/// Processes are a matter of the whole program, as cores are (base/cores.hpp).
+int joined = 1;
+std::mutex asking;  // MPI and MUMPS take one call at a time
+
+/// Waits without keeping a core busy: the others have nothing to do for most of a run.
+void broadcast(Order& order) {
+  MPI_Request request;
+  std::array<int, 2> words{static_cast<int>(order.job), order.factor};
+  MPI_Ibcast(words.data(), 2, MPI_INT, 0, MPI_COMM_WORLD, &request);
+  auto pause = std::chrono::microseconds(10);
+  for (int arrived = 0; MPI_Test(&request, &arrived, MPI_STATUS_IGNORE), !arrived;) {
+    std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, std::chrono::microseconds(1000));
+  }
+  order = {Job(words[0]), words[1]};
+}
+
+int& icntl(DMUMPS_STRUC_C& id, int k) { return id.icntl[k - 1]; }
+
+/// The part of one rank in a factor.
+struct Part {
+  DMUMPS_STRUC_C id{};
+
+  void play(Job job) {
+    if (job == Job::initialise) {
+      id.par = 1;
+      id.sym = 1;
+      id.comm_fortran = MPI_Comm_c2f(MPI_COMM_WORLD);
+    }
+    id.job = static_cast<int>(job);
+    dmumps_c(&id);
+    if (job != Job::initialise) return;
+    for (int k : {1, 2, 3}) icntl(id, k) = -1;  // silent: failures are read from infog
+    icntl(id, 4) = 0;
+    icntl(id, 8) = 0;  // no scaling: pivots are those of the matrix
+    icntl(id, 14) = 30;
+  }
+};
+
+void serve() {
+  single_thread();
+  std::map<int, Part> parts;
+  for (Order order;;) {
+    broadcast(order);
+    if (order.job == Job::end) return;
+    parts[order.factor].play(order.job);
+    if (order.job == Job::release) parts.erase(order.factor);
+  }
+}
+
+/// Variables by which mpirun tells a program that it is one of several.
+constexpr std::array told{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
+
+}  // namespace
+
+int ranks() { return joined; }
+
+Ranks::Ranks() {
+  bool several = false;
+  for (const char* name : told) several = several || std::getenv(name);
+  if (!several) return;
+  int given = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &given);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &joined);
+  if (rank == 0) {
+    for (const char* name : told) ::unsetenv(name);  // programs that this one starts are none of the ranks
+    return;
+  }
+  serve();
+  served_ = true;
+  MPI_Finalize();
+}
+
+Ranks::~Ranks() {
+  int begun = 0;
+  MPI_Initialized(&begun);
+  if (served_ || !begun) return;
+  Order order;
+  broadcast(order);
+  MPI_Finalize();
+  joined = 1;
+}
+
+struct RankedFactor::Impl {
+  mutable Part part;
+  int number = 0, size = 0, retained = 0;
+  std::vector<int> row, column, last;
+  std::vector<double> value;
+  Matrix S;
+
+  void play(Job job) const {
+    Order order{job, number};
+    broadcast(order);
+    part.play(job);
+  }
+
+  /// All entries with 1-based rows and columns; positions of the retained ones.
+  void read(const SparseMatrix& upper) {
+    for (int j = 0; j < upper.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator it(upper, j); it; ++it) {
+        row.push_back(static_cast<int>(it.row()) + 1);
+        column.push_back(j + 1);
+        value.push_back(it.value());
+      }
+    for (int c = size - retained; c < size; ++c) last.push_back(c + 1);
+    S = Matrix::Zero(retained, retained);
+    auto& id = part.id;
+    id.n = size;
+    id.nnz = static_cast<MUMPS_INT8>(value.size());
+    id.irn = row.data();
+    id.jcn = column.data();
+    id.a = value.data();
+    icntl(id, 19) = retained > 0 ? 1 : 0;
+    id.size_schur = retained;
+    id.listvar_schur = last.data();
+    id.schur = S.data();
+  }
+
+  void make() {
+    play(Job::analyse);
+    check("analysis");
+    play(Job::factorise);
+    while (part.id.infog[0] == -8 || part.id.infog[0] == -9) {  // its estimate of work space was too small
+      icntl(part.id, 14) *= 2;
+      play(Job::factorise);
+    }
+    check("factorisation");
+    S.triangularView<Eigen::StrictlyLower>() = S.transpose();  // it writes the lower triangle by rows
+    const auto drop = [](auto& list) { std::decay_t<decltype(list)>().swap(list); };
+    drop(row);
+    drop(column);
+    drop(value);
+  }
+
+  void check(const char* what) const {
+    const int code = part.id.infog[0], detail = part.id.infog[1];
+    if (code == -13 || code == -19 || code == -7)
+      throw SolveError(base::formatted("%d ranks have too little memory for the %s of %d dofs", joined, what, size));
+    if (code == -10 || code == -40 || (code >= 0 && std::string(what) == "factorisation" && part.id.infog[11] > 0))
+      throw SolveError(
+          "sparse Cholesky on several ranks: the matrix is not positive definite; a rigid motion may be "
+          "unconstrained");
+    if (code < 0) throw SolveError(base::formatted("MUMPS: %s failed with %d (%d)", what, code, detail));
+  }
+
+  Vector solved(Vector f) const {
+    part.id.rhs = f.data();
+    part.id.nrhs = 1;
+    part.id.lrhs = size;
+    play(Job::solve);
+    check("solution");
+    return f;
+  }
+};
+
+RankedFactor::RankedFactor(const SparseMatrix& upper, int retained) : impl_(std::make_unique<Impl>()) {
+  static int made = 0;
+  const std::lock_guard lock(asking);
+  single_thread();
+  impl_->number = ++made;
+  impl_->size = static_cast<int>(upper.rows());
+  impl_->retained = retained;
+  impl_->play(Job::initialise);
+  try {
+    impl_->read(upper);
+    impl_->make();
+    // Nothing in MUMPS refuses a last pivot of pure round-off: K_ii times ones must give ones back.
+    const int interior = impl_->size - retained;
+    Vector f = Vector::Zero(impl_->size);
+    f.head(interior) = upper.selfadjointView<Eigen::Upper>() *
+                       (Vector(impl_->size) << Vector::Ones(interior), Vector::Zero(retained)).finished();
+    f.tail(retained).setZero();
+    const Vector ones = impl_->solved(f).head(interior);
+    if (!((ones.array() - 1.0).abs().maxCoeff() < 1e-4))
+      throw SolveError(
+          "sparse Cholesky on several ranks: the matrix is singular to working precision; a rigid motion "
+          "may be unconstrained");
+  } catch (...) {
+    impl_->play(Job::release);
+    throw;
+  }
+}
+
+RankedFactor::~RankedFactor() {
+  const std::lock_guard lock(asking);
+  impl_->play(Job::release);
+}
+
+Matrix RankedFactor::take_schur() { return std::move(impl_->S); }
+
+Vector RankedFactor::solve_interior(Vector f_i) const {
+  const std::lock_guard lock(asking);
+  const Eigen::Index interior = f_i.size();
+  f_i.conservativeResize(impl_->size);
+  f_i.tail(impl_->retained).setZero();
+  return impl_->solved(std::move(f_i)).head(interior);
+}
+
+}  // namespace reye::algebra
