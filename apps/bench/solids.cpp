@@ -8,7 +8,7 @@
 #include "algebra/factor.hpp"
 #include "cores.hpp"
 #include "factorisations.hpp"
-#include "fem/solid/solid_stiffness.hpp"
+#include "patch_last.hpp"
 #include "scene/solid/solid_scene.hpp"
 #include "support/solid_slip_limit.hpp"
 
@@ -20,31 +20,6 @@ using namespace reye;
 
 double seconds_of_cpu() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// A block of hexahedra, its rigid motions held by a millionth of the diagonal, with a patch of `side` x `side` nodes
-/// of its top in the last rows.
-base::SparseMatrix patch_last(std::array<int, 3> parts, int side) {
-  const auto mesh = support::block(mesh::SolidKind::hex8, parts, {1.0, 1.0, 1.0});
-  base::SparseMatrix K =
-      fem::upper_stiffness(mesh, material::LinearElastic{2.1e5, 0.3}, fem::plain_dofs(mesh.node_count()));
-  const double mean = K.diagonal().mean();
-  for (Eigen::Index i = 0; i < K.rows(); ++i) K.coeffRef(i, i) += 1e-6 * mean;
-  const auto kept = [&](int node) {
-    const int i = node % (parts[0] + 1), j = node / (parts[0] + 1) % (parts[1] + 1);
-    const int k = node / ((parts[0] + 1) * (parts[1] + 1));
-    const int first_i = (parts[0] + 1 - side) / 2, first_j = (parts[1] + 1 - side) / 2;
-    return k == parts[2] && i >= first_i && i < first_i + side && j >= first_j && j < first_j + side;
-  };
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> to(K.rows());
-  int place = 0;
-  for (const bool last : {false, true})
-    for (int node = 0; node < mesh.node_count(); ++node)
-      if (kept(node) == last)
-        for (int c = 0; c < 3; ++c) to.indices()[3 * node + c] = place++;
-  base::SparseMatrix ordered(K.rows(), K.cols());
-  ordered.selfadjointView<Eigen::Upper>() = K.selfadjointView<Eigen::Upper>().twistedBy(to);
-  return base::SparseMatrix(Eigen::SparseMatrix<double, Eigen::RowMajor>(ordered));  // there and back, rows are sorted
-}
-
 /// CPU seconds of a factor that keeps so many rows; one node alone is a plain factorisation.
 double factorising(const base::SparseMatrix& K, int retained) {
   const double start = seconds_of_cpu();
@@ -54,9 +29,9 @@ double factorising(const base::SparseMatrix& K, int retained) {
 }
 
 void condensing_solid(benchmark::State& run) {
-  const auto K =
-      patch_last({static_cast<int>(run.range(0)), static_cast<int>(run.range(0)), static_cast<int>(run.range(1))},
-                 static_cast<int>(run.range(2)));
+  const auto K = bench::patch_last(
+      {static_cast<int>(run.range(0)), static_cast<int>(run.range(0)), static_cast<int>(run.range(1))},
+      static_cast<int>(run.range(2)));
   const int retained = 3 * static_cast<int>(run.range(2) * run.range(2));
   std::vector<double> plain, condensed;
   for (auto _ : run) {

@@ -1,5 +1,6 @@
 #include "algebra/ranks.hpp"
 
+#define OMPI_SKIP_MPICXX  // its C++ interface asks for a library of its own
 #include <dmumps_c.h>
 #include <mpi.h>
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "algebra/blas.hpp"
+#include "algebra/supernodal.hpp"
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
 
@@ -122,7 +124,7 @@ Ranks::~Ranks() {
 struct RankedFactor::Impl {
   mutable Part part;
   int number = 0, size = 0, retained = 0;
-  std::vector<int> row, column, last;
+  std::vector<int> row, column, last, place;
   std::vector<double> value;
   Matrix S;
 
@@ -141,10 +143,15 @@ struct RankedFactor::Impl {
         value.push_back(it.value());
       }
     for (int c = size - retained; c < size; ++c) last.push_back(c + 1);
+    const std::vector<int> order = nested_dissection(upper, size - retained);
+    place.resize(static_cast<std::size_t>(size));
+    for (int k = 0; k < size; ++k) place[k < size - retained ? order[k] : k] = k + 1;
     S = Matrix::Zero(retained, retained);
     auto& id = part.id;
     id.n = size;
     id.nnz = static_cast<MUMPS_INT8>(value.size());
+    icntl(id, 7) = 1;  // its own orders fill half as much again
+    id.perm_in = place.data();
     id.irn = row.data();
     id.jcn = column.data();
     id.a = value.data();
@@ -165,6 +172,7 @@ struct RankedFactor::Impl {
     check("factorisation");
     S.triangularView<Eigen::StrictlyLower>() = S.transpose();  // it writes the lower triangle by rows
     const auto drop = [](auto& list) { std::decay_t<decltype(list)>().swap(list); };
+    drop(place);
     drop(row);
     drop(column);
     drop(value);

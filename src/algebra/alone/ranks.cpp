@@ -1,8 +1,7 @@
-#include <stdexcept>
-
 #include "algebra/ranks.hpp"
 
-#ifndef REYE_MPI
+#include <stdexcept>
+
 namespace reye::algebra {
 
 int ranks() { return 1; }
@@ -17,4 +16,3 @@ base::Matrix RankedFactor::take_schur() { return {}; }
 base::Vector RankedFactor::solve_interior(base::Vector) const { return {}; }
 
 }  // namespace reye::algebra
-#endif
