@@ -20,7 +20,7 @@ namespace {
 constexpr double smallest_pivot_share = 1e-12;
 
 /// Dofs from which a factor is worth the way to other ranks; one process needs seconds for it.
-constexpr int smallest_ranked = 30000;
+constexpr int smallest_ranked = 20000;
 
 /// The upper triangle, the only part of a symmetric matrix that is read.
 SparseMatrix upper_triangle(const SparseMatrix& K) {
@@ -130,7 +130,7 @@ struct SchurFactor::Impl {
       S = Matrix(SparseMatrix(upper.selfadjointView<Eigen::Upper>()));
       return;
     }
-    if (ordering == Ordering::nested_dissection && ranks() > 1 && interior() >= smallest_ranked) {
+    if (ordering == Ordering::nested_dissection && ranks_of(interior()) > 1) {
       K_ic = SparseMatrix(upper.rightCols(retained)).topRows(interior());
       ranked = std::make_unique<RankedFactor>(upper, retained);
       S = ranked->take_schur();
@@ -219,6 +219,8 @@ Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
   u.tail(c) = u_c;
   return u;
 }
+
+int ranks_of(int interior) { return interior >= smallest_ranked ? ranks() : 1; }
 
 FactorCost factor_cost(SparseMatrix graph, int retained, int block) {
   std::vector<int> order = retained_last(graph, retained, Ordering::nested_dissection);

@@ -48,6 +48,10 @@ class SchurFactor {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Processes that hold the factor of a solid with so many rows to eliminate: all ranks (ranks.hpp), or one where it is
+/// small.
+int ranks_of(int interior);
+
 /// What a factorisation with `retained` rows last would take.
 struct FactorCost {
   double entries = 0.0;  ///< of L

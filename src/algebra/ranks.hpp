@@ -9,6 +9,7 @@ namespace reye::algebra {
 
 /// Processes that factorise together: 1 unless a `Ranks` lives that was started under mpirun.
 int ranks();
+int ranks_here();  ///< of them, those on this machine
 
 /// Joins the processes that mpirun has started, until destroyed; does nothing where it has started none. The first one
 /// runs the program; the others serve its factors in the constructor, which returns when the first one is done.

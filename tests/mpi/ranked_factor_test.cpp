@@ -66,7 +66,7 @@ TEST(RankedFactor, CondensesAsOneProcessDoes) {
 }
 
 TEST(RankedFactor, LargeOnesAreShared) {
-  // A factor of a solid of more than 30 000 dofs is that of the ranks: it condenses and recovers as one process does.
+  // A factor of a solid of more than 20 000 dofs is that of the ranks: it condenses and recovers as one process does.
   const SparseMatrix K = grid(22, 0.01);
   const int retained = 99, n = static_cast<int>(K.rows());
   const algebra::SchurFactor shared(K, retained, {}, algebra::Ordering::nested_dissection), one(K, retained);

@@ -30,14 +30,14 @@ namespace {
 /// Jobs of MUMPS, by its own numbers, and the end.
 enum class Job { end = 0, analyse = 1, factorise = 2, solve = 3, initialise = -1, release = -2 };
 
-/// What the first rank tells the others: a job for the factor with a number.
+/// What the first rank asks of the others: a job for the factor with a number.
 struct Order {
   Job job = Job::end;
   int factor = 0;
 };
 
 /// Processes are a matter of the whole program, as cores are (base/cores.hpp).
-int joined = 1;
+int joined = 1, here = 1;
 std::mutex asking;  // MPI and MUMPS take one call at a time
 
 /// Waits without keeping a core busy: the others have nothing to do for most of a run.
@@ -86,12 +86,13 @@ void serve() {
   }
 }
 
-/// Variables by which mpirun tells a program that it is one of several.
+/// Variables of a program that mpirun has started as one of several.
 constexpr std::array told{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
 
 }  // namespace
 
 int ranks() { return joined; }
+int ranks_here() { return here; }
 
 Ranks::Ranks() {
   bool several = false;
@@ -102,6 +103,10 @@ Ranks::Ranks() {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &joined);
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_size(machine, &here);
+  MPI_Comm_free(&machine);
   if (rank == 0) {
     for (const char* name : told) ::unsetenv(name);  // programs that this one starts are none of the ranks
     return;
@@ -118,7 +123,7 @@ Ranks::~Ranks() {
   Order order;
   broadcast(order);
   MPI_Finalize();
-  joined = 1;
+  joined = here = 1;
 }
 
 struct RankedFactor::Impl {

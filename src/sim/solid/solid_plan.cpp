@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "adapt/solid/solid_remesh.hpp"
+#include "algebra/ranks.hpp"
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
 #include "sim/problem/rules.hpp"
@@ -21,6 +22,11 @@ double memory_of_machine_MB() {
 
 std::string kind_of(const mesh::SolidMesh& mesh) {
   return mesh.kind == mesh::SolidKind::tet4 ? "tet4" : mesh.kind == mesh::SolidKind::tet10 ? "tet10" : "hex8";
+}
+
+/// Where a factor is held, if not in this process alone.
+std::string on_ranks(int ranks) {
+  return ranks > 1 ? base::formatted(" on the largest of %d ranks", ranks) : std::string();
 }
 
 /// How often a step is played: blocks of a fixed number of cycles, or, under a tolerance, of numbers that are taken to
@@ -60,7 +66,7 @@ SolidPlan solid_plan(const SolidProblem& problem) {
   SolidPlan plan;
   plan.lines = problem.decided;
   const Touchable touchable = touchable_nodes(problem, drawn_meshes(problem));
-  double active = 0.0, factors_s = 0.0;
+  double active = 0.0, factors_s = 0.0, others_MB = 0.0;
   for (std::size_t b = 0; b < problem.inputs.size(); ++b) {
     const auto& input = problem.inputs[b];
     std::vector<int> nodes;
@@ -75,9 +81,11 @@ SolidPlan solid_plan(const SolidProblem& problem) {
     const auto cost = body::solid_cost(*input.mesh, nodes);
     plan.size.memory_MB += cost.memory_MB;
     factors_s += cost.seconds;
-    plan.lines.push_back(base::formatted("body %s: %d %s, %d dofs, %d nodes kept for contact; factors %.2g s, %.0f MB",
-                                         input.name.c_str(), input.mesh->cell_count(), kind_of(*input.mesh).c_str(),
-                                         3 * input.mesh->node_count(), kept, cost.seconds, cost.memory_MB));
+    if (cost.ranks > 1) others_MB += (algebra::ranks_here() - 1) * cost.memory_MB;
+    plan.lines.push_back(base::formatted(
+        "body %s: %d %s, %d dofs, %d nodes kept for contact; factors %.2g s, %.0f MB%s", input.name.c_str(),
+        input.mesh->cell_count(), kind_of(*input.mesh).c_str(), 3 * input.mesh->node_count(), kept, cost.seconds,
+        cost.memory_MB, on_ranks(cost.ranks).c_str()));
     if (problem.scene.remesh.every_blocks > 0 && !adapt::can_be_remeshed(*input.mesh))
       plan.lines.push_back("body " + input.name +
                            ": hexahedra are not remeshed, though remesh.every_blocks asks for it");
@@ -100,11 +108,12 @@ SolidPlan solid_plan(const SolidProblem& problem) {
       base::formatted("contact: about %.0f unknowns, %.2g s an iteration; %.0f increments, %.2g s in all, "
                       "%.0f MB",
                       unknowns, step_s, plan.increments, plan.size.seconds, plan.size.memory_MB));
-  if (plan.size.memory_MB > memory_of_machine_MB())
+  if (plan.size.memory_MB + others_MB > memory_of_machine_MB())
     plan.refusal = base::formatted(
         "the run needs about %.0f MB of memory, this machine has %.0f MB: make the mesh coarser "
-        "away from contacts (far_size_mm, growth) or fine zones smaller",
-        plan.size.memory_MB, memory_of_machine_MB());
+        "away from contacts (far_size_mm, growth) or fine zones smaller, or let ranks on several machines share it "
+        "(mpirun)",
+        plan.size.memory_MB + others_MB, memory_of_machine_MB());
   return plan;
 }
 
