@@ -60,7 +60,7 @@ build() {
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
   fi
   [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DREYE_WERROR="${REYE_WERROR:-OFF}" "${launcher[@]}"
+    -DREYE_WERROR="${REYE_WERROR:-OFF}" -DREYE_MPI="${REYE_MPI:-OFF}" "${launcher[@]}"
   cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}   # ninja alone starts two more, which share caches
 }
 

@@ -14,7 +14,7 @@ constexpr double supernodal_share = 1.25;
 
 /// What the largest of several ranks keeps of the memory of one process, and they take of its time (results/ranks).
 double share_of_memory(int ranks) { return ranks > 1 ? 0.36 + 0.67 / ranks : 1.0; }
-double share_of_time(int ranks) { return ranks > 1 ? 0.66 + 0.58 / ranks : 1.0; }
+double share_of_time(int ranks) { return ranks > 1 ? 0.66 + 0.62 / ranks : 1.0; }
 
 /// Retained nodes last, in their order.
 std::vector<int> places_of(int nodes, const std::vector<int>& retained) {
