@@ -69,7 +69,9 @@ void add_issues(const std::string& member, const std::vector<base::Issue>& found
 void check_members(Job& job, const std::string& name) {
   std::vector<base::Issue> issues;
   std::set<std::string> told;
-  if (const auto refusal = job.request.table ? std::nullopt : output::open_folder(job.dir, name, "", job.request.force))
+  if (const auto refusal = job.request.table || job.request.member >= 0
+                               ? std::nullopt
+                               : output::open_folder(job.dir, name, "", job.request.force))
     issues.push_back({"--out", job.dir, *refusal});
   for (const auto i : job.wanted) {
     auto& place = job.places[i];
