@@ -7,6 +7,8 @@
 #   bash apps/setup.sh build          packages and build only
 #   bash apps/setup.sh results CASE   remakes results/CASE and compares; CASE = all does every one
 #
+# REYE_MPI=ON in the environment builds what mpirun needs, too (src/algebra/README.md).
+#
 # As root or with sudo. A second call installs nothing and rebuilds nothing.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -19,9 +21,10 @@ packages=(
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox clang-format
 )
 build=build
+[ "${REYE_MPI:-OFF}" = OFF ] || packages+=(libmumps-dev mpi-default-dev)   # factors of solids on several processes
 
 usage() {
-  sed -n '2,10s/^# \{0,1\}//p' apps/setup.sh
+  sed -n '2,12s/^# \{0,1\}//p' apps/setup.sh
   exit 2
 }
 
@@ -60,7 +63,8 @@ build() {
     export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
   fi
   [ -f "$build/build.ninja" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    -DREYE_WERROR="${REYE_WERROR:-OFF}" -DREYE_MPI="${REYE_MPI:-OFF}" "${launcher[@]}"
+    -DREYE_WERROR="${REYE_WERROR:-OFF}" "${launcher[@]}"
+  [ -z "${REYE_MPI:-}" ] || cmake -DREYE_MPI="$REYE_MPI" "$build" >/dev/null
   cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}   # ninja alone starts two more, which share caches
 }
 
@@ -75,7 +79,9 @@ run_demo() {
 programs_of() {
   local program files=("results/$1/"make.*)
   [ "$1" != all ] || files=(results/*/make.*)
-  for program in reye reye-bench test_stability test_verification test_slow; do
+  local programs=(reye reye-bench test_stability test_verification test_slow)
+  [ "${REYE_MPI:-OFF}" = OFF ] || programs+=(reye-ranks)
+  for program in "${programs[@]}"; do
     [ "$program" != reye ] && ! grep -qs -- "$program" "${files[@]}" || echo "$program"
   done
 }

@@ -69,6 +69,7 @@ void add_issues(const std::string& member, const std::vector<base::Issue>& found
 void check_members(Job& job, const std::string& name) {
   std::vector<base::Issue> issues;
   std::set<std::string> told;
+  // A member by itself has a folder of its own below; the sweep that submitted it holds that of all.
   if (const auto refusal = job.request.table || job.request.member >= 0
                                ? std::nullopt
                                : output::open_folder(job.dir, name, "", job.request.force))

@@ -19,7 +19,7 @@ namespace {
 /// solution would have lost all but four digits.
 constexpr double smallest_pivot_share = 1e-12;
 
-/// Dofs from which a factor is worth the way to other ranks; one process needs seconds for it.
+/// Rows to eliminate from which all ranks hold a factor; a smaller one takes one process about half a second.
 constexpr int smallest_ranked = 20000;
 
 /// The upper triangle, the only part of a symmetric matrix that is read.

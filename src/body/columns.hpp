@@ -33,6 +33,8 @@ struct Columns {
   std::vector<mesh::LineFacet> curved_edges;  ///< on contact boundaries
   std::vector<SupportColumn> supports;        ///< columns of q
 
+  const ContactNode& node(ContactIndex at) const { return seen[static_cast<std::size_t>(at)]; }
+
   base::SparseMatrix expansion() const;  ///< B, 2n x (interior + retained)
   /// The columns y of a rigid motion by one along x, and along y: all columns x 2. In axisymmetry nothing moves along
   /// the radius without strain.

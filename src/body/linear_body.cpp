@@ -27,30 +27,6 @@ struct BodyLoad {
   std::optional<CondensedLoad> along, across;
 };
 
-/// The force at every node turned by a quarter to the right, as a dead load appears in a frame a quarter turn later.
-Vector quarter_turn(const Vector& f) {
-  Vector turned(f.size());
-  for (Eigen::Index i = 0; i < f.size(); i += 2) {
-    turned[i] = f[i + 1];
-    turned[i + 1] = -f[i];
-  }
-  return turned;
-}
-
-/// The pressure of a load, which turns with the body, and the part that keeps its direction.
-std::pair<Vector, Vector> parts(const mesh::Mesh& mesh, base::Analysis analysis, fem::BoundaryLoad load) {
-  fem::BoundaryLoad dead = load;
-  dead.pressure_MPa = 0.0;
-  load.traction_MPa.setZero();
-  return {fem::load_vector(mesh, analysis, load), fem::load_vector(mesh, analysis, dead)};
-}
-
-template <class DeadLoad>
-std::pair<Vector, Vector> parts(const mesh::Mesh& mesh, base::Analysis analysis, const DeadLoad& load) {
-  Vector dead = fem::load_vector(mesh, analysis, load);
-  return {Vector::Zero(dead.size()), std::move(dead)};
-}
-
 }  // namespace
 
 struct LinearBody::Impl {
@@ -87,8 +63,8 @@ struct LinearBody::Impl {
         loads.push_back({condensed(fem::load_vector(shape->mesh, input.analysis, load)), {}, {}});
         return;
       }
-      const auto [still, dead] = parts(shape->mesh, input.analysis, load);
-      loads.push_back({condensed(still), condensed(dead), condensed(quarter_turn(dead))});
+      const TurningLoad nodal = nodal_load(shape->mesh, input.analysis, load);
+      loads.push_back({condensed(nodal.still), condensed(nodal.along), condensed(nodal.across)});
     });
   }
 
@@ -200,7 +176,7 @@ const std::vector<LoadColumn>& LinearBody::loads() const { return impl_->names; 
 const std::vector<mesh::LineFacet>& LinearBody::curved_edges() const { return impl_->columns.curved_edges; }
 
 NodePosition LinearBody::position(ContactIndex at, const Vector& q) const {
-  const ContactNode& node = impl_->columns.seen[static_cast<std::size_t>(at)];
+  const ContactNode& node = impl_->columns.node(at);
   NodePosition p;
   p.x = node.X;
   for (Term term : node.terms) {
@@ -227,9 +203,7 @@ NodePosition LinearBody::position(ContactIndex at, const Vector& q) const {
   return p;
 }
 
-NodeFreedom LinearBody::freedom(ContactIndex node) const {
-  return impl_->columns.seen[static_cast<std::size_t>(node)].freedom;
-}
+NodeFreedom LinearBody::freedom(ContactIndex at) const { return impl_->columns.node(at).freedom; }
 
 Vector LinearBody::residual(const Vector& q, const Vector& load_factors) const {
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));

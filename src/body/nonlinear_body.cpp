@@ -57,12 +57,10 @@ const Translation& NonlinearBody::translation() const { return impl_->outer; }
 
 bool NonlinearBody::symmetric() const { return impl_->symmetric(); }
 
-NodeFreedom NonlinearBody::freedom(ContactIndex node) const {
-  return impl_->columns.seen[static_cast<std::size_t>(node)].freedom;
-}
+NodeFreedom NonlinearBody::freedom(ContactIndex at) const { return impl_->columns.node(at).freedom; }
 
 NodePosition NonlinearBody::position(ContactIndex at, const Vector& q) const {
-  const ContactNode& node = impl_->columns.seen[static_cast<std::size_t>(at)];
+  const ContactNode& node = impl_->columns.node(at);
   NodePosition p;
   p.x = node.X;
   for (const Term& term : node.terms) {

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "body/edges.hpp"
 #include "body/motions.hpp"
+#include "fem/assemble_loads.hpp"
 
 namespace reye::body {
 
@@ -23,6 +24,21 @@ bool may_rotate(const mesh::Mesh& mesh, BodyInput input) {
   input.contact_boundaries.clear();
   const auto free = unheld_motions(mesh, input, false);
   return std::find(free.begin(), free.end(), "rotation") != free.end();
+}
+
+/// The force at every node turned by a quarter to the right, as a dead load appears in a frame a quarter turn later.
+Vector quarter_turn(const Vector& f) {
+  Vector turned(f.size());
+  for (Eigen::Index i = 0; i < f.size(); i += 2) {
+    turned[i] = f[i + 1];
+    turned[i + 1] = -f[i];
+  }
+  return turned;
+}
+
+TurningLoad dead_load(Vector f) {
+  Vector across = quarter_turn(f);
+  return {Vector::Zero(f.size()), std::move(f), std::move(across)};
 }
 
 struct Candidate {
@@ -178,6 +194,23 @@ void Turning::turn(const Vector& q, const Vector& forces, const Vector& rate, Ei
   for (int i : {0, 1}) At.col(pivot[i]) = turned_columns.col(i);
   const Vec2 swung = dM.transpose() * Vec2(forces[pivot[0]], forces[pivot[1]]);
   for (int i : {0, 1}) At(angle, pivot[i]) += swung[i];
+}
+
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::BoundaryLoad& load) {
+  fem::BoundaryLoad pressure = load, dead = load;
+  pressure.traction_MPa.setZero();
+  dead.pressure_MPa = 0.0;
+  TurningLoad nodal = dead_load(fem::load_vector(mesh, analysis, dead));
+  nodal.still = fem::load_vector(mesh, analysis, pressure);
+  return nodal;
+}
+
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::PointLoad& load) {
+  return dead_load(fem::load_vector(mesh, analysis, load));
+}
+
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::BodyForce& load) {
+  return dead_load(fem::load_vector(mesh, analysis, load));
 }
 
 }  // namespace reye::body

@@ -52,6 +52,11 @@ struct TurningLoad {
   Vector rate(double angle) const { return std::cos(angle) * across - std::sin(angle) * along; }
 };
 
+/// A load of the scene as forces on all nodes, for history factor 1: a pressure turns with the body, all else is dead.
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::BoundaryLoad& load);
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::PointLoad& load);
+TurningLoad nodal_load(const mesh::Mesh& mesh, base::Analysis analysis, const fem::BodyForce& load);
+
 /// The columns of a body that turns. Its stiffness acts on w, which equals q except at the pivot, held along axes that
 /// do not turn, and at theta, which causes no strain.
 struct Turning {

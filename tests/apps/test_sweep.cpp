@@ -115,6 +115,21 @@ TEST(Sweep, OneMember) {
   EXPECT_EQ(place.reye(one).err, "--member = 2: the sweep has members 0 to 1\n");
 }
 
+// Jobs that a sweep submits must run while it holds its folder: here an sbatch that plays them one after the other.
+TEST(Sweep, ThroughSlurm) {
+  const WithSweeps place;
+  place.write("bin/sbatch", "#!/bin/bash\nfor k in 0 1; do SLURM_ARRAY_TASK_ID=$k bash \"$2\" || exit 1; done\n");
+  test::fs::permissions(place / "bin/sbatch", test::fs::perms::owner_all);
+  const std::string path = (place / "bin").string() + ':' + std::getenv("PATH");
+  const auto told = place
+                        .start({"/usr/bin/env", "PATH=" + path, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
+                                "step[1].cycles=1,2", "--out", "o", "--quiet", "--slurm"})
+                        .wait();
+  EXPECT_EQ(told.code, 0) << told.err;
+  const auto rows = rows_of(place / "o/sweep.csv");
+  for (const std::size_t row : {1, 2}) EXPECT_EQ(cell(rows, row, "status"), "done");
+}
+
 // Bad variations, values that a member's scene refuses and folders that hold something else must end with 2 before
 // anything is written or run.
 TEST(Sweep, BadInput) {

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -38,6 +37,7 @@ struct Order {
 
 /// Processes are a matter of the whole program, as cores are (base/cores.hpp).
 int joined = 1, here = 1;
+int made = 0;       // factors, by which their numbers differ
 std::mutex asking;  // MPI and MUMPS take one call at a time
 
 /// Waits without keeping a core busy: the others have nothing to do for most of a run.
@@ -88,6 +88,11 @@ void serve() {
 
 /// Variables of a program that mpirun has started as one of several.
 constexpr std::array told{"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE"};
+
+SolveError not_definite() {
+  return SolveError(
+      "sparse Cholesky on several ranks: the matrix is not positive definite; a rigid motion may be unconstrained");
+}
 
 }  // namespace
 
@@ -141,6 +146,9 @@ struct RankedFactor::Impl {
 
   /// All entries with 1-based rows and columns; positions of the retained ones.
   void read(const SparseMatrix& upper) {
+    row.reserve(static_cast<std::size_t>(upper.nonZeros()));
+    column.reserve(row.capacity());
+    value.reserve(row.capacity());
     for (int j = 0; j < upper.outerSize(); ++j)
       for (SparseMatrix::InnerIterator it(upper, j); it; ++it) {
         row.push_back(static_cast<int>(it.row()) + 1);
@@ -175,6 +183,7 @@ struct RankedFactor::Impl {
       play(Job::factorise);
     }
     check("factorisation");
+    if (part.id.infog[11] > 0) throw not_definite();           // negative pivots
     S.triangularView<Eigen::StrictlyLower>() = S.transpose();  // it writes the lower triangle by rows
     const auto drop = [](auto& list) { std::decay_t<decltype(list)>().swap(list); };
     drop(place);
@@ -187,11 +196,21 @@ struct RankedFactor::Impl {
     const int code = part.id.infog[0], detail = part.id.infog[1];
     if (code == -13 || code == -19 || code == -7)
       throw SolveError(base::formatted("%d ranks have too little memory for the %s of %d dofs", joined, what, size));
-    if (code == -10 || code == -40 || (code >= 0 && std::string(what) == "factorisation" && part.id.infog[11] > 0))
-      throw SolveError(
-          "sparse Cholesky on several ranks: the matrix is not positive definite; a rigid motion may be "
-          "unconstrained");
+    if (code == -10 || code == -40) throw not_definite();
     if (code < 0) throw SolveError(base::formatted("MUMPS: %s failed with %d (%d)", what, code, detail));
+  }
+
+  /// MUMPS does not refuse a last pivot of pure round-off: the solution for K_ii times ones must be ones to four
+  /// digits, as many as one process asks of its pivots (smallest_pivot_share in factor.cpp).
+  void check_accuracy(const SparseMatrix& upper) const {
+    Vector ones = Vector::Ones(size);
+    ones.tail(retained).setZero();
+    Vector f = upper.selfadjointView<Eigen::Upper>() * ones;
+    f.tail(retained).setZero();
+    if (!((solved(std::move(f)) - ones).head(size - retained).cwiseAbs().maxCoeff() < 1e-4))
+      throw SolveError(
+          "sparse Cholesky on several ranks: the matrix is singular to working precision; a rigid motion may be "
+          "unconstrained");
   }
 
   Vector solved(Vector f) const {
@@ -205,7 +224,6 @@ struct RankedFactor::Impl {
 };
 
 RankedFactor::RankedFactor(const SparseMatrix& upper, int retained) : impl_(std::make_unique<Impl>()) {
-  static int made = 0;
   const std::lock_guard lock(asking);
   single_thread();
   impl_->number = ++made;
@@ -215,17 +233,7 @@ RankedFactor::RankedFactor(const SparseMatrix& upper, int retained) : impl_(std:
   try {
     impl_->read(upper);
     impl_->make();
-    // Nothing in MUMPS refuses a last pivot of pure round-off: K_ii times ones must give ones back.
-    const int interior = impl_->size - retained;
-    Vector f = Vector::Zero(impl_->size);
-    f.head(interior) = upper.selfadjointView<Eigen::Upper>() *
-                       (Vector(impl_->size) << Vector::Ones(interior), Vector::Zero(retained)).finished();
-    f.tail(retained).setZero();
-    const Vector ones = impl_->solved(f).head(interior);
-    if (!((ones.array() - 1.0).abs().maxCoeff() < 1e-4))
-      throw SolveError(
-          "sparse Cholesky on several ranks: the matrix is singular to working precision; a rigid motion "
-          "may be unconstrained");
+    impl_->check_accuracy(upper);
   } catch (...) {
     impl_->play(Job::release);
     throw;

@@ -112,7 +112,7 @@ SolidPlan solid_plan(const SolidProblem& problem) {
     plan.refusal = base::formatted(
         "the run needs about %.0f MB of memory, this machine has %.0f MB: make the mesh coarser "
         "away from contacts (far_size_mm, growth) or fine zones smaller, or let ranks on several machines share it "
-        "(mpirun)",
+        "(mpirun, of a build with REYE_MPI)",
         plan.size.memory_MB + others_MB, memory_of_machine_MB());
   return plan;
 }
