@@ -16,7 +16,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(
   g++ cmake ninja-build make pkg-config git ca-certificates python3 python3-jsonschema dpkg-dev file
   libgmsh-dev libeigen3-dev libsuitesparse-dev libopenblas-dev libtbb-dev libcgal-dev libvtk9-dev
-  libtomlplusplus-dev libmuparser-dev libcli11-dev libspdlog-dev nlohmann-json3-dev libcereal-dev
+  libtomlplusplus-dev libmuparser-dev libcli11-dev nlohmann-json3-dev libcereal-dev
   pybind11-dev python3-dev python3-numpy
   libgtest-dev libgmock-dev libbenchmark-dev gnuplot-nox clang-format
 )

@@ -10,7 +10,7 @@ import sys
 
 OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"mortar", "adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"scene", "output"}, "cereal": {"output"},
           "toml": {"scene"}, "cholmod": {"algebra"}, "umfpack": {"algebra"}, "suitesparse": {"algebra"}, "Support>": {"algebra"},
-          "mpi.h": {"algebra"}, "dmumps": {"algebra"}, "tbb/": {"base"}, "CLI/": {"apps"}, "spdlog": {"apps"}, "muParser": {"wear"}, "boost/math": {"fit"}}
+          "mpi.h": {"algebra"}, "dmumps": {"algebra"}, "tbb/": {"base"}, "CLI/": {"apps"}, "muParser": {"wear"}, "boost/math": {"fit"}}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)
 
 

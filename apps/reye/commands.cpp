@@ -1,11 +1,10 @@
 #include "commands.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 
+#include "base/formatted.hpp"
 #include "base/printable.hpp"
 #include "lives.hpp"
 #include "output/folder/files.hpp"
@@ -31,55 +30,54 @@ namespace reye::apps {
 
 namespace {
 
+using base::formatted;
+using Lines = std::vector<std::string>;
+
 std::string folder_of(const Request& request, const scene::Scene& scene) {
   return request.out.empty() ? "./" + scene.name + ".out" : request.out;
 }
 
 scene::Scene read(const Request& request) {
-  spdlog::set_pattern("%v");
-  if (request.quiet) spdlog::set_level(spdlog::level::err);
   auto scene = scene::read(request.path);
   scene.geometry.trusted = request.trust_geometry;
   return scene;
 }
 
 /// A value of the summary for a line of text; a dash when it is not known.
-std::string shown(const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : "-"; }
+std::string shown(const std::optional<double>& value) { return value ? formatted("%.4g", *value) : "-"; }
 
-void tell_contact(const sim::ContactSummary& c, bool ring) {
-  spdlog::info("contact {}: peak pressure {} MPa, half width {} mm, normal force {:.4g} N{}", c.name,
-               shown(c.peak_pressure_MPa), shown(c.contact_half_width_mm), c.normal_force, ring ? "" : "/mm");
+void add_contact(const sim::ContactSummary& c, bool ring, Lines& lines) {
+  lines.push_back("contact " + c.name + ": peak pressure " + shown(c.peak_pressure_MPa) + " MPa, half width " +
+                  shown(c.contact_half_width_mm) +
+                  formatted(" mm, normal force %.4g N%s", c.normal_force, ring ? "" : "/mm"));
   if (!c.ledger_relative_error) return;
-  spdlog::info("  {:<10} {:>16} {:>16} {:>16}", "side", "max depth [um]", "scar width [mm]",
-               ring ? "volume [mm^3]" : "area [mm^2]");
-  const auto row = [](const char* side, const sim::SideSummary& v) {
-    spdlog::info("  {:<10} {:>16.4g} {:>16.4g} {:>16.4g}", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area);
-  };
-  row("secondary", c.secondary);
-  row("primary", c.primary);
-  spdlog::info("  ledger: |removed - coefficient x energy| / sum = {:.2e}", *c.ledger_relative_error);
+  lines.push_back(formatted("  %-10s %16s %16s %16s", "side", "max depth [um]", "scar width [mm]",
+                            ring ? "volume [mm^3]" : "area [mm^2]"));
+  for (const auto& [side, v] : {std::pair("secondary", c.secondary), std::pair("primary", c.primary)})
+    lines.push_back(
+        formatted("  %-10s %16.4g %16.4g %16.4g", side, 1e3 * v.max_depth_mm, v.scar_width_mm, v.worn_area));
+  lines.push_back(formatted("  ledger: |removed - coefficient x energy| / sum = %.2e", *c.ledger_relative_error));
 }
 
-void tell_bond(const sim::BondSummary& b) {
+std::string bond_line(const sim::BondSummary& b) {
   const auto told = [](const char* what, const sim::TractionPeak& p) {
-    if (p.MPa == 0.0) return fmt::format("no {}", what);
-    return fmt::format("largest {} {:.4g} MPa at ({:.4g}, {:.4g}) mm, cycle {:.6g}{}", what, p.MPa, p.at_mm.x(),
-                       p.at_mm.y(), p.cycle,
-                       p.at_end ? ", at the end of the bond, where it grows as elements get shorter" : "");
+    if (p.MPa == 0.0) return std::string("no ") + what;
+    return formatted("largest %s %.4g MPa at (%.4g, %.4g) mm, cycle %.6g%s", what, p.MPa, p.at_mm.x(), p.at_mm.y(),
+                     p.cycle, p.at_end ? ", at the end of the bond, where it grows as elements get shorter" : "");
   };
-  spdlog::info("bond {}: {}; {}", b.name, told("tension", b.most.tension), told("shear", b.most.shear));
+  return "bond " + b.name + ": " + told("tension", b.most.tension) + "; " + told("shear", b.most.shear);
 }
 
-void tell_result(const scene::Scene& scene, const sim::Summary& s, const std::string& dir) {
-  spdlog::info("{}: {:g} cycles, {} blocks, {} increments, {} Newton solves, {:.1f} s", output::status_name(s.status),
-               s.cycles, s.counts.blocks, s.counts.increments, s.counts.newton_iterations, s.wall_s);
-  for (const auto& c : s.contacts) tell_contact(c, s.analysis == base::Analysis::axisymmetric);
-  for (const auto& b : s.bonds) tell_bond(b);
-  tell_lives(s);
-  spdlog::info("page {0}/report.html, pictures {0}/figures/, ParaView {0}/series.pvd, tables {0}/*.csv",
-               base::printable(dir));
-  tell_warnings(in_words(scene, s.warnings));
-  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
+Lines lines_of(const sim::Summary& s, const std::string& dir) {
+  Lines lines{formatted("%s: %g cycles, %d blocks, %d increments, %d Newton solves, %.1f s",
+                        output::status_name(s.status), s.cycles, s.counts.blocks, s.counts.increments,
+                        s.counts.newton_iterations, s.wall_s)};
+  for (const auto& c : s.contacts) add_contact(c, s.analysis == base::Analysis::axisymmetric, lines);
+  for (const auto& b : s.bonds) lines.push_back(bond_line(b));
+  add_lives(s, lines);
+  lines.push_back("page " + dir + "/report.html, pictures " + dir + "/figures/, ParaView " + dir +
+                  "/series.pvd, tables " + dir + "/*.csv");
+  return lines;
 }
 
 }  // namespace
@@ -94,7 +92,8 @@ int run(const Request& request) {
   const auto scene = read(request);
   const std::string dir = folder_of(request, scene);
   const auto summary = shown_run(request, scene, dir);
-  tell_result(scene, summary, dir);
+  if (!request.quiet) tell_lines(lines_of(summary, dir));
+  tell_end(in_words(scene, summary.warnings), summary.reason);
   return code_of(summary.status);
 }
 

@@ -1,7 +1,5 @@
 #include "shown.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <cstdio>
 #include <optional>
 
@@ -20,8 +18,11 @@ auto run_and_show(const Request& request, const Scene& scene, const std::string&
   ProgressLine line(!request.quiet);
   RunWatch watch;
   watch.begins = [&](const std::vector<std::string>& plan, const std::vector<std::string>& warnings) {
-    for (const auto& text : plan) spdlog::info("{}", base::printable(text));
-    if (!request.quiet) tell_warnings(warnings);
+    if (!request.quiet) {
+      tell_lines(plan);
+      std::fflush(stdout);  // a file or a pipe shows them during the run
+      tell_warnings(warnings);
+    }
     stop.emplace(true);
   };
   watch.progress = [&](const sim::Progress& p) { line.show(p); };
@@ -40,6 +41,11 @@ void tell_lines(const std::vector<std::string>& lines) {
 
 void tell_warnings(const std::vector<std::string>& warnings) {
   for (const auto& text : warnings) std::fprintf(stderr, "warning: %s\n", base::printable(text).c_str());
+}
+
+void tell_end(const std::vector<std::string>& warnings, const std::string& reason) {
+  tell_warnings(warnings);
+  if (!reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(reason).c_str());
 }
 
 int code_of(sim::RunStatus status) {

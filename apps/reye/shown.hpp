@@ -14,6 +14,9 @@ void tell_lines(const std::vector<std::string>& lines);
 /// Prints warnings on the error stream, so that they are seen even where the output goes into a file.
 void tell_warnings(const std::vector<std::string>& warnings);
 
+/// What a run says at its end, quiet or not: its warnings and, unless it is done, why it is not.
+void tell_end(const std::vector<std::string>& warnings, const std::string& reason);
+
 /// The exit code of a run that ended so.
 int code_of(sim::RunStatus status);
 

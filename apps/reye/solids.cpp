@@ -1,10 +1,9 @@
 #include "solids.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <cstdio>
 #include <filesystem>
 
+#include "base/formatted.hpp"
 #include "base/printable.hpp"
 #include "lives.hpp"
 #include "output/folder/files.hpp"
@@ -21,9 +20,10 @@ namespace reye::apps {
 
 namespace {
 
+using base::formatted;
+using Lines = std::vector<std::string>;
+
 scene::SolidScene read_solid_scene(const Request& request) {
-  spdlog::set_pattern("%v");
-  if (request.quiet) spdlog::set_level(spdlog::level::err);
   auto scene = scene::read_solid(request.path);
   scene.geometry.trusted = request.trust_geometry;
   return scene;
@@ -33,26 +33,27 @@ std::string solid_folder(const Request& request, const scene::SolidScene& scene)
   return request.out.empty() ? "./" + scene.name + ".out" : request.out;
 }
 
-void tell_solid_contact(const sim::SkinContactSummary& c) {
-  spdlog::info("contact {}: peak pressure {:.4g} MPa, area {:.4g} mm^2, half widths {:.4g} and {:.4g} mm", c.name,
-               c.peak_pressure_MPa.value_or(0.0), c.area_mm2.value_or(0.0), c.half_widths_mm[0], c.half_widths_mm[1]);
-  spdlog::info("  normal force {:.4g} N, tangential {:.4g} N, dissipated {:.4g} mJ", c.normal_force_N,
-               c.tangential_force_N, c.dissipated_energy_mJ);
+void add_contact(const sim::SkinContactSummary& c, Lines& lines) {
+  lines.push_back("contact " + c.name +
+                  formatted(": peak pressure %.4g MPa, area %.4g mm^2, half widths %.4g and %.4g mm",
+                            c.peak_pressure_MPa.value_or(0.0), c.area_mm2.value_or(0.0), c.half_widths_mm[0],
+                            c.half_widths_mm[1]));
+  lines.push_back(formatted("  normal force %.4g N, tangential %.4g N, dissipated %.4g mJ", c.normal_force_N,
+                            c.tangential_force_N, c.dissipated_energy_mJ));
   if (!c.wears) return;
   for (const auto& [name, side] : {std::pair("secondary", c.secondary), std::pair("primary", c.primary)})
     if (side.worn_volume_mm3 > 0.0)
-      spdlog::info("  {} side: depth {:.4g} um, volume {:.4g} mm^3", name, 1e3 * side.max_depth_mm,
-                   side.worn_volume_mm3);
+      lines.push_back(
+          formatted("  %s side: depth %.4g um, volume %.4g mm^3", name, 1e3 * side.max_depth_mm, side.worn_volume_mm3));
 }
 
-void tell_solid_result(const sim::SolidSummary& s, const std::string& dir) {
-  spdlog::info("{}: {:g} cycles, {} increments, {} Newton iterations, {:.1f} s", output::status_name(s.status),
-               s.cycles, s.counts.increments, s.counts.newton_iterations, s.wall_s);
-  for (const auto& c : s.contacts) tell_solid_contact(c);
-  tell_lives(s);
-  spdlog::info("page {0}/report.html, ParaView {0}/series.pvd, tables {0}/*.csv", base::printable(dir));
-  tell_warnings(in_words(s.warnings));
-  if (!s.reason.empty()) std::fprintf(stderr, "reye: %s\n", base::printable(s.reason).c_str());
+Lines lines_of(const sim::SolidSummary& s, const std::string& dir) {
+  Lines lines{formatted("%s: %g cycles, %d increments, %d Newton iterations, %.1f s", output::status_name(s.status),
+                        s.cycles, s.counts.increments, s.counts.newton_iterations, s.wall_s)};
+  for (const auto& c : s.contacts) add_contact(c, lines);
+  add_lives(s, lines);
+  lines.push_back("page " + dir + "/report.html, ParaView " + dir + "/series.pvd, tables " + dir + "/*.csv");
+  return lines;
 }
 
 }  // namespace
@@ -61,7 +62,8 @@ int run_solid(const Request& request) {
   const auto scene = read_solid_scene(request);
   const std::string dir = solid_folder(request, scene);
   const auto summary = shown_run(request, scene, dir);
-  tell_solid_result(summary, dir);
+  if (!request.quiet) tell_lines(lines_of(summary, dir));
+  tell_end(in_words(summary.warnings), summary.reason);
   return code_of(summary.status);
 }
 

@@ -56,6 +56,9 @@ std::string name_of(std::size_t member) {
 /// The file in which a member reports why it stopped.
 std::string errors_of(const Place& place) { return place.dir + "/errors.txt"; }
 
+/// The file in which Slurm, or the program before the member's run begins, reports why there is none.
+constexpr auto slurm_words = "slurm.txt";
+
 /// Issues of one member, named after it; those that another member has already are left out.
 void add_issues(const std::string& member, const std::vector<base::Issue>& found, std::set<std::string>& told,
                 std::vector<base::Issue>& issues) {
@@ -111,15 +114,21 @@ Job job_of(const SweepRequest& request) {
   return job;
 }
 
-/// The message of a member when it stopped, empty where that cannot be read.
-std::string said_by(const Place& place) {
+/// The text of a file, empty where it cannot be read.
+std::string text_in(const std::string& file) {
   std::error_code unreadable;
-  if (!fs::is_regular_file(errors_of(place), unreadable)) return {};
+  if (!fs::is_regular_file(file, unreadable)) return {};
   try {
-    return output::read_text(errors_of(place));
+    return output::read_text(file);
   } catch (const std::runtime_error&) {
     return {};
   }
+}
+
+/// The message of a member when it stopped, else that of the job which should have run it.
+std::string said_by(const Place& place) {
+  const auto message = text_in(errors_of(place));
+  return message.empty() ? text_in(place.dir + '/' + slurm_words) : message;
 }
 
 /// The end of this very member; a summary of another scene in its folder is not its own.
@@ -183,6 +192,13 @@ std::string shell_quoted(const std::string& word) {
   return text + '\'';
 }
 
+/// The file of each job of the array for what Slurm reports: %3a is the member's number with three digits or more.
+std::string slurm_output(const Job& job) {
+  std::string text;
+  for (const char c : fs::absolute(job.dir).string()) text += c == '%' ? std::string("%%") : std::string(1, c);
+  return shell_quoted(text + "/member_%3a/" + slurm_words);
+}
+
 /// An array of jobs, one per open member.
 std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
   std::string array;
@@ -190,7 +206,7 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
   if (open.size() == job.places.size()) array = "0-" + std::to_string(open.size() - 1);
   if (job.request.jobs > 0) array += '%' + std::to_string(job.request.jobs);
   std::string text = "#!/bin/bash\n#SBATCH --job-name=reye-sweep\n#SBATCH --array=" + array +
-                     "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --output=/dev/null\n";
+                     "\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=1\n#SBATCH --output=" + slurm_output(job) + '\n';
   text += "exec " + shell_quoted(command()) + " sweep " + shell_quoted(fs::absolute(job.request.path));
   for (const auto& words : job.request.vary) text += " --vary " + shell_quoted(words);
   text += " --out " + shell_quoted(fs::absolute(job.dir)) + (job.request.force ? " --force" : "") +
@@ -200,6 +216,8 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
 
 /// Submits the array and waits for its end; the results of members are read from their folders.
 bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open, const SweepWatch& watch) {
+  for (const auto i : open)
+    for (const auto& said : {errors_of(job.places[i]), job.places[i].dir + '/' + slurm_words}) fs::remove(said);
   const auto script = job.dir + "/sweep.sbatch";
   output::atomic_write(script, slurm_script(job, open));
   return run_children(

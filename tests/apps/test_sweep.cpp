@@ -130,6 +130,24 @@ TEST(Sweep, ThroughSlurm) {
   for (const std::size_t row : {1, 2}) EXPECT_EQ(cell(rows, row, "status"), "done");
 }
 
+// What Slurm reports of a job that it ended must reach the user as the reason of the member.
+TEST(Sweep, MemberEndedBySlurm) {
+  const WithSweeps place;
+  place.write("bin/sbatch",
+              "#!/bin/bash\n"
+              "output=$(sed -n \"s/^#SBATCH --output='\\(.*\\)'$/\\1/p\" \"$2\")\n"
+              "echo 'slurmstepd: error: CANCELLED DUE TO TIME LIMIT' >\"${output/\\%3a/001}\"\n"
+              "SLURM_ARRAY_TASK_ID=0 bash \"$2\"\n");
+  test::fs::permissions(place / "bin/sbatch", test::fs::perms::owner_all);
+  const std::string path = (place / "bin").string() + ':' + std::getenv("PATH");
+  const auto told = place
+                        .start({"/usr/bin/env", "PATH=" + path, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
+                                "step[1].cycles=1,2", "--out", "o", "--quiet", "--slurm"})
+                        .wait();
+  EXPECT_EQ(told.code, 1);
+  EXPECT_EQ(told.err, "member_001 (step[1].cycles = 2): missing: slurmstepd: error: CANCELLED DUE TO TIME LIMIT\n");
+}
+
 // Bad variations, values that a member's scene refuses and folders that hold something else must end with 2 before
 // anything is written or run.
 TEST(Sweep, BadInput) {

@@ -52,8 +52,10 @@ std::vector<Face> cut(const Section& section, int solid, const std::string& labe
 std::pair<double, double> extent_along(const Vec3& normal, int solid) {
   gmsh::vectorpair copy;
   occ::copy({{3, solid}}, copy);
-  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(normal, Vec3::UnitZ()));
-  occ::rotate(copy, 0, 0, 0, turn.axis().x(), turn.axis().y(), turn.axis().z(), turn.angle());
+  const Vec3 about = normal.cross(Vec3::UnitZ());
+  const double sine = about.norm();
+  const Vec3 axis = sine > 0.0 ? Vec3(about / sine) : Vec3::UnitX();
+  occ::rotate(copy, 0, 0, 0, axis.x(), axis.y(), axis.z(), std::atan2(sine, normal.z()));
   Vec3 low, high;
   occ::getBoundingBox(3, copy[0].second, low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
   occ::remove(copy, true);
