@@ -69,7 +69,7 @@ std::string bond_line(const sim::BondSummary& b) {
 }
 
 Lines lines_of(const sim::Summary& s, const std::string& dir) {
-  Lines lines{formatted("%s: %g cycles, %d blocks, %d increments, %d Newton solves, %.1f s",
+  Lines lines{formatted("%s: %g cycles, %ld blocks, %ld increments, %ld Newton solves, %.1f s",
                         output::status_name(s.status), s.cycles, s.counts.blocks, s.counts.increments,
                         s.counts.newton_iterations, s.wall_s)};
   for (const auto& c : s.contacts) add_contact(c, s.analysis == base::Analysis::axisymmetric, lines);

@@ -48,7 +48,7 @@ void add_contact(const sim::SkinContactSummary& c, Lines& lines) {
 }
 
 Lines lines_of(const sim::SolidSummary& s, const std::string& dir) {
-  Lines lines{formatted("%s: %g cycles, %d increments, %d Newton iterations, %.1f s", output::status_name(s.status),
+  Lines lines{formatted("%s: %g cycles, %ld increments, %ld Newton iterations, %.1f s", output::status_name(s.status),
                         s.cycles, s.counts.increments, s.counts.newton_iterations, s.wall_s)};
   for (const auto& c : s.contacts) add_contact(c, lines);
   add_lives(s, lines);
