@@ -75,9 +75,10 @@ void Interface::decide(const std::vector<Vec2>& lambda, int iteration, Start fro
   const bool searching = iteration < 5;
   Judgement by{};
   by.from = from;
-  by.unjudged = iteration == 0 && from != Start::predicted;
-  by.late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
-  by.spread = by.late && wear_spreads();
+  by.unjudged = iteration == 0 && !is_predicted(from);
+  const bool late = options_.wear && o.wear.wears() && !options_.held && o.implicit_wear && !searching;
+  by.stays = late || (iteration == 0 && from == Start::continued);
+  by.spread = late && wear_spreads();
   by.c_normal = searching ? o.c_normal : 1.0;
   by.c_tangential = searching ? o.c_tangential : 1.0;
   by.sliding = o.imposed ? sliding_sign() : 1.0;
@@ -111,7 +112,7 @@ Interface::Pressed Interface::decide_normal(int node, const Vec2& lambda, const 
   if (by.unjudged && (was || opened <= 1e-9 * setup_->secondary.area[node])) return {true, was, bound};
   // In late iterations an active node stays active for its pressure alone: the wear that a node in tension ascribes to
   // itself would keep it active. A node with neither pressure nor gap keeps its status, as both are consistent there.
-  const double closing = by.late && was ? 0.0 : by.c_normal * stiffness * opened;
+  const double closing = by.stays && was ? 0.0 : by.c_normal * stiffness * opened;
   return {!(lambda_n - closing <= (was ? -faint : faint)), was, bound};
 }
 

@@ -40,7 +40,11 @@ struct IncrementOptions {
 
 /// Start of Newton in an increment. sticking: active nodes stay active and stick. sheared: they keep their shear, so
 /// that they slide wherever they are driven, and are judged by that motion. predicted: a state to be judged at once.
-enum class Start { sticking, sheared, predicted };
+/// continued: as predicted, but active nodes stay active for their pressure alone. On the straight line that continues
+/// a slide round a curve they leave the other side by more than their pressure closes.
+enum class Start { sticking, sheared, predicted, continued };
+
+constexpr bool is_predicted(Start from) { return from == Start::predicted || from == Start::continued; }
 
 /// Motions of a contact's nodes in one increment as supports restrict or impose them.
 struct Mobility {
@@ -199,7 +203,7 @@ class Interface {
   struct Judgement {
     Start from;
     bool unjudged;  ///< the start decides, not the state
-    bool late;      ///< wear of this increment counts
+    bool stays;     ///< active nodes open for want of pressure alone
     bool spread;    ///< that of neighbours, too
     double c_normal, c_tangential;
     double sliding;  ///< direction of imposed sliding

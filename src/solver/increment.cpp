@@ -67,7 +67,7 @@ bool Increment::look_ahead(const System& system, const SolverState& before, cons
 
 base::TwoPart Increment::begin(const System& system, const SolverState& before, const Controls& controls,
                                contact::Start from, body::Tangent tangent) {
-  const bool predicted = from == contact::Start::predicted;
+  const bool predicted = is_predicted(from);
   const Guess* guess = predicted ? controls.guess : nullptr;
   const double continues = predicted && !guess ? controls.continues : 0.0;
   contacts_.begin(system, before, controls, guess);

@@ -50,9 +50,10 @@ bool nonlinear(const System& system) {
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
   increment_.choose_reach(system, before, turns_beyond_reach(system, before, controls), options_.limit_reach);
+  const Start predicted = nonlinear(system) && !controls.guess ? Start::continued : Start::predicted;
   std::vector<Attempt> attempts;
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
-    attempts.push_back({Start::predicted, options_.chords});
+    attempts.push_back({predicted, options_.chords});
   const bool ahead = !attempts.empty() && increment_.look_ahead(system, before, controls);
   attempts.push_back({Start::sticking, options_.chords});
   // A body that is free to turn rolls about nodes that stick, by far more than it will once they slide: contact is then
@@ -60,7 +61,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   if (rubs(system, before, controls)) attempts.push_back({Start::sheared, options_.chords});
   // Far from the solution kept or symmetric tangents may diverge where Newton's own do not.
   if (options_.chords && nonlinear(system)) {
-    if (attempts.front().from == Start::predicted) attempts.push_back({Start::predicted, false});
+    if (attempts.front().from == predicted) attempts.push_back({predicted, false});
     attempts.push_back({Start::sticking, false});
   }
   SolveResult result;

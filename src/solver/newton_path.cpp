@@ -21,7 +21,8 @@ constexpr int settling = 5;              ///< iterations that follow the last ch
 constexpr int symmetric_ones = 5;        ///< tangents of an increment that are symmetric parts; later ones are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
-constexpr int standing = 3;  ///< such renewals in a row, with contact not settled, after which it never will be
+constexpr int standing = 3;      ///< such renewals in a row, with contact not settled, after which it never will be
+constexpr double beside = 0.01;  ///< what contact may leave of the imbalance that the next renewal removes
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
@@ -80,7 +81,8 @@ void NewtonPath::iterate() {
   chord_ = may_keep_matrix();
   const bool is_met = met();
   if (is_met && fresh()) return accept();
-  if (increment_.nonlinear() && (is_met || since_ == limit_ || watch_.stuck())) return renew(is_met);
+  const bool settled = is_met || settled_enough();
+  if (increment_.nonlinear() && (settled || since_ == limit_ || watch_.stuck())) return renew(settled);
   if (iteration_ == last_ || watch_.stuck())
     return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
   if (renewed() && !linearise()) return;
@@ -98,6 +100,7 @@ void NewtonPath::decide() {
     row_ = increment_.measure(system_, controls_, q_, fresh());
   }
   row_.changes = changes;
+  if (fresh()) imbalance_ = row_.force;
   if (fresh()) result_.report.table.push_back(row_);
 }
 
@@ -122,7 +125,7 @@ bool NewtonPath::finite() {
 /// Whether a predicted start leads nonlinear bodies away from equilibrium.
 bool NewtonPath::astray() {
   if (!fresh() || !increment_.nonlinear()) return false;
-  if (attempt_.from == Start::predicted && row_.force > std::max(worse * least_, far_out)) {
+  if (is_predicted(attempt_.from) && row_.force > std::max(worse * least_, far_out)) {
     end(Failure::astray, "the start that was predicted leads away from balance");
     return true;
   }
@@ -149,10 +152,12 @@ bool NewtonPath::may_keep_matrix() {
 }
 
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
-/// neighbours, so that a node it opens would stay in tension.
+/// neighbours, so that a node it opens would stay in tension. A set that still changes while its own equations hold far
+/// below the tolerances changes by round-off, as where nodes rest at the limit of friction: either status is right.
 bool NewtonPath::met() {
-  const double bound = (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
-  if (iteration_ == 0 || row_.changes > 0 || !(error() < bound)) return false;
+  const double bound = row_.changes > 0 || (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
+  if (row_.changes > 0 && stage() < all_at_once) return false;
+  if (iteration_ == 0 || !(error() < bound)) return false;
   if (late_) return true;
   if (increment_.decide(options_.max_iterations, attempt_.from, cycling_ ? Allowed::one : Allowed::all) == 0)
     return true;
@@ -160,6 +165,13 @@ bool NewtonPath::met() {
   chord_ = false;
   increment_.measure(system_, controls_, q_, fresh());
   return false;
+}
+
+/// Whether what contact leaves on the linearised bodies is small beside the imbalance that the next renewal removes,
+/// and beside what a new tangent leaves of it, the square.
+bool NewtonPath::settled_enough() const {
+  const double share = on_kept_tangent_ ? beside : std::min(beside, imbalance_);
+  return since_ > 0 && row_.changes == 0 && !cycling_ && std::max(row_.force, row_.condition) < share * imbalance_;
 }
 
 /// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has
@@ -171,7 +183,7 @@ void NewtonPath::accept() {
     return end(failure, std::move(passed));
   }
   narrowing_ = false;
-  matrices_ = {};
+  matrices_.forget();
   on_chord_ = false;
   if (increment_.follow(system_, controls_, q_)) return;
   increment_.choose_reach(system_, before_, true, options_.limit_reach);
@@ -186,7 +198,7 @@ void NewtonPath::renew(bool settled) {
     return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, watch_.stuck()));
   if (auto reason = increment_.renew(q_); !reason.empty()) return end(Failure::torn, std::move(reason));
   watch_ = {};
-  matrices_ = {};
+  matrices_.forget();
   limit_ = most_on_one_tangent;
   iteration_ = 0;
   since_ = -1;
@@ -225,7 +237,7 @@ void NewtonPath::step() {
                  "a body moves by " + std::to_string(way) + " in one iteration: it is unsupported");
     if (narrowed && iteration_ == 0) {  // nodes that the first step closes are judged among all nodes
       increment_.widen(system_, controls_, q_);
-      matrices_ = {};
+      matrices_.forget();
     }
   } catch (const base::SolveError& error) {
     if (increment_.touching()) return end(Failure::singular, error.what());

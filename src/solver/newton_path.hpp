@@ -33,6 +33,7 @@ class NewtonPath {
   bool stands_still();
   bool may_keep_matrix();
   bool met();
+  bool settled_enough() const;
   void accept();
   void renew(bool settled);
   bool linearise();
@@ -68,7 +69,8 @@ class NewtonPath {
   bool settled_ = true;         ///< before the last renewal contact had settled
   double renewed_force_ = 0.0;  ///< imbalance after the last renewal
   int still_ = 0;               ///< renewals in a row that changed nothing
-  ChordRule matrices_, tangents_;
+  double imbalance_ = 0.0;      ///< of the bodies when they were last measured, as a share of the forces
+  ChordRule matrices_{0.1}, tangents_{0.03};
   bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
   double least_ = std::numeric_limits<double>::infinity();  ///< least imbalance so far

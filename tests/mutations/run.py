@@ -97,13 +97,14 @@ def prepare(scratch, mutations):
 
 
 def survivors(scratch, mutation):
-    """The executables that still pass with the mutation in place; a mutation that does not build is an error."""
+    """The executables that still pass with the mutation in place; None where it does not build."""
     file = scratch / mutation["file"]
     whole = file.read_text(encoding="utf-8")
     file.write_text(whole.replace(mutation["find"], mutation["replace"]), encoding="utf-8")
     try:
         if words := build(scratch, mutation["tests"]):
-            raise SystemExit(f"'{mutation['name']}' does not build:\n{words}")
+            print(words)
+            return None
         return [e for e, pattern in mutation["tests"].items() if passes(scratch, e, pattern)]
     finally:
         file.write_text(whole, encoding="utf-8")
@@ -139,9 +140,10 @@ def run(scratch, mutations):
     missed = 0
     for mutation in left:
         alive = survivors(scratch, mutation)
-        missed += bool(alive)
-        print(f"  {'MISSED by ' + ', '.join(alive) if alive else 'caught'}  {mutation['name']}", flush=True)
-        if not alive:
+        missed += alive != []
+        end = "DOES NOT BUILD" if alive is None else "MISSED by " + ", ".join(alive) if alive else "caught"
+        print(f"  {end}  {mutation['name']}", flush=True)
+        if alive == []:
             caught.append(mutation["name"])
             record.write_text(json.dumps({"tree": tree, "caught": caught}), encoding="utf-8")
     print(f"{len(mutations) - missed} of {len(mutations)} mutations caught")

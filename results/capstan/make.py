@@ -1,0 +1,27 @@
+#!/usr/bin/env python3
+"""A belt pulled over a drum: tension and pressure against Euler and Eytelwein, and Newton's iterations."""
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import wear_case as case  # noqa: E402
+
+SLACK, FRICTION, RADIUS, THICKNESS = 5.0, 0.2, 50.0, 2.0
+RATE = FRICTION * RADIUS / (RADIUS + 0.5 * THICKNESS)   # friction acts at the drum, tension in the middle of the belt
+
+run = case.run("capstan", "belt")
+tight = abs(run.history[-1]["tight_force_y_N_per_mm"])
+rows = [(math.atan2(r["y_mm"], r["x_mm"]), r["pressure_MPa"], abs(r["shear_MPa"])) for r in run.last("secondary")]
+profile = sorted((math.degrees(a), p, SLACK / RADIUS * math.exp(RATE * a), t) for a, p, t in rows)
+inside = [r for r in profile if 20.0 < r[0] < 160.0]
+case.write_csv("profile.csv", ["angle_deg", "pressure_MPa", "closed_form_MPa", "shear_MPa"], profile)
+case.write_measured({
+    "tension_ratio_over_closed_form": tight / SLACK / math.exp(RATE * math.pi),
+    "pressure_error_inside": max(abs(p / exact - 1.0) for _, p, exact, _ in inside),
+    "ledger": run.contact["ledger_relative_error"],
+    "iterations_an_increment": run.summary["counts"]["newton_iterations"] / run.summary["counts"]["increments"],
+    "cut_backs": run.summary["counts"]["cutbacks"],
+})
+case.figure("set xlabel 'angle from the slack end [degrees]'\nset ylabel 'pressure [MPa]'\nset key top left\n"
+            "plot 'profile.csv' using 1:2 with lines title 'Reye', '' using 1:3 with lines dt 2 lc 'black' title 'T(angle) / R'\n")
