@@ -159,7 +159,8 @@ def committed(entry):
     if "measured" not in entry:
         return "-"
     least, largest = ex.bounds(entry)
-    return shown(entry["measured"]) + ("" if least <= entry["measured"] <= largest else " **not as expected**")
+    kept, rounding = entry["measured"], 5e-7 * abs(entry["measured"])   # seven digits are kept
+    return shown(kept) + ("" if least - rounding <= kept <= largest + rounding else " **not as expected**")
 
 
 def table_rows(case):
