@@ -57,7 +57,8 @@ std::string name_of(std::size_t member) {
 std::string errors_of(const Place& place) { return place.dir + "/errors.txt"; }
 
 /// The file in which Slurm, or the program before the member's run begins, reports why there is none.
-constexpr auto slurm_words = "slurm.txt";
+constexpr auto slurm_file = "slurm.txt";
+std::string slurm_words_of(const Place& place) { return place.dir + '/' + slurm_file; }
 
 /// Issues of one member, named after it; those that another member has already are left out.
 void add_issues(const std::string& member, const std::vector<base::Issue>& found, std::set<std::string>& told,
@@ -128,7 +129,7 @@ std::string text_in(const std::string& file) {
 /// The message of a member when it stopped, else that of the job which should have run it.
 std::string said_by(const Place& place) {
   const auto message = text_in(errors_of(place));
-  return message.empty() ? text_in(place.dir + '/' + slurm_words) : message;
+  return message.empty() ? text_in(slurm_words_of(place)) : message;
 }
 
 /// The end of this very member; a summary of another scene in its folder is not its own.
@@ -196,7 +197,7 @@ std::string shell_quoted(const std::string& word) {
 std::string slurm_output(const Job& job) {
   std::string text;
   for (const char c : fs::absolute(job.dir).string()) text += c == '%' ? std::string("%%") : std::string(1, c);
-  return shell_quoted(text + "/member_%3a/" + slurm_words);
+  return shell_quoted(text + "/member_%3a/" + slurm_file);
 }
 
 /// An array of jobs, one per open member.
@@ -216,8 +217,9 @@ std::string slurm_script(const Job& job, const std::vector<std::size_t>& open) {
 
 /// Submits the array and waits for its end; the results of members are read from their folders.
 bool run_by_slurm(const Job& job, const std::vector<std::size_t>& open, const SweepWatch& watch) {
+  std::error_code kept;  // what an earlier job left, if anything
   for (const auto i : open)
-    for (const auto& said : {errors_of(job.places[i]), job.places[i].dir + '/' + slurm_words}) fs::remove(said);
+    for (const auto& file : {errors_of(job.places[i]), slurm_words_of(job.places[i])}) fs::remove(file, kept);
   const auto script = job.dir + "/sweep.sbatch";
   output::atomic_write(script, slurm_script(job, open));
   return run_children(

@@ -7,7 +7,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import wear_case as case  # noqa: E402
 
-SLACK, FRICTION, RADIUS, THICKNESS, TENSION = 5.0, 0.2, 50.0, 2.0, 10   # the last: increments of the first step
+SLACK, FRICTION, RADIUS, THICKNESS = 5.0, 0.2, 50.0, 2.0
+TIGHTENED = 10   # frame at the end of the first step
 RATE = FRICTION * RADIUS / (RADIUS + 0.5 * THICKNESS)   # friction acts at the drum, tension in the middle of the belt
 
 EVERY = ("increments = 30", "increments = 30\n\n[output]\nframes = { every_increment = true }")
@@ -15,7 +16,7 @@ EVERY = ("increments = 30", "increments = 30\n\n[output]\nframes = { every_incre
 run = case.run("capstan", "belt", [EVERY])
 tight = abs(run.history[-1]["tight_force_y_N_per_mm"])
 frames = [rows for _, rows in run.frames("secondary")]
-tightened, pulled = frames[TENSION], frames[-1]   # slip is the way so far: first towards the slack end, then the tight one
+tightened, pulled = frames[TIGHTENED], frames[-1]   # slip is the way so far: first towards the slack end, then the tight one
 slid = [now["slip_mm"] - 2.0 * then["slip_mm"] for then, now in zip(tightened, pulled)]
 angles = [math.atan2(r["y_mm"], r["x_mm"]) + way / RADIUS for r, way in zip(pulled, slid)]   # tables give X
 profile = sorted((math.degrees(a), r["pressure_MPa"], SLACK / RADIUS * math.exp(RATE * a), abs(r["shear_MPa"]))

@@ -152,8 +152,9 @@ bool NewtonPath::may_keep_matrix() {
 }
 
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
-/// neighbours, so that a node it opens would stay in tension. A set that still changes while its own equations hold far
-/// below the tolerances changes by round-off, as where nodes rest at the limit of friction: either status is right.
+/// neighbours, so that a node it opens would stay in tension. A set that after the search still changes while its own
+/// equations hold far below the tolerances changes by round-off, as where nodes rest at the limit of friction: either
+/// status is right.
 bool NewtonPath::met() {
   const double bound = row_.changes > 0 || (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
   if (row_.changes > 0 && stage() < all_at_once) return false;

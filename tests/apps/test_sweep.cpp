@@ -115,16 +115,21 @@ TEST(Sweep, OneMember) {
   EXPECT_EQ(place.reye(one).err, "--member = 2: the sweep has members 0 to 1\n");
 }
 
+/// A sweep of two members by --slurm, with an sbatch of these words: $2 is the script.
+auto through(const WithSweeps& place, const std::string& sbatch) {
+  place.write("bin/sbatch", "#!/bin/bash\n" + sbatch);
+  test::fs::permissions(place / "bin/sbatch", test::fs::perms::owner_all);
+  const std::string path = (place / "bin").string() + ':' + std::getenv("PATH");
+  return place
+      .start({"/usr/bin/env", "PATH=" + path, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary", "step[1].cycles=1,2",
+              "--out", "o", "--quiet", "--slurm"})
+      .wait();
+}
+
 // Jobs that a sweep submits must run while it holds its folder: here an sbatch that plays them one after the other.
 TEST(Sweep, ThroughSlurm) {
   const WithSweeps place;
-  place.write("bin/sbatch", "#!/bin/bash\nfor k in 0 1; do SLURM_ARRAY_TASK_ID=$k bash \"$2\" || exit 1; done\n");
-  test::fs::permissions(place / "bin/sbatch", test::fs::perms::owner_all);
-  const std::string path = (place / "bin").string() + ':' + std::getenv("PATH");
-  const auto told = place
-                        .start({"/usr/bin/env", "PATH=" + path, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
-                                "step[1].cycles=1,2", "--out", "o", "--quiet", "--slurm"})
-                        .wait();
+  const auto told = through(place, "for k in 0 1; do SLURM_ARRAY_TASK_ID=$k bash \"$2\" || exit 1; done\n");
   EXPECT_EQ(told.code, 0) << told.err;
   const auto rows = rows_of(place / "o/sweep.csv");
   for (const std::size_t row : {1, 2}) EXPECT_EQ(cell(rows, row, "status"), "done");
@@ -133,17 +138,10 @@ TEST(Sweep, ThroughSlurm) {
 // What Slurm reports of a job that it ended must reach the user as the reason of the member.
 TEST(Sweep, MemberEndedBySlurm) {
   const WithSweeps place;
-  place.write("bin/sbatch",
-              "#!/bin/bash\n"
-              "output=$(sed -n \"s/^#SBATCH --output='\\(.*\\)'$/\\1/p\" \"$2\")\n"
-              "echo 'slurmstepd: error: CANCELLED DUE TO TIME LIMIT' >\"${output/\\%3a/001}\"\n"
-              "SLURM_ARRAY_TASK_ID=0 bash \"$2\"\n");
-  test::fs::permissions(place / "bin/sbatch", test::fs::perms::owner_all);
-  const std::string path = (place / "bin").string() + ':' + std::getenv("PATH");
-  const auto told = place
-                        .start({"/usr/bin/env", "PATH=" + path, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
-                                "step[1].cycles=1,2", "--out", "o", "--quiet", "--slurm"})
-                        .wait();
+  const auto told = through(place,
+                            "output=$(sed -n \"s/^#SBATCH --output='\\(.*\\)'$/\\1/p\" \"$2\")\n"
+                            "echo 'slurmstepd: error: CANCELLED DUE TO TIME LIMIT' >\"${output/\\%3a/001}\"\n"
+                            "SLURM_ARRAY_TASK_ID=0 bash \"$2\"\n");
   EXPECT_EQ(told.code, 1);
   EXPECT_EQ(told.err, "member_001 (step[1].cycles = 2): missing: slurmstepd: error: CANCELLED DUE TO TIME LIMIT\n");
 }
