@@ -49,7 +49,6 @@ sim::SolidRunState made_up_state() {
   solved.nodes = {{{{1.0, 2.0, 3.0}, 0.125, {4.0, 5.0, 6.0}, 0.5}, {}}};
   s.solved = solved;
   s.factors = {{"press", 1.0}, {"slide", -0.5}};
-  s.held = {{"press", 0.75}};
   s.step = 1;
   s.step_cycles = 2.0;
   s.step_blocks = 2;
@@ -100,7 +99,6 @@ TEST(SolidArchive, ReadsBack) {
   EXPECT_EQ(base::Matrix(back.solved->place[0].Q), base::Matrix(state.solved->place[0].Q));
   EXPECT_EQ(back.solved->place[0].frame[0].free, 1);
   EXPECT_EQ(back.solved->nodes[0][0].gap, 0.125);
-  EXPECT_EQ(back.held, state.held);
   EXPECT_EQ(std::tie(back.step, back.step_cycles, back.increment, back.cycle, back.retained),
             std::tie(state.step, state.step_cycles, state.increment, state.cycle, state.retained));
   EXPECT_EQ(back.energy_last_cycle_mJ, state.energy_last_cycle_mJ);

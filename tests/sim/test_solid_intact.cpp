@@ -63,7 +63,6 @@ TEST(SolidIntact, WhatCannotBe) {
       {[](State& s) { s.increment = 9; }, "at an increment that the step lacks"},
       {[](State& s) { s.cycle = no_number; }, "its number of cycles is not a number"},
       {[](State& s) { s.factors.erase("slide"); }, "a history is at no factor"},
-      {[](State& s) { s.held["slide"] = no_number; }, "a history began at no factor"},
       {[](State& s) { s.energy_last_cycle_mJ.clear(); }, "the energy of a contact"},
       {[](State& s) { s.counts.blocks = -1; }, "its counts are below zero"},
       {[](State& s) { s.retained += 1; }, "it was solved with other points"},

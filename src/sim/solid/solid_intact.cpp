@@ -50,7 +50,6 @@ void check_place_in_steps(const SolidProblem& problem, const SolidRunState& stat
 
 void check_numbers(const SolidProblem& problem, const SolidRunState& state) {
   require(at_all_histories(problem, state.factors), "a history is at no factor");
-  require(state.held.empty() ? !state.solved : at_all_histories(problem, state.held), "a history began at no factor");
   require(state.energy_last_cycle_mJ.size() == problem.contacts.size() && finite(state.energy_last_cycle_mJ),
           "the energy of a contact is not a number");
   const auto& c = state.counts;

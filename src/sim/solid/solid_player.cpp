@@ -129,7 +129,6 @@ std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) c
 
 SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer) {
   bring_up(state);
-  if (state.increment == 0) state.held = state.factors;
   Playing play{span, observer, {std::move(state), {}, false}};
   auto& now = play.outcome.state;
   play.outcome.cycle = now.cycle;
@@ -166,7 +165,7 @@ void SolidPlayer::show_inside(const Playing& play, double to) const {
 /// One increment; on failure it is halved, up to `depth` times.
 std::string SolidPlayer::play_between(Playing& play, double from, double to, int depth) {
   auto& state = play.outcome.state;
-  const auto factors = factors_at(problem_.scene.histories, *play.span.step, to, state.held);
+  const auto factors = factors_at(problem_.scene.histories, *play.span.step, to, state.factors);
   if (auto failure = solve(play, factors, from, to); !failure.empty()) {
     const std::string where =
         base::formatted("step \"%s\", cycle %.9g, progress %.4g to %.4g: ", play.span.step->name.c_str(), state.cycle,

@@ -19,7 +19,6 @@ struct SolidRunState {
   /// The increment that led here, of which frames and summaries are made; in it `solution` once more.
   std::optional<solver::SolidSolution> solved;
   std::map<std::string, double> factors;      ///< of all histories
-  std::map<std::string, double> held;         ///< of all histories when this play of the step began
   std::vector<contact::SkinWear> block_wear;  ///< per contact: when this block began
   int step = 0;
   int increment = 0;         ///< whole increments of this play; 0 between plays
