@@ -22,7 +22,8 @@ constexpr int symmetric_ones = 5;        ///< tangents of an increment that are 
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
 constexpr int standing = 3;      ///< such renewals in a row, with contact not settled, after which it never will be
-constexpr double beside = 0.01;  ///< what contact may leave of the imbalance that the next renewal removes
+constexpr double beside = 0.3;   ///< what contact may leave of the imbalance that the next renewal removes,
+constexpr double square = 10.0;  ///< and of the square of it, which is what a new tangent leaves
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
@@ -100,7 +101,7 @@ void NewtonPath::decide() {
     row_ = increment_.measure(system_, controls_, q_, fresh());
   }
   row_.changes = changes;
-  if (fresh()) imbalance_ = row_.force;
+  if (fresh()) imbalance_ = std::max(row_.force, row_.condition);
   if (fresh()) result_.report.table.push_back(row_);
 }
 
@@ -169,9 +170,9 @@ bool NewtonPath::met() {
 }
 
 /// Whether what contact leaves on the linearised bodies is small beside the imbalance that the next renewal removes,
-/// and beside what a new tangent leaves of it, the square.
+/// and beside what a new tangent leaves of it: the next renewal comes upon both at once.
 bool NewtonPath::settled_enough() const {
-  const double share = on_kept_tangent_ ? beside : std::min(beside, imbalance_);
+  const double share = on_kept_tangent_ ? beside : std::min(beside, square * imbalance_);
   return since_ > 0 && row_.changes == 0 && !cycling_ && std::max(row_.force, row_.condition) < share * imbalance_;
 }
 

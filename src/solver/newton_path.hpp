@@ -69,7 +69,7 @@ class NewtonPath {
   bool settled_ = true;         ///< before the last renewal contact had settled
   double renewed_force_ = 0.0;  ///< imbalance after the last renewal
   int still_ = 0;               ///< renewals in a row that changed nothing
-  double imbalance_ = 0.0;      ///< of the bodies when they were last measured, as a share of the forces
+  double imbalance_ = 0.0;      ///< of bodies and contact when the bodies were last measured, as a share of the forces
   ChordRule matrices_{0.1}, tangents_{0.03};
   bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
