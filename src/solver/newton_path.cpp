@@ -23,7 +23,8 @@ constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonli
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
 constexpr int standing = 3;      ///< such renewals in a row, with contact not settled, after which it never will be
 constexpr double beside = 0.3;   ///< what contact may leave of the imbalance that the next renewal removes,
-constexpr double square = 10.0;  ///< and of the square of it, which is what a new tangent leaves
+constexpr double square = 10.0;  ///< of the square of it, which is what a new tangent leaves,
+constexpr double coarse = 1e-3;  ///< and at most: the active set is that of a solution
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
@@ -173,7 +174,8 @@ bool NewtonPath::met() {
 /// and beside what a new tangent leaves of it: the next renewal comes upon both at once.
 bool NewtonPath::settled_enough() const {
   const double share = on_kept_tangent_ ? beside : std::min(beside, square * imbalance_);
-  return since_ > 0 && row_.changes == 0 && !cycling_ && std::max(row_.force, row_.condition) < share * imbalance_;
+  const double left = std::max(row_.force, row_.condition);
+  return since_ > 0 && row_.changes == 0 && !cycling_ && left < std::min(share * imbalance_, coarse);
 }
 
 /// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has
