@@ -6,7 +6,7 @@ if(REYE_PRECOMPILE)   # g++ 12 forgets that what it has precompiled is the syste
 endif()
 
 # The files of a room, or of a folder of tests, compiled several at a time: half of the time of the rest was spent on the
-# same templates file after file, and sixteen at a time take a seventh less than eight. Names without a namespace of their
+# same templates file after file, and sixteen at a time take a tenth less than eight. Names without a namespace of their
 # own are unique in a room for that reason. Who works on a room turns it off, as the dev preset does: one file is then
 # compiled at a time, with all warnings.
 option(REYE_UNITY "compile several files of a folder at a time" ON)

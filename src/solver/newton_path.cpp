@@ -22,9 +22,9 @@ constexpr int symmetric_ones = 5;        ///< tangents of an increment that are 
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
 constexpr int standing = 3;      ///< such renewals in a row, with contact not settled, after which it never will be
-constexpr double beside = 0.3;   ///< what contact may leave of the imbalance that the next renewal removes,
-constexpr double square = 10.0;  ///< of the square of it, which is what a new tangent leaves,
-constexpr double coarse = 1e-3;  ///< and at most: the active set is that of a solution
+constexpr double beside = 0.3;   ///< share of the imbalance that contact may leave to the next renewal
+constexpr double square = 10.0;  ///< factor of the squared imbalance that contact may leave to a new tangent
+constexpr double coarse = 1e-3;  ///< residual that contact leaves at most; with more, bad factors c cost cut-backs
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
@@ -170,8 +170,8 @@ bool NewtonPath::met() {
   return false;
 }
 
-/// Whether what contact leaves on the linearised bodies is small beside the imbalance that the next renewal removes,
-/// and beside what a new tangent leaves of it: the next renewal comes upon both at once.
+/// Whether more iterations of contact on these linearised bodies would gain nothing: the next renewal removes what they
+/// leave together with the error of the linearisation.
 bool NewtonPath::settled_enough() const {
   const double share = on_kept_tangent_ ? beside : std::min(beside, square * imbalance_);
   const double left = std::max(row_.force, row_.condition);
