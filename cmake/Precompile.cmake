@@ -6,9 +6,8 @@ if(REYE_PRECOMPILE)   # g++ 12 forgets that what it has precompiled is the syste
 endif()
 
 # The files of a room, or of a folder of tests, compiled several at a time: half of the time of the rest was spent on the
-# same templates file after file, and sixteen at a time take a tenth less than eight. Names without a namespace of their
-# own are unique in a room for that reason. Who works on a room turns it off, as the dev preset does: one file is then
-# compiled at a time, with all warnings.
+# same templates file after file. Names without a namespace of their own are unique in a room for that reason. Who works on
+# a room turns it off, as the dev preset does: one file is then compiled at a time, with all warnings.
 option(REYE_UNITY "compile several files of a folder at a time" ON)
 if(REYE_UNITY)
   set(CMAKE_UNITY_BUILD ON)
@@ -22,6 +21,19 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(reye_options INTERFACE --param=ggc-min-heapsize=1048576)   # kB
 endif()
+
+# reye_unity(<target>): the fewest equal units of at most 24 files, or of `files`
+function(reye_unity target)
+  set(most 24)
+  if(ARGC GREATER 1)
+    set(most ${ARGV1})
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(LENGTH sources files)
+  math(EXPR units "(${files} + ${most} - 1) / ${most}")
+  math(EXPR batch "(${files} + ${units} - 1) / ${units}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${batch})
+endfunction()
 
 set(REYE_COMMON_HEADERS <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <set> <string> <utility> <variant> <vector>
     "${PROJECT_SOURCE_DIR}/src/base/linalg.hpp")

@@ -7,6 +7,10 @@ find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOXML)
+# It defines a word for a transform that nothing here asks for: what is precompiled with it could not be shared.
+if(TARGET VTK::kissfft)
+  set_property(TARGET VTK::kissfft PROPERTY INTERFACE_COMPILE_DEFINITIONS)
+endif()
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)

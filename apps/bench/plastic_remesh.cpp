@@ -6,6 +6,7 @@
 
 #include "adapt/transfer/gauss_points.hpp"
 #include "material/hardening.hpp"
+#include "material/parameters.hpp"
 #include "scene/read.hpp"
 #include "sim/march/block.hpp"
 #include "sim/reshape/shape.hpp"

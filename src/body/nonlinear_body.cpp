@@ -4,6 +4,7 @@
 #include "body/condensed_tangent.hpp"
 #include "body/nonlinear_equations.hpp"
 #include "body/operator.hpp"
+#include "material/parameters.hpp"
 
 namespace reye::body {
 

@@ -53,6 +53,10 @@ TwoPart NonlinearEquations::all(const TwoPart& y, const TwoPart& q) const {
   return both;
 }
 
+Vector NonlinearEquations::deformation(const TwoPart& y, const TwoPart& q) const {
+  return translation.without(all(y, q));
+}
+
 Vector NonlinearEquations::displacement(const Vector& unknowns) const {
   Vector u = Vector::Zero(2 * mesh().node_count());
   for (int node = 0; node < mesh().node_count(); ++node)

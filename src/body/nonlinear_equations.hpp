@@ -37,7 +37,7 @@ struct NonlinearEquations {
   TwoPart all(const TwoPart& y, const TwoPart& q) const;  ///< [y; q]
   /// Unknowns without rigid translation, which costs no force: everything but positions is computed from them. [README
   /// (8)]
-  Vector deformation(const TwoPart& y, const TwoPart& q) const { return translation.without(all(y, q)); }
+  Vector deformation(const TwoPart& y, const TwoPart& q) const;
   Vector displacement(const Vector& unknowns) const;           ///< 2 per node
   base::SparseMatrix expansion(const Vector& unknowns) const;  ///< B = du/d(y, q)
 

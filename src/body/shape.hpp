@@ -16,9 +16,6 @@ struct Shape {
 using ShapePtr = std::shared_ptr<const Shape>;
 
 /// A fresh shape on a fresh mesh.
-inline ShapePtr make_shape(mesh::Mesh mesh, std::shared_ptr<const cad::Drawing> drawing = {}) {
-  auto born = std::make_shared<const mesh::Mesh>(mesh);
-  return std::make_shared<const Shape>(Shape{std::move(mesh), std::move(born), std::move(drawing)});
-}
+ShapePtr make_shape(mesh::Mesh mesh, std::shared_ptr<const cad::Drawing> drawing = {});
 
 }  // namespace reye::body

@@ -10,6 +10,12 @@ Translation::Translation(const Matrix& T) : T_(T) {
   mean_ = algebra::pseudo_inverse(T.transpose() * T) * T.transpose();
 }
 
+Translation Translation::part(const std::vector<int>& columns) const { return Translation(T_(columns, Eigen::all)); }
+
+Vec2 Translation::of(const Vector& q) const { return mean_ * q; }
+
+Vector Translation::without(const TwoPart& q) const { return without(of(q.high), q); }
+
 /// A row of T a, with twice the digits.
 base::ExactSum Translation::moved(Eigen::Index column, const Vec2& a) const {
   const double x = T_(column, 0) * a.x(), y = T_(column, 1) * a.y();

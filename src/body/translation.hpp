@@ -16,13 +16,13 @@ class Translation {
   Translation() = default;
   /// T, one row per column of q: its value when the body moves by one along x, along y; zero where that is not rigid.
   explicit Translation(const Matrix& T);
-  Translation part(const std::vector<int>& columns) const { return Translation(T_(columns, Eigen::all)); }
+  Translation part(const std::vector<int>& columns) const;
 
   /// a: the mean motion, by which v is least.
-  Vec2 of(const Vector& q) const { return mean_ * q; }
+  Vec2 of(const Vector& q) const;
   /// v = q - T a, rounded once.
   Vector without(const Vec2& a, const TwoPart& q) const;
-  Vector without(const TwoPart& q) const { return without(of(q.high), q); }
+  Vector without(const TwoPart& q) const;
   /// T a + v
   TwoPart with(const Vec2& a, const Vector& v) const;
 

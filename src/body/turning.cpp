@@ -10,6 +10,16 @@
 
 namespace reye::body {
 
+Eigen::Matrix2d rotation(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return Eigen::Matrix2d{{c, -s}, {s, c}};
+}
+
+Eigen::Matrix2d rotation_rate(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return Eigen::Matrix2d{{-s, -c}, {c, -s}};
+}
+
 namespace {
 
 /// Whether a support acts at all.
@@ -104,6 +114,14 @@ std::array<int, 2> chord_nodes(const mesh::Mesh& mesh, const BodyInput& input, c
                              "the body can turn, and all of its nodes are in contact: give it a finer mesh"}});
   return {first, second};
 }
+
+Vector TurningLoad::at(double angle) const { return still + std::cos(angle) * along + std::sin(angle) * across; }
+
+Vector TurningLoad::rate(double angle) const { return std::cos(angle) * across - std::sin(angle) * along; }
+
+Vector Turning::in_frame(const Vector& q) const { return in_frame(TwoPart(q)).high; }
+
+Eigen::Matrix2d Turning::axes(double theta) const { return rotation(-hand * theta); }
 
 std::vector<int> Turning::named() const {
   std::vector<int> columns{angle};

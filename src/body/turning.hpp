@@ -12,16 +12,10 @@
 namespace reye::body {
 
 /// Rotation by an angle.
-inline Eigen::Matrix2d rotation(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return Eigen::Matrix2d{{c, -s}, {s, c}};
-}
+Eigen::Matrix2d rotation(double angle);
 
 /// Its derivative.
-inline Eigen::Matrix2d rotation_rate(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return Eigen::Matrix2d{{-s, -c}, {c, -s}};
-}
+Eigen::Matrix2d rotation_rate(double angle);
 
 /// The pivot, about which a body turns.
 struct Pivot {
@@ -48,8 +42,8 @@ std::array<int, 2> chord_nodes(const mesh::Mesh& mesh, const BodyInput& input, c
 struct TurningLoad {
   Vector still, along, across;
 
-  Vector at(double angle) const { return still + std::cos(angle) * along + std::sin(angle) * across; }
-  Vector rate(double angle) const { return std::cos(angle) * across - std::sin(angle) * along; }
+  Vector at(double angle) const;
+  Vector rate(double angle) const;
 };
 
 /// A load of the scene as forces on all nodes, for history factor 1: a pressure turns with the body, all else is dead.
@@ -74,7 +68,7 @@ struct Turning {
   double angle_of(const Vector& q) const { return q[angle]; }
   double chord_of(const Vector& q) const;
 
-  Vector in_frame(const Vector& q) const { return in_frame(TwoPart(q)).high; }
+  Vector in_frame(const Vector& q) const;
   TwoPart in_frame(TwoPart q) const;                             ///< w of q, as columns
   Vector step_in_frame(const Vector& q, Vector dq) const;        ///< dw of dq at q
   void to_frame(double theta, Eigen::Ref<Vector> forces) const;  ///< forces on q as forces on w
@@ -84,7 +78,7 @@ struct Turning {
   void turn(const Vector& q, const Vector& forces, const Vector& rate, Eigen::Ref<Matrix> transposed) const;
 
  private:
-  Eigen::Matrix2d axes(double theta) const { return rotation(-hand * theta); }  ///< w of the pivot = axes * its motion
+  Eigen::Matrix2d axes(double theta) const;  ///< w of the pivot = axes * its motion
   Vec2 of_pivot(const Vector& q) const { return {q[pivot[0]], q[pivot[1]]}; }
 };
 

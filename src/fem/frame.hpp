@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cmath>
 
 #include "base/linalg.hpp"
 
@@ -8,20 +7,9 @@
 namespace reye::fem {
 
 /// Displacements in a frame that has turned by `angle`: w = R^T (X + u) - X, but for a translation.
-inline base::Points in_frame(const base::Points& X, const base::Points& u, double angle) {
-  if (angle == 0.0) return u;
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Eigen::Matrix2d back{{c, s}, {-s, c}};
-  base::Points w(u.size());
-  for (std::size_t i = 0; i < u.size(); ++i) w[i] = back * (X[i] + u[i]) - X[i];
-  return w;
-}
+base::Points in_frame(const base::Points& X, const base::Points& u, double angle);
 
 /// R s R^T of a stress s in the frame, in the order (11, 22, 12, 33).
-inline std::array<double, 4> turned(const std::array<double, 4>& s, double angle) {
-  const double c = std::cos(angle), d = std::sin(angle);
-  return {c * c * s[0] + d * d * s[1] - 2.0 * c * d * s[2], d * d * s[0] + c * c * s[1] + 2.0 * c * d * s[2],
-          c * d * (s[0] - s[1]) + (c * c - d * d) * s[2], s[3]};
-}
+std::array<double, 4> turned(const std::array<double, 4>& s, double angle);
 
 }  // namespace reye::fem

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "material/elastic_part.hpp"
+#include "material/finite.hpp"
 
 /// Stored elastic energy per volume of unstressed material [mJ/mm^3].
 namespace reye::material {

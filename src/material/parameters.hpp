@@ -23,25 +23,15 @@ double bulk_modulus(const Law& m) {
   return m.E_MPa / (3.0 * (1.0 - 2.0 * m.nu));
 }
 
-inline double young(const Material& material) {
-  return std::visit([](const auto& m) { return m.E_MPa; }, material);
-}
-inline double poisson(const Material& material) {
-  return std::visit([](const auto& m) { return m.nu; }, material);
-}
-inline double shear_modulus(const Material& material) {
-  return std::visit([](const auto& m) { return shear_modulus(m); }, material);
-}
-inline double bulk_modulus(const Material& material) {
-  return std::visit([](const auto& m) { return bulk_modulus(m); }, material);
-}
+double young(const Material& material);
+double poisson(const Material& material);
+double shear_modulus(const Material& material);
+double bulk_modulus(const Material& material);
 
 /// True if the stress depends on a PlasticState.
-inline bool has_history(const Material& material) { return std::holds_alternative<HenckyJ2>(material); }
+bool has_history(const Material& material);
 
 /// Every law works at small strain, all but LinearElastic at finite strain.
-inline bool supports(const Material& material, base::Kinematics kinematics) {
-  return kinematics == base::Kinematics::small || !std::holds_alternative<LinearElastic>(material);
-}
+bool supports(const Material& material, base::Kinematics kinematics);
 
 }  // namespace reye::material

@@ -13,10 +13,6 @@
 /// Stress at small strain, one formula for values and tangents.
 namespace reye::material {
 
-/// Components in the order (11, 22, 12, 33); a strain has the engineering shear, gamma = 2 eps_12.
-template <class T>
-using Voigt = std::array<T, 4>;
-
 /// Strain in thickness of an elastic sheet with the in-plane trace given and sigma_33 = 0: the start of its search.
 template <class Law>
 Search thickness_search(const Law& m, double plane_trace, const PlasticState& before) {

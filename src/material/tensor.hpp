@@ -11,6 +11,10 @@ namespace reye::material {
 template <class T>
 using Symmetric = std::array<T, 4>;
 
+/// Components in the order (11, 22, 12, 33); a strain has the engineering shear, gamma = 2 eps_12.
+template <class T>
+using Voigt = std::array<T, 4>;
+
 /// Deformation gradient F11, F12, F21, F22, F33.
 template <class T>
 using Gradient = std::array<T, 5>;

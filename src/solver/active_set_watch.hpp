@@ -20,16 +20,7 @@ class ActiveSetWatch {
   using Set = std::vector<contact::ContactStatus>;  ///< the nodes of all contacts, one after the other
 
   /// Receives the set of every iteration; an unchanged set is ignored.
-  void add(const Set& set) {
-    if (set == last_) return;
-    last_ = set;
-    if (const int times = ++seen_[set]; cycling_)
-      stuck_ = stuck_ || times > 1;
-    else if (times == 3) {
-      cycling_ = true;
-      seen_ = {{set, 1}};
-    }
-  }
+  void add(const Set& set);
 
   bool cycling() const { return cycling_; }  ///< one node at a time
   bool stuck() const { return stuck_; }      ///< changes of one node at a time cycled, too

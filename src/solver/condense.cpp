@@ -26,6 +26,14 @@ void Condenser::again(const Vector& rhs) {
   b_.head(rhs.size()) = rhs;
 }
 
+void Condenser::add_body(int at, const Matrix& tangent) {
+  At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose();
+}
+
+void Condenser::stiffen(int column, double stiffness) { At_(column, column) += stiffness; }
+
+Eigen::Ref<Matrix> Condenser::tangent(int at, Eigen::Index size) { return At_.block(at, at, size, size); }
+
 /// Nodes that turn with q turn the arms of their forces, too: adds the second derivatives of positions to the tangent.
 void Condenser::turn(const System& system, const contact::Setup& setup, const Vector& force, const Reduction& reduction,
                      const Window& window, const Vector& q) {

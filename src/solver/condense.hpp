@@ -34,15 +34,13 @@ class Condenser {
   void again(const Vector& rhs);
 
   /// Tangent of a body whose columns start at `at`.
-  void add_body(int at, const Matrix& tangent) {
-    At_.block(at, at, tangent.cols(), tangent.rows()) = tangent.transpose();
-  }
+  void add_body(int at, const Matrix& tangent);
 
   /// A spring from a column to the ground.
-  void stiffen(int column, double stiffness) { At_(column, column) += stiffness; }
+  void stiffen(int column, double stiffness);
 
   /// The block of the transposed tangent of a body whose columns start at `at`.
-  Eigen::Ref<Matrix> tangent(int at, Eigen::Index size) { return At_.block(at, at, size, size); }
+  Eigen::Ref<Matrix> tangent(int at, Eigen::Index size);
 
   /// Derivatives of conditions and forces, per contact, from which the next matrix is made.
   const std::vector<contact::Linearised>& linearise(std::vector<contact::Interface>& contacts,

@@ -26,6 +26,8 @@ Condensed Condensed::part(std::vector<int> near, std::vector<int> far) const {
   return {S_, far_.empty() ? inverse_ : nullptr, std::move(near), std::move(far)};
 }
 
+Vector Condensed::moved(const Eigen::Ref<const Vector>& near, const Vector& own) const { return own - G_ * near; }
+
 Condensed::Load Condensed::load(const Eigen::Ref<const Vector>& full) const {
   Load load{full(near_), Vector::Zero(static_cast<Eigen::Index>(far_.size()))};
   if (far_.empty()) return load;

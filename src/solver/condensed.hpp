@@ -34,7 +34,7 @@ class Condensed {
     Vector near, own;
   };
   Load load(const Eigen::Ref<const Vector>& full) const;
-  Vector moved(const Eigen::Ref<const Vector>& near, const Vector& own) const { return own - G_ * near; }  ///< q_f
+  Vector moved(const Eigen::Ref<const Vector>& near, const Vector& own) const;  ///< q_f
   /// All columns from the kept ones.
   Vector expand(const Eigen::Ref<const Vector>& near, const Vector& own) const;
 

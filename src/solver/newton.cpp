@@ -88,10 +88,13 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
 }
 
 Newton::Newton() = default;
+Newton::Newton(NewtonOptions options) : options_(options) {}
 Newton::Newton(const Newton&) = default;
 Newton::Newton(Newton&&) noexcept = default;
 Newton& Newton::operator=(const Newton&) = default;
 Newton& Newton::operator=(Newton&&) noexcept = default;
 Newton::~Newton() = default;
+
+void Newton::reset() { increment_.forget(); }
 
 }  // namespace reye::solver

@@ -17,13 +17,13 @@ class Newton {
   Newton& operator=(Newton&&) noexcept;
   ~Newton();
 
-  explicit Newton(NewtonOptions options) : options_(options) {}
+  explicit Newton(NewtonOptions options);
 
   /// From the accepted state `before` to equilibrium under `controls`. A failure is a result with a reason.
   SolveResult solve(const System& system, const SolverState& before, const Controls& controls);
 
   /// To be called where the system changes, and at every block start.
-  void reset() { increment_.forget(); }
+  void reset();
 
  private:
   NewtonOptions options_;

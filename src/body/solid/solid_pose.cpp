@@ -1,8 +1,23 @@
 #include "body/solid/solid_pose.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace reye::body {
+
+Vec3 SolidPose::pivot() const { return centre + shift; }
+
+Vec3 SolidPose::place(const Vec3& X, const Vec3& w) const { return pivot() + R * (X + w - centre); }
+
+Vec3 SolidPose::in_frame(const Vec3& X, const Vec3& x) const { return R.transpose() * (x - pivot()) + centre - X; }
+
+Vec3 carried_along(const SolidPose& from, const SolidPose& to, const Vec3& x) {
+  return to.pivot() + to.R * (from.R.transpose() * (x - from.pivot()));
+}
+
+Vec3 Twist::at(const Vec3& x) const { return turn.cross(x - origin) + way; }
+
+Twist Twist::about(const Vec3& other) const { return {turn, at(other), other}; }
 
 Twist relative_twist(const SolidPose& own_old, const SolidPose& own, const SolidPose& other_old,
                      const SolidPose& other) {

@@ -13,23 +13,20 @@ struct SolidPose {
   Vec3 centre = Vec3::Zero();  ///< c
   Vec3 shift = Vec3::Zero();   ///< t
 
-  Vec3 pivot() const { return centre + shift; }
-  Vec3 place(const Vec3& X, const Vec3& w) const { return pivot() + R * (X + w - centre); }
-  /// w of a place x.
-  Vec3 in_frame(const Vec3& X, const Vec3& x) const { return R.transpose() * (x - pivot()) + centre - X; }
+  Vec3 pivot() const;
+  Vec3 place(const Vec3& X, const Vec3& w) const;
+  Vec3 in_frame(const Vec3& X, const Vec3& x) const;  ///< w of a place x
 };
 
 /// Where what is at x now would be if it had stayed in its frame from one pose to another.
-inline Vec3 carried_along(const SolidPose& from, const SolidPose& to, const Vec3& x) {
-  return to.pivot() + to.R * (from.R.transpose() * (x - from.pivot()));
-}
+Vec3 carried_along(const SolidPose& from, const SolidPose& to, const Vec3& x);
 
 /// A velocity field times a time, v(x) = turn x (x - origin) + way.
 struct Twist {
   Vec3 turn = Vec3::Zero(), way = Vec3::Zero(), origin = Vec3::Zero();
 
-  Vec3 at(const Vec3& x) const { return turn.cross(x - origin) + way; }
-  Twist about(const Vec3& other) const { return {turn, at(other), other}; }
+  Vec3 at(const Vec3& x) const;
+  Twist about(const Vec3& other) const;
 };
 
 /// The steady motion (a screw) by which a frame moves past another one while both go from their old poses to their new

@@ -98,6 +98,8 @@ std::vector<SkinFrame> frames_of(const SkinSetup& setup, const SkinPlace& place,
 
 }  // namespace
 
+Vec3 SkinFrame::tangential(const Vec3& v) const { return v - normal.dot(v) * normal; }
+
 Vec3 SkinFrame::across(const Vec3& v) const {
   Vec3 sum = Vec3::Zero();
   for (int k = 0; k < free; ++k) sum += tangent[k].dot(v) * tangent[k];

@@ -27,7 +27,7 @@ struct SkinFrame {
 
   base::Vec3 across(const base::Vec3& v) const;  ///< the part of v along the free tangents
   /// The part of v across the normal, along held tangents, too.
-  base::Vec3 tangential(const base::Vec3& v) const { return v - normal.dot(v) * normal; }
+  base::Vec3 tangential(const base::Vec3& v) const;
 };
 
 /// The frame with its free tangents turned as little as possible from those of `before`. Which axis a tangent is made

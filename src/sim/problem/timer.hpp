@@ -1,6 +1,4 @@
 #pragma once
-#include <sys/resource.h>
-
 #include <chrono>
 
 #include "sim/problem/problem.hpp"
@@ -24,23 +22,11 @@ class Timer {
 };
 
 /// Processor time of this program so far, all its threads [s].
-inline double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto s = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
-  return s(usage.ru_utime) + s(usage.ru_stime);
-}
+double cpu_seconds();
 
 /// The largest memory of this program so far.
-inline double peak_memory_MB() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
+double peak_memory_MB();
 
-inline SystemPtr timed_system(const Problem& problem, const State& state, Cache& cache) {
-  Timer timer(cache, "body");
-  return system_of(problem, state, cache);
-}
+SystemPtr timed_system(const Problem& problem, const State& state, Cache& cache);
 
 }  // namespace reye::sim

@@ -55,6 +55,10 @@ int count_unheld(const body::SolidBody& body, const std::optional<body::SolidTur
 
 }  // namespace
 
+Vector SolidSystem::part(const Vector& all, const std::vector<int>& first, std::size_t body, int size) {
+  return all.segment(size * first[body], size * (first[body + 1] - first[body]));
+}
+
 bool SolidSystem::turns() const {
   return std::any_of(turning.begin(), turning.end(), [](const auto& body) { return body.has_value(); });
 }

@@ -46,9 +46,7 @@ struct SolidSystem {
   int free() const { return first_free.back(); }
 
  private:
-  static Vector part(const Vector& all, const std::vector<int>& first, std::size_t body, int size) {
-    return all.segment(size * first[body], size * (first[body + 1] - first[body]));
-  }
+  static Vector part(const Vector& all, const std::vector<int>& first, std::size_t body, int size);
 };
 
 /// Where the points of each body begin, for `contact::Columns`: they are numbered body by body as they are retained.
