@@ -1,6 +1,7 @@
 #pragma once
 #include "base/errors.hpp"
 #include "sim/problem/problem.hpp"
+#include "solver/system.hpp"
 
 namespace reye::sim {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem/problem.hpp"
+#include "solver/system.hpp"
 
 namespace reye::sim {
 
