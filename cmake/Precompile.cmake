@@ -22,7 +22,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(reye_options INTERFACE --param=ggc-min-heapsize=1048576)   # kB
 endif()
 
-# reye_unity(<target>): the fewest equal units of at most 24 files, or of `files`
+# reye_unity(<target> [most]): the fewest equal units of at most 24 files, or of as many as are given
 function(reye_unity target)
   set(most 24)
   if(ARGC GREATER 1)
