@@ -6,16 +6,11 @@
 
 namespace reye::material {
 
-namespace {
-
-/// In a sheet eps_e33 follows from sigma_33 = lambda tr(eps_e) + 2 mu eps_e33 = 0.
 ElasticState with_thickness(const Material& m, base::Analysis analysis, ElasticState e) {
   if (analysis == base::Analysis::plane_stress)
     e.strain[3] = -(e.strain[0] + e.strain[1]) * poisson(m) / (1.0 - poisson(m));
   return e;
 }
-
-}  // namespace
 
 ElasticState elastic_state(const Material& m, base::Analysis analysis, const Voigt<double>& strain,
                            const PlasticState& state) {

@@ -14,6 +14,9 @@ struct ElasticState {
   double accumulated = 0.0;
 };
 
+/// In a sheet eps_e33 follows from sigma_33 = lambda tr(eps_e) + 2 mu eps_e33 = 0.
+ElasticState with_thickness(const Material& m, base::Analysis analysis, ElasticState e);
+
 /// Elastic state of a strain (11, 22, gamma_12, 33) and the plastic state it was accepted with: eps - eps_p.
 ElasticState elastic_state(const Material& m, base::Analysis analysis, const Voigt<double>& strain,
                            const PlasticState& state);
