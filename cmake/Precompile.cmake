@@ -1,13 +1,11 @@
-# What most files of a room read, compiled once: it was more than half of the time of a build. A file must name what it uses
-# all the same: without REYE_PRECOMPILE, as in the dev preset, it is compiled with nothing else.
-option(REYE_PRECOMPILE "precompile the headers that most files read" ON)
-if(REYE_PRECOMPILE)   # g++ 12 forgets that what it has precompiled is the system's, and warns falsely about std::string
-  target_compile_options(reye_options INTERFACE -Wno-stringop-overflow -Wno-array-bounds)
-endif()
+# What most files of the tests read, compiled once for several folders. The rooms do without: their units are so few that
+# what is precompiled would take as long as it saves. A file must name what it uses all the same: without REYE_PRECOMPILE,
+# as in the dev preset, it is compiled with nothing else.
+option(REYE_PRECOMPILE "precompile the headers that most files of the tests read" ON)
 
-# The files of a room, or of a folder of tests, compiled several at a time: half of the time of the rest was spent on the
-# same templates file after file. Names without a namespace of their own are unique in a room for that reason. Who works on
-# a room turns it off, as the dev preset does: one file is then compiled at a time, with all warnings.
+# The files of a room, or of a folder of tests, compiled several at a time: more than half of the time was spent on the same
+# headers and templates file after file. Names without a namespace of their own are unique in a room for that reason. Who
+# works on a room turns it off, as the dev preset does: one file is then compiled at a time, with all warnings.
 option(REYE_UNITY "compile several files of a folder at a time" ON)
 if(REYE_UNITY)
   set(CMAKE_UNITY_BUILD ON)
@@ -22,9 +20,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(reye_options INTERFACE --param=ggc-min-heapsize=1048576)   # kB
 endif()
 
-# reye_unity(<target> [most]): the fewest equal units of at most 24 files, or of as many as are given
+# reye_unity(<target> [most]): the fewest equal units of at most 48 files, or of as many as are given
 function(reye_unity target)
-  set(most 24)
+  set(most 48)
   if(ARGC GREATER 1)
     set(most ${ARGV1})
   endif()

@@ -7,11 +7,6 @@ find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel IOCore IOXML)
-# Its kissfft defines a macro for Fourier transforms, which nothing here uses: a header that `output` precompiles with it
-# could not be shared with the programs, which do without VTK.
-if(TARGET VTK::kissfft)
-  set_property(TARGET VTK::kissfft PROPERTY INTERFACE_COMPILE_DEFINITIONS)
-endif()
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)

@@ -10,18 +10,14 @@
 #include "output/report/profiles.hpp"
 #include "output/report/report.hpp"
 #include "sample_run.hpp"
+#include "support/texts.hpp"
 #include "well_formed.hpp"
 
 using namespace reye::output;
+using reye::support::times;
 using sample::well_formed;
 
 namespace {
-
-std::size_t times(const std::string& part, const std::string& text) {
-  std::size_t count = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
 
 /// A run whose frames change their meshes, without summary.
 void write_frames(const std::string& dir, int count) {

@@ -8,6 +8,7 @@
 using namespace reye;
 using sample::well_formed;
 using support::holds;
+using support::times;
 
 namespace {
 
@@ -16,12 +17,6 @@ output::SweepRow row(const std::string& member, std::vector<std::string> values,
   return {member,
           std::move(values),
           {"done", "", "", {{"life_cycles.deep", life}, {"contacts.pad.secondary.max_depth_mm", depth}}}};
-}
-
-std::size_t times(const std::string& part, const std::string& text) {
-  std::size_t count = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
 }
 
 }  // namespace

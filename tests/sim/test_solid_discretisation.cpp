@@ -38,7 +38,7 @@ sim::SkinRecord square(int n, mesh::FacetKind kind, F f) {
   return s;
 }
 
-double bump(const base::Vec3& x) { return std::max(0.0, 1.0 - 2.0 * x.squaredNorm()); }
+double dome(const base::Vec3& x) { return std::max(0.0, 1.0 - 2.0 * x.squaredNorm()); }
 
 }  // namespace
 
@@ -58,9 +58,9 @@ TEST(SolidDiscretisation, ATenthMore) {
 // A smooth profile that is straight between the coarse rows must be off by the second power of their distance.
 TEST(SolidDiscretisation, OrderOfInterpolation) {
   std::vector<double> apart;
-  const std::vector fine{square(128, mesh::FacetKind::quad4, bump)};
+  const std::vector fine{square(128, mesh::FacetKind::quad4, dome)};
   for (int n : {8, 16, 32})
-    apart.push_back(sim::mesh_difference(fine, {square(n, mesh::FacetKind::tri6, bump)}).wear.value());
+    apart.push_back(sim::mesh_difference(fine, {square(n, mesh::FacetKind::tri6, dome)}).wear.value());
   for (int k : {0, 1}) EXPECT_NEAR(std::log2(apart[k] / apart[k + 1]), 2.0, 0.2) << apart[k];
 }
 

@@ -6,10 +6,10 @@
 #include "fit/estimate.hpp"
 
 /// Scars that grow as a wearing cylinder's do, and what a profilometer makes of them.
-namespace support {
+namespace reye::support {
 
-using reye::base::Vec2;
-using reye::base::Vector;
+using base::Vec2;
+using base::Vector;
 
 enum class Scar { parabola, u, w };
 
@@ -51,10 +51,10 @@ struct Measured {
   double from = -1.0, to = 1.0;  ///< [width] about the middle
   double tau = 1.0;
 };
-inline reye::fit::Series profile(std::mt19937_64& random, const Measured& m) {
+inline fit::Series profile(std::mt19937_64& random, const Measured& m) {
   const double width = std::cbrt(m.tau), depth = worn(Scar::parabola, m.tau, 0.0);
   const double step = (m.to - m.from) * width / (m.count - 1);
-  reye::fit::Series series;
+  fit::Series series;
   series.name = "scar[0]";
   series.value = m.noise * depth * noise(random, m.count, m.correlation * width / step);
   for (int i = 0; i < m.count; ++i) {
@@ -66,7 +66,7 @@ inline reye::fit::Series profile(std::mt19937_64& random, const Measured& m) {
 }
 
 /// The model of profiles at given tau over a common factor exp(theta[0]).
-inline reye::fit::Model model_of(Scar scar, std::vector<reye::fit::Series> series, std::vector<double> taus) {
+inline fit::Model model_of(Scar scar, std::vector<fit::Series> series, std::vector<double> taus) {
   return [scar, series = std::move(series), taus = std::move(taus)](const Vector& theta, std::size_t s,
                                                                     const Vec2& shift) {
     const auto& at = series[s].at;
@@ -78,4 +78,4 @@ inline reye::fit::Model model_of(Scar scar, std::vector<reye::fit::Series> serie
   };
 }
 
-}  // namespace support
+}  // namespace reye::support

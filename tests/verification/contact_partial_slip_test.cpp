@@ -14,8 +14,8 @@ struct Stick {
 double mindlin(double x, double stick, double limit) {
   return hertz(x, Hertz::a, limit) - hertz(x, stick, limit * stick / Hertz::a);
 }
-double loaded(double x) { return mindlin(x, Stick::loaded, Hertz::mu * Hertz::p0); }
-double unloaded(double x) { return loaded(x) - mindlin(x, Stick::unloaded, 2.0 * Hertz::mu * Hertz::p0); }
+double shear_loaded(double x) { return mindlin(x, Stick::loaded, Hertz::mu * Hertz::p0); }
+double shear_unloaded(double x) { return shear_loaded(x) - mindlin(x, Stick::unloaded, 2.0 * Hertz::mu * Hertz::p0); }
 
 const std::map<std::string, sim::Frame>& frames() {
   static const auto all = frames_of(scene_text("cattaneo_mindlin"));
@@ -39,14 +39,14 @@ double largest(const std::vector<double>& v) { return *std::max_element(v.begin(
 // the flat, which the cylinder drags towards +x, must be positive along increasing x.
 TEST(PartialSlip, Loading) {
   EXPECT_NEAR(sim::stick_half_width(flat("load"), Hertz::mu).value(), Stick::loaded, 0.01 * Stick::loaded);
-  EXPECT_LT(shear_error("load", loaded), 0.03);
+  EXPECT_LT(shear_error("load", shear_loaded), 0.03);
   EXPECT_GT(flat("load").shear_MPa[flat("load").shear_MPa.size() / 2], 0.0);
 }
 
 // The largest shear, a cusp at the stick edge, must come within one element's fall of mu p0 sqrt(Q / mu P).
 TEST(PartialSlip, PeakShear) {
   const double h = 0.0045, exact = Hertz::mu * Hertz::p0 * std::sqrt(0.5);
-  EXPECT_NEAR(largest(flat("load").shear_MPa), exact, exact - loaded(Stick::loaded - h));
+  EXPECT_NEAR(largest(flat("load").shear_MPa), exact, exact - shear_loaded(Stick::loaded - h));
 }
 
 // Back at Q = 0 reversed slip must reach in to c', the locked-in shear must follow the superposed profile.
@@ -54,11 +54,11 @@ TEST(PartialSlip, Unloading) {
   sim::SurfaceRecord change = flat("unload");
   for (std::size_t i = 0; i < change.node.size(); ++i) change.shear_MPa[i] -= flat("load").shear_MPa[i];
   EXPECT_NEAR(sim::stick_half_width(change, 2.0 * Hertz::mu).value(), Stick::unloaded, 0.01 * Stick::unloaded);
-  EXPECT_LT(shear_error("unload", unloaded), 0.06);
+  EXPECT_LT(shear_error("unload", shear_unloaded), 0.06);
 }
 
 // Fully reversed, the shear must be the mirror image of the first loading.
 TEST(PartialSlip, Reversal) {
   EXPECT_NEAR(sim::stick_half_width(flat("reverse"), Hertz::mu).value(), Stick::loaded, 0.01 * Stick::loaded);
-  EXPECT_LT(shear_error("reverse", [](double x) { return -loaded(x); }), 0.03);
+  EXPECT_LT(shear_error("reverse", [](double x) { return -shear_loaded(x); }), 0.03);
 }
