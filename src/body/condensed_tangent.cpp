@@ -13,8 +13,9 @@ constexpr int margin = 3;          ///< rings of cells that change beside those 
 constexpr double largest = 0.5;    ///< share of the cells beyond which all tangents are made again
 constexpr int remembered = 200;    ///< tangents for which a cell counts as changing
 constexpr int longest_wait = 256;  ///< tangents of all cells before another division is tried
-/// Turn and stretch since its tangent was kept at which a cell counts as changed: the error of Newton's steps.
-constexpr double much = 0.02;
+/// Turn and stretch since its tangent was kept at which a cell counts as changed: the error of Newton's steps, times
+/// the square of slenderness in bending.
+constexpr double much = 0.005;
 
 /// The columns of a sparse matrix that are listed.
 SparseMatrix chosen(const SparseMatrix& B, const std::vector<int>& columns) {
@@ -76,15 +77,14 @@ void CondensedTangent::make(const NonlinearEquations& of, const Interior& before
                             const Vector& load_factors, Tangent tangent) {
   ++made_;
   divided_ = false;  // also where what follows throws
-  divided_ = divides(of, tangent) && make_rest(of, before, v, load_factors, tangent);
+  divided_ = divides(of) && make_rest(of, before, v, load_factors, tangent);
   if (!divided_) make_whole(of, before, v, load_factors, tangent);
 }
 
-bool CondensedTangent::divides(const NonlinearEquations& of, Tangent tangent) const {
+bool CondensedTangent::divides(const NonlinearEquations& of) const {
   const bool follows = std::any_of(of.loads.begin(), of.loads.end(),
                                    [](const NonlinearLoad& load) { return load.pressure.has_value(); });
-  const bool exactly_asked = of.turns() && tangent == Tangent::exact;
-  return !follows && made_ > whole_until_ && !exactly_asked;
+  return !follows && made_ > whole_until_;
 }
 
 void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v,
@@ -122,7 +122,7 @@ CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of, 
 
 /// Chooses the cells that change, and condenses the others at u. False where that would not pay.
 bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& before, const Vector& u,
-                              const SparseMatrix& B) {
+                              const SparseMatrix& B, Tangent tangent) {
   changing_.assign(last_.size(), 0);
   for (std::size_t cell = 0; cell < last_.size(); ++cell) changing_[cell] = made_ - last_[cell] < remembered;
   widen(of.mesh(), cells_of_, changing_);
@@ -142,7 +142,7 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     fem::tangent_of(kept, of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K, yields);
   });
   try {
-    Superelement element(B.transpose() * SparseMatrix(whole_.K * B), inside);
+    Superelement element(B.transpose() * SparseMatrix(whole_.K * B), inside, of.symmetric(), tangent);
     std::vector<int> columns, place(inside.size(), -1);
     for (std::size_t c = 0; c < inside.size(); ++c) {
       if (inside[c]) continue;
@@ -160,10 +160,16 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     stiffness.setFromTriplets(entries.begin(), entries.end());
     fem::Pattern pattern(cells_of(of.mesh(), changing_));
     SparseMatrix K = pattern.zero();
-    rest_.emplace(
-        Rest{std::move(element), std::move(columns), std::move(pattern), std::move(K), std::move(stiffness), {}, {}});
+    rest_.emplace(Rest{std::move(element),
+                       tangent,
+                       std::move(columns),
+                       std::move(pattern),
+                       std::move(K),
+                       std::move(stiffness),
+                       {},
+                       {}});
   } catch (const base::SolveError&) {
-    return false;  // not definite
+    return false;  // singular
   }
   kept_at_ = u;
   return true;
@@ -191,11 +197,12 @@ bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& b
       fem::tangent_of(Flags(last_.size(), 0), of.mesh(), of.solid, u, state, of.pattern, f, whole_.K, yields);
     });
   const Flags marked = changed(of, u, yields);
-  if (!rest_ || outside(marked)) {
+  const bool enough = rest_ && (rest_->kept_as == tangent || rest_->kept_as == Tangent::exact || !of.turns());
+  if (!enough || outside(marked)) {
     rest_.reset();
     wait_ = made_ - divided_at_ > 8 ? 4 : std::min(2 * wait_, longest_wait);
     divided_at_ = made_;
-    if (!divide(of, before, u, B)) {
+    if (!divide(of, before, u, B, tangent)) {
       rest_.reset();
       kept_at_.resize(0);
       whole_until_ = made_ + wait_;

@@ -16,8 +16,7 @@ class CondensedTangent {
  public:
   explicit CondensedTangent(const NonlinearEquations& of);
 
-  /// At the unknowns v without translation; f and r are set as well. An exact one at finite strain is made of all
-  /// cells. Throws base::SolveError.
+  /// At the unknowns v without translation; f and r are set as well. Throws base::SolveError.
   void make(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
             Tangent tangent);
   /// Nothing is kept: what follows does not depend on states before it.
@@ -42,18 +41,20 @@ class CondensedTangent {
   /// What is left beside the superelement.
   struct Rest {
     Superelement kept;
+    Tangent kept_as;
     std::vector<int> columns;  ///< of the body
     fem::Pattern pattern;
     base::SparseMatrix K, kept_stiffness, reduced;
     Condensation condensation;
   };
 
-  bool divides(const NonlinearEquations& of, Tangent tangent) const;
+  bool divides(const NonlinearEquations& of) const;
   void make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
                   Tangent tangent);
   bool make_rest(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
                  Tangent tangent);
-  bool divide(const NonlinearEquations& of, const Interior& before, const Vector& u, const base::SparseMatrix& B);
+  bool divide(const NonlinearEquations& of, const Interior& before, const Vector& u, const base::SparseMatrix& B,
+              Tangent tangent);
   Flags changed(const NonlinearEquations& of, const Vector& u, const Flags& yields);
   const Condensation& condensation() const { return divided_ ? rest_->condensation : whole_.condensation; }
 

@@ -1,12 +1,10 @@
 #include "body/superelement.hpp"
 
-#include <algorithm>
-
 namespace reye::body {
 
 using base::Vector;
 
-Superelement::Superelement(const SparseMatrix& K, const std::vector<char>& inside) {
+Superelement::Superelement(const SparseMatrix& K, const std::vector<char>& inside, bool symmetric, Tangent tangent) {
   std::vector<char> touched(inside.size(), 0);
   for (int c = 0; c < K.outerSize(); ++c)
     for (SparseMatrix::InnerIterator e(K, c); e; ++e)
@@ -23,32 +21,30 @@ Superelement::Superelement(const SparseMatrix& K, const std::vector<char>& insid
   for (int c = 0; c < K.outerSize(); ++c)
     for (SparseMatrix::InnerIterator e(K, c); e; ++e) {
       const int row = place[static_cast<std::size_t>(e.row())], column = place[static_cast<std::size_t>(c)];
-      if (row < 0 || column < 0) continue;
-      const auto [above, below] = std::minmax(row, column);  // the upper triangle is read
-      entries.emplace_back(above, below, (row == column ? 1.0 : 0.5) * e.value());
+      if (row >= 0 && column >= 0) entries.emplace_back(row, column, e.value());
     }
   const auto size = static_cast<Eigen::Index>(inside_.size() + shared_.size());
   SparseMatrix own(size, size);
   own.setFromTriplets(entries.begin(), entries.end());
-  factor_.emplace(std::move(own), static_cast<int>(shared_.size()));
+  condensation_.factorise(own, static_cast<int>(shared_.size()), symmetric, tangent);
 }
 
 /// r of the columns inside, in the order of the factor, and nothing on those that are shared.
 Vector Superelement::loads_inside(const Vector& r) const {
-  Vector own = Vector::Zero(factor_->size());
+  Vector own = Vector::Zero(static_cast<Eigen::Index>(inside_.size() + shared_.size()));
   for (std::size_t k = 0; k < inside_.size(); ++k) own[static_cast<Eigen::Index>(k)] = r[inside_[k]];
   return own;
 }
 
 void Superelement::condense(Vector& r) const {
-  const Vector condensed = factor_->condense(loads_inside(r));
+  const Vector condensed = condensation_.condense(loads_inside(r));
   for (std::size_t k = 0; k < shared_.size(); ++k) r[shared_[k]] += condensed[static_cast<Eigen::Index>(k)];
 }
 
 void Superelement::recover(const Vector& r, Vector& u) const {
   Vector at(shared_.size());
   for (std::size_t k = 0; k < shared_.size(); ++k) at[static_cast<Eigen::Index>(k)] = u[shared_[k]];
-  const Vector all = factor_->recover(loads_inside(r), at);
+  const Vector all = condensation_.recover(loads_inside(r), at);
   for (std::size_t k = 0; k < inside_.size(); ++k) u[inside_[k]] = all[static_cast<Eigen::Index>(k)];
 }
 

@@ -1,8 +1,7 @@
 #pragma once
-#include <optional>
 #include <vector>
 
-#include "algebra/factor.hpp"
+#include "body/condensation.hpp"
 
 namespace reye::body {
 
@@ -13,12 +12,12 @@ using base::SparseMatrix;
 ///   S = K_oo - K_oi K_ii^-1 K_io,   i: inside, o: shared.
 class Superelement {
  public:
-  /// K: tangent of those cells in all columns of the body, of which the symmetric part is taken. `inside`: per column,
-  /// whether only its cells touch it. Throws base::SolveError where K_ii is not definite.
-  Superelement(const SparseMatrix& K, const std::vector<char>& inside);
+  /// K: tangent of those cells in all columns of the body, or its symmetric part. `inside`: per column, whether only
+  /// its cells touch it. Throws base::SolveError where K_ii is singular.
+  Superelement(const SparseMatrix& K, const std::vector<char>& inside, bool symmetric, Tangent tangent);
 
   const std::vector<int>& shared() const { return shared_; }
-  const base::Matrix& stiffness() const { return factor_->schur(); }  ///< S
+  const base::Matrix& stiffness() const { return condensation_.schur(); }  ///< S
   /// r_o - K_oi K_ii^-1 r_i in the shared columns of r; those inside stay.
   void condense(base::Vector& r) const;
   /// Puts the solution for loads r, whose shared columns stand in u, into the columns inside.
@@ -27,7 +26,7 @@ class Superelement {
  private:
   base::Vector loads_inside(const base::Vector& r) const;
   std::vector<int> inside_, shared_;
-  std::optional<algebra::SchurFactor> factor_;
+  Condensation condensation_;
 };
 
 }  // namespace reye::body
