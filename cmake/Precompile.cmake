@@ -3,8 +3,8 @@
 # as in the dev preset, it is compiled with nothing else.
 option(REYE_PRECOMPILE "precompile the headers that most files of the tests read" ON)
 
-# The files of a room, or of a folder of tests, compiled several at a time: more than half of the time was spent on the same
-# headers and templates file after file. Names without a namespace of their own are unique in a room for that reason. Who
+# The files of a room, or of a folder of tests, compiled several at a time, since they need the same headers and templates.
+# Names without a namespace of their own are unique in a room for that reason. Who
 # works on a room turns it off, as the dev preset does: one file is then compiled at a time, with all warnings.
 option(REYE_UNITY "compile several files of a folder at a time" ON)
 if(REYE_UNITY)

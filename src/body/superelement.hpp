@@ -12,8 +12,9 @@ using base::SparseMatrix;
 ///   S = K_oo - K_oi K_ii^-1 K_io,   i: inside, o: shared.
 class Superelement {
  public:
-  /// K: tangent of those cells in all columns of the body, or its symmetric part. `inside`: per column, whether only
-  /// its cells touch it. Throws base::SolveError where K_ii is singular.
+  /// K: tangent of those cells in all columns of the body; `symmetric`: whether it is. `inside`: per column, whether
+  /// only its cells touch it. `tangent`: whether S is of K or of its symmetric part, which is taken only where it is
+  /// definite. Throws base::SolveError where K_ii is singular.
   Superelement(const SparseMatrix& K, const std::vector<char>& inside, bool symmetric, Tangent tangent);
 
   const std::vector<int>& shared() const { return shared_; }
