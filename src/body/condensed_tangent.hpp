@@ -41,7 +41,7 @@ class CondensedTangent {
   /// What is left beside the superelement.
   struct Rest {
     Superelement kept;
-    Tangent kept_as;  ///< what `kept` was asked for
+    Tangent kept_as;           ///< what `kept` was asked for
     std::vector<int> columns;  ///< of the body
     fem::Pattern pattern;
     base::SparseMatrix K, kept_stiffness, reduced;
