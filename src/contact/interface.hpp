@@ -133,6 +133,8 @@ class Interface {
   /// Active set from (lambda, gap, slip); wear of this increment stays out of the decision.  [README, Decision]
   /// In iteration 0 the start decides.
   void decide(const std::vector<Vec2>& lambda, int iteration, Start from = Start::sticking);
+  /// Whether the last decision took a node out of contact.
+  bool opened(int node) const { return !active(node) && last_.status[node] != ContactStatus::inactive; }
   /// Reverts the last decision on a node.
   void keep(int node) {
     decision_.status[node] = last_.status[node];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace reye::solver {
 
@@ -159,6 +160,20 @@ bool Increment::touching() const {
   return std::any_of(contacts_.faces().begin(), contacts_.faces().end(), [](const auto& face) {
     return std::any_of(face.status().begin(), face.status().end(), [](auto s) { return s != ContactStatus::inactive; });
   });
+}
+
+bool Increment::keep_nearest() {
+  contact::Interface* of = nullptr;
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto& face : contacts_.faces())
+    for (int j = 0; j < static_cast<int>(face.status().size()); ++j) {
+      if (!face.opened(j) || !face.touching(j)) continue;
+      const double gap = (face.gap()[j] + face.worn_gap(j)) / face.rows()[j].D;
+      if (gap < least) of = &face, nearest = j, least = gap;
+    }
+  if (of) of->keep(nearest);
+  return of != nullptr;
 }
 
 bool Increment::accept(const System& system, const base::TwoPart& q, SolverState& state) {

@@ -62,6 +62,9 @@ class Increment {
 
   bool nonlinear() const { return nonlinear_.any(); }
   bool touching() const;  ///< whether a node of some contact is active
+  /// Reverts the last decision on the node that is open least of those that it opened: where it left nothing in
+  /// contact, a body that is pressed on would otherwise be unsupported in this iteration. False: it opened none.
+  bool keep_nearest();
   ActiveSetWatch::Set active_set() const;
   double way(const Vector& dq) const;  ///< largest motion of a step [mm], rotations at the contacts' extent
   /// Why no state was found, with the nodes concerned.

@@ -25,6 +25,7 @@ constexpr int standing = 3;      ///< such renewals in a row, with contact not s
 constexpr double beside = 0.3;   ///< share of the imbalance that contact may leave to the next renewal
 constexpr double square = 10.0;  ///< factor of the squared imbalance that contact may leave to a new tangent
 constexpr double coarse = 1e-3;  ///< residual that contact leaves at most; with more, bad factors c cost cut-backs
+constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
 
@@ -245,7 +246,11 @@ void NewtonPath::step() {
     }
   } catch (const base::SolveError& error) {
     if (increment_.touching()) return end(Failure::singular, error.what());
-    end(Failure::contact_lost, "no node is in contact, and a body that only contact holds is unsupported");
+    if (kept_nearest_ == most_kept_nearest || !increment_.keep_nearest())
+      return end(Failure::contact_lost, "no node is in contact, and a body that only contact holds is unsupported");
+    ++kept_nearest_;
+    row_ = increment_.measure(system_, controls_, q_, fresh());
+    step();
   }
 }
 

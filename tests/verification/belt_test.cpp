@@ -21,7 +21,7 @@ TEST(Belt, SlidesRoundADrum) {
   EXPECT_LT(belt.contact().ledger_relative_error.value(), 1e-9);
   const auto& counts = belt.summary.counts;
   EXPECT_EQ(counts.cutbacks, 0);
-  EXPECT_LE(static_cast<double>(counts.newton_iterations), 8.5 * static_cast<double>(counts.increments));
+  EXPECT_LE(static_cast<double>(counts.newton_iterations), 6.0 * static_cast<double>(counts.increments));
 }
 
 }  // namespace

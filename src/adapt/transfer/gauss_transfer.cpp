@@ -56,7 +56,8 @@ Eigen::RowVectorXd logarithm(const Eigen::RowVectorXd& F) {
   R << c, -s, s, c;
   assert(inplane.determinant() > 0.0 && F[4] > 0.0);
   const Eigen::Matrix2d U = R.transpose() * inplane;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(0.5 * (U + U.transpose()));
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal;
+  principal.computeDirect(0.5 * (U + U.transpose()));
   const Eigen::Matrix2d H = principal.eigenvectors() * principal.eigenvalues().array().log().matrix().asDiagonal() *
                             principal.eigenvectors().transpose();
   Eigen::RowVectorXd row(static_cast<int>(carried_columns));
@@ -69,7 +70,8 @@ Eigen::RowVectorXd exponential(const Eigen::RowVectorXd& row) {
   Eigen::Matrix2d H, R;
   H << row[log_11], row[log_12], row[log_12], row[log_22];
   R << c, -s, s, c;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(H);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal;
+  principal.computeDirect(H);
   const Eigen::Matrix2d F = R * principal.eigenvectors() * principal.eigenvalues().array().exp().matrix().asDiagonal() *
                             principal.eigenvectors().transpose();
   Eigen::RowVectorXd result(5);

@@ -1,6 +1,5 @@
 #include "adapt/transfer/projection.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
@@ -8,6 +7,7 @@
 
 #include "adapt/transfer/locate.hpp"
 #include "adapt/transfer/overlap.hpp"
+#include "algebra/decompose.hpp"
 #include "fem/element.hpp"
 
 namespace reye::adapt {
@@ -120,7 +120,7 @@ Affine solved(const Equation& e, const Vec2& centre, bool slopes) {
   const Eigen::Matrix2d S =
       e.M.bottomRightCorner<2, 2>() - e.M.bottomLeftCorner<2, 1>() * e.M.topRightCorner<1, 2>() / e.M(0, 0);
   if (slopes && !degenerate(S))
-    p.c = e.M.ldlt().solve(e.b);
+    p.c = algebra::solve_symmetric(e.M, e.b);
   else
     p.c.row(0) = e.b.row(0) / e.M(0, 0);
   return p;

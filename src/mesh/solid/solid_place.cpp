@@ -30,7 +30,7 @@ Vec3 reference_place(const SolidMesh& mesh, const SolidCell& cell, const Vec3& x
       rest -= N[a] * mesh.X[cell[a]];
       J += mesh.X[cell[a]] * dN.row(a);
     }
-    const Vec3 step = J.partialPivLu().solve(rest);
+    const Vec3 step = J.inverse() * rest;
     if (!step.allFinite()) return Vec3::Constant(std::numeric_limits<double>::infinity());
     xi += step;
     if (step.norm() < 1e-12) break;
