@@ -1,7 +1,6 @@
-#define TBB_PREVIEW_TASK_ARENA_CONSTRAINTS_EXTENSION 1  // threads per core, to count physical cores
-
 #include "base/cores.hpp"
 
+#include <sched.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -9,6 +8,9 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <fstream>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,8 +49,19 @@ tbb::task_arena& arena_of(int count) {
 
 int cores() { return beside ? 1 : allowed.load(); }
 
+// TBB would count them, too, but loads hwloc for it, which takes a twentieth of a short run.
 int physical_cores() {
-  return std::max(1, tbb::info::default_concurrency(tbb::task_arena::constraints{}.set_max_threads_per_core(1)));
+  cpu_set_t usable;
+  if (sched_getaffinity(0, sizeof usable, &usable) != 0) return tbb::info::default_concurrency();
+  std::set<std::string> found;
+  for (int k = 0; k < CPU_SETSIZE; ++k) {
+    if (!CPU_ISSET(k, &usable)) continue;
+    const std::string processor = "/sys/devices/system/cpu/cpu" + std::to_string(k);
+    std::string threads;  // that share its core; one by itself where the system does not say
+    if (!std::getline(std::ifstream(processor + "/topology/core_cpus_list"), threads)) threads = processor;
+    found.insert(threads);
+  }
+  return std::max(1, static_cast<int>(found.size()));
 }
 
 Cores::Cores(int count) : before_(allowed.exchange(std::max(1, count))) {}
