@@ -56,31 +56,21 @@ double positive(double det, int cell) {
 }
 
 template <int n>
-StrainPoint strain_point(const Nodes<n>& X, CellKind kind, const CellPoint& at, Analysis analysis, int cell) {
-  const Nodes<n> dN_dxi = shape_gradients(kind, at.xi).topRows<n>();
+StrainPoint<n> strain_point(const Nodes<n>& X, CellKind kind, const RulePoint& point, Analysis analysis, int cell) {
+  const auto dN_dxi = point.dN_dxi.topRows<n>();
   const Eigen::Matrix2d J = dN_dxi.transpose() * X;  // row i: dX/dxi_i
   const double det = positive(J.determinant(), cell);
   const Nodes<n> dN = dN_dxi * J.inverse().transpose();
-  const Eigen::Matrix<double, n, 1> N = shape_functions(kind, at.xi).head<n>();
-  const double r = N.dot(X.col(0));
-  StrainPoint p;
+  const double r = point.N.head<n>().dot(X.col(0));
+  StrainPoint<n> p;
   p.B.setZero();
   for (int a = 0; a < mesh::nodes_per_cell(kind); ++a) {
     p.B(0, 2 * a) = p.B(2, 2 * a + 1) = dN(a, 0);
     p.B(1, 2 * a + 1) = p.B(2, 2 * a) = dN(a, 1);
-    if (analysis == Analysis::axisymmetric) p.B(3, 2 * a) = N[a] / r;
+    if (analysis == Analysis::axisymmetric) p.B(3, 2 * a) = point.N[a] / r;
   }
-  p.volume = at.weight * det * base::out_of_plane(analysis, r);
+  p.volume = point.at.weight * det * base::out_of_plane(analysis, r);
   return p;
-}
-
-template <int n>
-CellStrains strain_points_of(const Mesh& mesh, int cell, Analysis analysis) {
-  const Nodes<n> X = nodes_of<n>(mesh, cell);
-  CellStrains s;
-  for (const CellPoint& at : stiffness_rule(mesh.kind))
-    s.points[s.count++] = strain_point<n>(X, mesh.kind, at, analysis, cell);
-  return s;
 }
 
 template <int n>
@@ -97,8 +87,8 @@ std::vector<VolumePoint> volume_points_of(const Mesh& mesh, int cell, Analysis a
 }
 
 /// Equation (1) of the README.
-void average_volumetric_part(CellStrains& s) {
-  using Row = Eigen::Matrix<double, 1, 2 * mesh::most_cell_nodes>;
+void average_volumetric_part(CellStrains<4>& s) {
+  using Row = Eigen::Matrix<double, 1, 8>;
   std::array<Row, 4> b;
   Row mean = Row::Zero();
   double volume = 0.0;
@@ -110,6 +100,16 @@ void average_volumetric_part(CellStrains& s) {
   mean /= volume;
   for (int g = 0; g < s.count; ++g)
     for (int row : {0, 1, 3}) s.points[g].B.row(row) += (mean - b[g]) / 3.0;
+}
+
+RulePoint tabulated(CellKind kind, const CellPoint& at) {
+  return {at, shape_functions(kind, at.xi), shape_gradients(kind, at.xi)};
+}
+
+std::vector<RulePoint> tabulated(CellKind kind) {
+  std::vector<RulePoint> points;
+  for (const CellPoint& at : stiffness_rule(kind)) points.push_back(tabulated(kind, at));
+  return points;
 }
 
 }  // namespace
@@ -127,12 +127,30 @@ std::span<const CellPoint> volume_rule(CellKind kind) {
   return square;
 }
 
-CellStrains strain_points(const Mesh& mesh, int cell, Analysis analysis, bool b_bar) {
-  if (mesh::order(mesh.kind) == 2) return strain_points_of<8>(mesh, cell, analysis);
-  CellStrains s = strain_points_of<4>(mesh, cell, analysis);
-  if (b_bar && mesh.kind == CellKind::quad4 && analysis != Analysis::plane_stress) average_volumetric_part(s);
+std::span<const RulePoint> tabulated_rule(CellKind kind) {
+  static const std::array<std::vector<RulePoint>, 4> rules{tabulated(CellKind::tri3), tabulated(CellKind::quad4),
+                                                           tabulated(CellKind::tri6), tabulated(CellKind::quad8)};
+  return rules[static_cast<std::size_t>(kind)];
+}
+
+const RulePoint& centre_of_quad4() {
+  static const RulePoint point = tabulated(CellKind::quad4, {Vec2::Zero(), 1.0});
+  return point;
+}
+
+template <int n>
+CellStrains<n> strain_points(const Mesh& mesh, int cell, Analysis analysis, bool b_bar) {
+  const Nodes<n> X = nodes_of<n>(mesh, cell);
+  CellStrains<n> s;
+  for (const RulePoint& point : tabulated_rule(mesh.kind))
+    s.points[s.count++] = strain_point<n>(X, mesh.kind, point, analysis, cell);
+  if constexpr (n == 4)
+    if (b_bar && mesh.kind == CellKind::quad4 && analysis != Analysis::plane_stress) average_volumetric_part(s);
   return s;
 }
+
+template CellStrains<4> strain_points<4>(const Mesh&, int, Analysis, bool);
+template CellStrains<8> strain_points<8>(const Mesh&, int, Analysis, bool);
 
 std::vector<VolumePoint> volume_points(const Mesh& mesh, int cell, Analysis analysis) {
   return mesh::order(mesh.kind) == 2 ? volume_points_of<8>(mesh, cell, analysis)

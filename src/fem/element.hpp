@@ -33,26 +33,38 @@ using mesh::NodeValues;
 using mesh::shape_functions;
 using mesh::shape_gradients;
 
-/// Strain operator of a cell at a quadrature point:
+/// A point of `stiffness_rule` with the shape functions there, which are the same for all cells of a kind.
+struct RulePoint {
+  CellPoint at;
+  NodeValues N;
+  NodeGradients dN_dxi;
+};
+std::span<const RulePoint> tabulated_rule(mesh::CellKind kind);
+const RulePoint& centre_of_quad4();
+
+/// Strain operator at a quadrature point of a cell with n nodes (4 in first order, 8 in second):
 ///   (eps_11, eps_22, gamma_12, eps_33) = B (u_1x, u_1y, u_2x, ...),  eps_33 = u_r / r (axisymmetric) or 0.
-/// Columns beyond the nodes of the cell are zero. With B-bar the volumetric part is its cell mean,
+/// Columns of nodes that a triangle does not have are zero. With B-bar the volumetric part is its cell mean,
 ///   B-bar = B + 1/3 m (b_mean - b),  b = m^T B,  m = (1, 1, 0, 1),          (1)
 /// so that in plane strain eps_33 of a single point need not vanish (its mean does).
+template <int n>
 struct StrainPoint {
-  Eigen::Matrix<double, 4, 2 * mesh::most_cell_nodes> B;
+  Eigen::Matrix<double, 4, 2 * n> B;
   double volume = 0.0;  ///< weight * det J * (1 or 2 pi r) [mm^2 or mm^3]
 };
 
 /// The strain points of one cell, at most four.
+template <int n>
 struct CellStrains {
-  std::array<StrainPoint, 4> points;
+  std::array<StrainPoint<n>, 4> points;
   int count = 0;
 };
 
-/// `b_bar` acts on quad4 in plane strain and axisymmetry; elsewhere it is ignored: a tri3 is its own mean,
+/// n = 4 or 8. `b_bar` acts on quad4 in plane strain and axisymmetry; elsewhere it is ignored: a tri3 is its own mean,
 /// reduced integration keeps quad8 from locking, and plane stress does not lock. Throws base::MeshError naming the cell
 /// when a Jacobian is not positive.
-CellStrains strain_points(const Mesh& mesh, int cell, Analysis analysis, bool b_bar);
+template <int n>
+CellStrains<n> strain_points(const Mesh& mesh, int cell, Analysis analysis, bool b_bar);
 
 /// Point of a cell for volume integrals: N_a and weight * det J * (1 or 2 pi r).
 struct VolumePoint {

@@ -54,11 +54,11 @@ struct SmallStrain {
   template <int n>
   static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
                                     CellPrestrain) {
-    const CellStrains strains = strain_points(mesh, cell, solid.analysis, solid.cure);
+    const CellStrains<n> strains = strain_points<n>(mesh, cell, solid.analysis, solid.cure);
     Samples<inputs, n> s;
     for (s.count = 0; s.count < strains.count; ++s.count) {
       auto& p = s.points[s.count];
-      p.dx = strains.points[s.count].B.template leftCols<2 * n>();
+      p.dx = strains.points[s.count].B;
       p.x = p.dx * state.u;
       p.volume = strains.points[s.count].volume;
     }
@@ -91,9 +91,9 @@ struct FiniteStrain {
   static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
                                     CellPrestrain F0) {
     Samples<inputs, n> s;
-    for (const CellPoint& at : stiffness_rule(mesh.kind)) add_sample(mesh, cell, solid, state, at, s);
+    for (const RulePoint& point : tabulated_rule(mesh.kind)) add_sample(cell, solid, state, point, s);
     const double growth = F0.empty() ? 1.0 : start_unstressed(solid.analysis, F0, s);
-    if (barred(solid, mesh.kind)) add_centre(mesh, cell, solid, state, growth, s);
+    if (barred(solid, mesh.kind)) add_centre(cell, solid, state, growth, s);
     return s;
   }
 
@@ -131,30 +131,29 @@ struct FiniteStrain {
  private:
   /// Gradient operator (H11, H12, H21, H22, H33) = G u and the volume weight.
   template <int n>
-  static double gradient(const Mesh& mesh, int cell, Analysis analysis, const CellState<n>& state, const CellPoint& at,
+  static double gradient(int cell, Analysis analysis, const CellState<n>& state, const RulePoint& point,
                          Eigen::Matrix<double, 5, 2 * n>& G) {
-    const Eigen::Matrix<double, n, 2> dN_dxi = shape_gradients(mesh.kind, at.xi).template topRows<n>();
+    const auto dN_dxi = point.dN_dxi.template topRows<n>();
     const Eigen::Matrix2d J = dN_dxi.transpose() * state.X;  // row i: dX/dxi_i
     const double det = J.determinant();
     if (!(det > 0.0)) throw base::MeshError("cell " + std::to_string(cell) + " has a Jacobian that is not positive");
     const Eigen::Matrix<double, n, 2> dN = dN_dxi * J.inverse().transpose();
-    const Eigen::Matrix<double, n, 1> N = shape_functions(mesh.kind, at.xi).template head<n>();
-    const double R = N.dot(state.X.col(0));
+    const double R = point.N.template head<n>().dot(state.X.col(0));
     G.setZero();
     for (int a = 0; a < n; ++a) {
       G(0, 2 * a) = G(2, 2 * a + 1) = dN(a, 0);
       G(1, 2 * a) = G(3, 2 * a + 1) = dN(a, 1);
-      if (analysis == Analysis::axisymmetric) G(4, 2 * a) = N[a] / R;
+      if (analysis == Analysis::axisymmetric) G(4, 2 * a) = point.N[a] / R;
     }
-    return at.weight * det * base::out_of_plane(analysis, R);
+    return point.at.weight * det * base::out_of_plane(analysis, R);
   }
 
   template <int n>
-  static void add_sample(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, const CellPoint& at,
+  static void add_sample(int cell, const Solid& solid, const CellState<n>& state, const RulePoint& point,
                          Samples<inputs, n>& s) {
     auto& p = s.points[s.count++];
     Eigen::Matrix<double, 5, 2 * n> G;
-    p.volume = gradient(mesh, cell, solid.analysis, state, at, G);
+    p.volume = gradient(cell, solid.analysis, state, point, G);
     p.x << G * state.u, 0.0;
     p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
   }
@@ -188,10 +187,10 @@ struct FiniteStrain {
 
   /// J0 - 1 and its derivative, equal at all points.
   template <int n>
-  static void add_centre(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state, double growth,
+  static void add_centre(int cell, const Solid& solid, const CellState<n>& state, double growth,
                          Samples<inputs, n>& s) {
     Eigen::Matrix<double, 5, 2 * n> G;
-    gradient(mesh, cell, solid.analysis, state, {{0.0, 0.0}, 1.0}, G);
+    gradient(cell, solid.analysis, state, centre_of_quad4(), G);
     material::Gradient<double> H;
     Eigen::Map<Eigen::Matrix<double, 5, 1>>(H.data()) = G * state.u;
     const auto F = material::with_unit(H);

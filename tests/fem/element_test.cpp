@@ -87,8 +87,9 @@ TEST(element, volumes_add_up) {
 TEST(element, b_bar_averages_the_volumetric_part) {
   const auto m = support::rectangle({.corner = {1, 0}, .distortion = 0.8});
   for (auto analysis : {Analysis::plane_strain, Analysis::axisymmetric}) {
-    const auto plain = fem::strain_points(m, 5, analysis, false), barred = fem::strain_points(m, 5, analysis, true);
-    using Row = Eigen::Matrix<double, 1, 16>;
+    const auto plain = fem::strain_points<4>(m, 5, analysis, false),
+               barred = fem::strain_points<4>(m, 5, analysis, true);
+    using Row = Eigen::Matrix<double, 1, 8>;
     const auto volumetric = [](const auto& p) -> Row { return p.B.row(0) + p.B.row(1) + p.B.row(3); };
     for (int g = 0; g < 4; ++g) {
       EXPECT_LT((volumetric(barred.points[g]) - volumetric(barred.points[0])).norm(), 1e-13);
@@ -104,7 +105,7 @@ TEST(element, b_bar_averages_the_volumetric_part) {
 TEST(element, inverted_cell_is_a_mesh_error) {
   auto m = support::rectangle({.nx = 2, .ny = 2});
   std::swap(m.cells[3][0], m.cells[3][1]);
-  EXPECT_THROW(fem::strain_points(m, 3, Analysis::plane_strain, true), base::MeshError);
+  EXPECT_THROW(fem::strain_points<4>(m, 3, Analysis::plane_strain, true), base::MeshError);
 }
 
 }  // namespace
