@@ -68,10 +68,16 @@ std::string bond_line(const sim::BondSummary& b) {
   return "bond " + b.name + ": " + told("tension", b.most.tension) + "; " + told("shear", b.most.shear);
 }
 
+std::string solves_in_words(const sim::Counts& counts) {
+  const std::string solves = formatted("%ld Newton solves", counts.newton_iterations);
+  return counts.equilibrium_iterations == 0
+             ? solves
+             : solves + formatted(" and %ld on new shapes", counts.equilibrium_iterations);
+}
+
 Lines lines_of(const sim::Summary& s, const std::string& dir) {
-  Lines lines{formatted("%s: %g cycles, %ld blocks, %ld increments, %ld Newton solves, %.1f s",
-                        output::status_name(s.status), s.cycles, s.counts.blocks, s.counts.increments,
-                        s.counts.newton_iterations, s.wall_s)};
+  Lines lines{formatted("%s: %g cycles, %ld blocks, %ld increments, %s, %.1f s", output::status_name(s.status),
+                        s.cycles, s.counts.blocks, s.counts.increments, solves_in_words(s.counts).c_str(), s.wall_s)};
   for (const auto& c : s.contacts) add_contact(c, s.analysis == base::Analysis::axisymmetric, lines);
   for (const auto& b : s.bonds) lines.push_back(bond_line(b));
   add_lives(s, lines);

@@ -72,7 +72,7 @@ sim::SolidRunState made_up_state() {
   s.cycle = 4.5;
   s.energy_last_cycle_mJ = {0.3};
   s.warnings = {{"edge", "contact pad", "The pressure rises.", 1.5}};
-  s.counts = {1, 2, 3, 4, 5, 6, 7, 8};
+  s.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   s.cutback_reasons = {"why"};
   s.balance = 1e-14;
   s.retained = 5;

@@ -135,7 +135,7 @@ Played play(const Member& member) {
                                                             : "over budget";
     out.reason = summary.reason;
     out.increments = summary.counts.increments;
-    out.newton = summary.counts.newton_iterations;
+    out.newton = summary.counts.newton_iterations + summary.counts.equilibrium_iterations;
     out.factorisations = summary.counts.factorisations;
     out.cutbacks = summary.counts.cutbacks;
     out.remeshes = summary.counts.remeshes;

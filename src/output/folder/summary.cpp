@@ -16,6 +16,7 @@ Json counts_json(const sim::Counts& c) {
   return {{"blocks", c.blocks},
           {"increments", c.increments},
           {"newton_iterations", c.newton_iterations},
+          {"equilibrium_iterations", c.equilibrium_iterations},
           {"factorisations", c.factorisations},
           {"remeshes", c.remeshes},
           {"cutbacks", c.cutbacks},

@@ -120,10 +120,11 @@ std::string probe_table(const RunData& run) {
 
 std::string count_table(const RunData& run) {
   std::vector<Row> rows{{"Cycles", json_cell(run.summary, "cycles", 8)}};
-  for (const auto& [key, label] :
-       {std::pair("blocks", "Blocks of cycles"), std::pair("increments", "Increments"),
-        std::pair("newton_iterations", "Newton iterations"), std::pair("factorisations", "Factorisations"),
-        std::pair("remeshes", "Remeshes"), std::pair("cutbacks", "Cut-backs")})
+  for (const auto& [key, label] : {std::pair("blocks", "Blocks of cycles"), std::pair("increments", "Increments"),
+                                   std::pair("newton_iterations", "Newton iterations"),
+                                   std::pair("equilibrium_iterations", "Newton iterations on worn and fresh shapes"),
+                                   std::pair("factorisations", "Factorisations"), std::pair("remeshes", "Remeshes"),
+                                   std::pair("cutbacks", "Cut-backs")})
     rows.push_back({label, json_cell(json_part(run.summary, "counts"), key, 12)});
   rows.push_back({"Wall time, s", json_cell(run.summary, "wall_s", 4)});
   rows.push_back({"Processor time, s", json_cell(run.summary, "cpu_s", 4)});

@@ -7,8 +7,8 @@ namespace reye::sim {
 
 template <class Archive>
 void serialize(Archive& archive, Counts& c) {
-  auto& [blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks] = c;
-  archive(blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks);
+  auto& [blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks, equilibria] = c;
+  archive(blocks, increments, newton, factorisations, remeshes, cutbacks, cycles_solved, refused_blocks, equilibria);
 }
 
 template <class Archive>

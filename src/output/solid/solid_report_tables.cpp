@@ -134,6 +134,7 @@ std::string solid_count_table(const SolidRunData& data) {
   std::vector<Row> rows{{"Cycles", json_cell(summary, "cycles", 8)}};
   for (const auto& [key, label] :
        {std::pair("increments", "Increments"), std::pair("newton_iterations", "Newton iterations"),
+        std::pair("equilibrium_iterations", "Newton iterations on worn and fresh shapes"),
         std::pair("factorisations", "Factorisations"), std::pair("cutbacks", "Cut-backs")})
     rows.push_back({label, json_cell(json_part(summary, "counts"), key, 12)});
   rows.push_back({"Wall time, s", json_cell(summary, "wall_s", 4)});

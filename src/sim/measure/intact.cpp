@@ -114,7 +114,7 @@ void check_progress(const Problem& problem, const State& state) {
               "limit " + name + " has no life");
   const auto& c = state.counts;
   require(c.blocks >= 0 && c.increments >= 0 && c.newton_iterations >= 0 && c.factorisations >= 0 && c.remeshes >= 0 &&
-              c.cutbacks >= 0,
+              c.cutbacks >= 0 && c.equilibrium_iterations >= 0,
           "its counts are below zero");
 }
 

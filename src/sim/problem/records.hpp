@@ -164,8 +164,9 @@ struct LifeBand {
 
 struct Counts {
   long blocks = 0, increments = 0, newton_iterations = 0, factorisations = 0, remeshes = 0, cutbacks = 0;
-  long cycles_solved = 0;   ///< plays of a cycle, those for the error and of refused blocks included
-  long refused_blocks = 0;  ///< blocks under a tolerance that were tried with too many cycles
+  long cycles_solved = 0;           ///< plays of a cycle, those for the error and of refused blocks included
+  long refused_blocks = 0;          ///< blocks under a tolerance that were tried with too many cycles
+  long equilibrium_iterations = 0;  ///< of Newton on worn and on fresh shapes; those are no increments
 };
 
 /// A warning that a reader of the results must know before trusting them.

@@ -95,7 +95,7 @@ std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& 
                                    const std::vector<HeldTraction>& held) {
   const auto system = unyielding(*timed_system(problem, state, cache));
   auto result = held_equilibrium(problem, state, system, cache, span, held, true);
-  state.counts.newton_iterations += result.report.solves;
+  state.counts.equilibrium_iterations += result.report.solves;
   if (result.report.converged) state.solution = std::move(result.state);
   return result.report.converged ? std::string() : result.report.reason;
 }
@@ -106,7 +106,7 @@ std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, c
   std::vector<std::vector<contact::ContactStatus>> status;
   for (const auto& contact : state.solution.contacts) status.push_back(contact.status);
   auto result = held_equilibrium(problem, state, system, cache, span, held, false);
-  state.counts.newton_iterations += result.report.solves;
+  state.counts.equilibrium_iterations += result.report.solves;
   if (!result.report.converged)
     return scene_line(problem.scene, "step " + span.step->name) +
            "no equilibrium was found on the worn shape of cycle " + cycle_in_words(state.cycle) + ": " +

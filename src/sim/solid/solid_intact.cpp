@@ -54,7 +54,7 @@ void check_numbers(const SolidProblem& problem, const SolidRunState& state) {
           "the energy of a contact is not a number");
   const auto& c = state.counts;
   require(c.blocks >= 0 && c.increments >= 0 && c.newton_iterations >= 0 && c.factorisations >= 0 && c.cutbacks >= 0 &&
-              c.cycles_solved >= 0 && state.retained >= 0 && finite(state.balance),
+              c.cycles_solved >= 0 && c.equilibrium_iterations >= 0 && state.retained >= 0 && finite(state.balance),
           "its counts are below zero");
 }
 

@@ -120,7 +120,7 @@ std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) c
   auto solution = solver::solve_increment(system(), state.solution, target, options);
   state.mortar_s += solution.mortar_s;
   state.interface_s += solution.interface_s;
-  state.counts.newton_iterations += solution.iterations;
+  state.counts.equilibrium_iterations += solution.iterations;
   if (!solution.converged) return "the state cannot be solved on the fresh mesh: " + solution.reason;
   state.solved = std::move(solution);
   state.solution = state.solved->state;
