@@ -51,7 +51,7 @@ def reye(name, scene, repeats=1):
     """(median CPU of the whole command, CPU of the run without start and meshing, Run)."""
     file = WORK / f"{name}.toml"
     file.write_text(scene, encoding="utf-8")
-    command = [REYE, "run", str(file), "--out", str(WORK / name), "--force", "--quiet"]
+    command = [REYE, "run", str(file), "--out", str(WORK / name), "--threads", "1", "--force", "--quiet"]
     whole, inner = [], []
     for _ in range(repeats):
         whole.append(cpu_seconds(command, WORK / f"{name}.log"))
