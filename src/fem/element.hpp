@@ -40,6 +40,7 @@ struct RulePoint {
   NodeGradients dN_dxi;
 };
 std::span<const RulePoint> tabulated_rule(mesh::CellKind kind);
+/// The centre of a quad4 with its shape functions, weight 1.
 const RulePoint& centre_of_quad4();
 
 /// Strain operator at a quadrature point of a cell with n nodes (4 in first order, 8 in second):

@@ -223,7 +223,9 @@ bool NewtonPath::linearise() {
   return true;
 }
 
-void NewtonPath::step() {
+/// `on_nearest`: all contact has opened, and its nearest node is kept; where one node does not hold the body, either,
+/// contact is lost.
+void NewtonPath::step(bool on_nearest) {
   const bool narrowed = narrowing_ && !chord_ && increment_.narrow(system_, controls_, q_);
   if (narrowed) {
     increment_.place(system_, q_);
@@ -245,12 +247,12 @@ void NewtonPath::step() {
       matrices_.forget();
     }
   } catch (const base::SolveError& error) {
-    if (increment_.touching()) return end(Failure::singular, error.what());
-    if (kept_nearest_ == most_kept_nearest || !increment_.keep_nearest())
+    if (increment_.touching() && !on_nearest) return end(Failure::singular, error.what());
+    if (on_nearest || kept_nearest_ == most_kept_nearest || !increment_.keep_nearest())
       return end(Failure::contact_lost, "no node is in contact, and a body that only contact holds is unsupported");
     ++kept_nearest_;
     row_ = increment_.measure(system_, controls_, q_, fresh());
-    step();
+    step(true);
   }
 }
 

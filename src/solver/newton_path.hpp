@@ -37,7 +37,7 @@ class NewtonPath {
   void accept();
   void renew(bool settled);
   bool linearise();
-  void step();
+  void step(bool on_nearest = false);
   void end(Failure failure, std::string reason);
 
   bool fresh() const {
