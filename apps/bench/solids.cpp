@@ -164,11 +164,16 @@ void worn_balls(benchmark::State& run) {
     const auto& summary = worn.played.summary;
     require_done(summary);
     tell_stick_radius(run, worn.stick_radius, exact, c.hertz());
-    const auto limit = c.limit(exact).depth_and_volume(), own = c.limit(worn.stick_radius).depth_and_volume();
+    const auto limit = c.limit(exact).depth_and_volume(), own = c.limit(worn.stick_radius).depth_and_volume(),
+               punch = c.limit(worn.punch_radius).depth_and_volume();
     run.counters["depth_over_limit"] = worn.depth / limit[0];
     run.counters["volume_over_limit"] = worn.volume / limit[1];
     run.counters["depth_over_limit_of_own_radius"] = worn.depth / own[0];
     run.counters["volume_over_limit_of_own_radius"] = worn.volume / own[1];
+    run.counters["punch_radius_over_exact"] = worn.punch_radius / exact;
+    run.counters["depth_over_limit_of_punch_radius"] = worn.depth / punch[0];
+    run.counters["volume_over_limit_of_punch_radius"] = worn.volume / punch[1];
+    run.counters["dofs"] = summary.size.dofs;
     run.counters["cycles_solved"] = static_cast<double>(summary.counts.cycles_solved);
     run.counters["estimated_error"] = summary.error_cycle_jump.value_or(0.0);
     run.counters["cutbacks"] = static_cast<double>(summary.counts.cutbacks);

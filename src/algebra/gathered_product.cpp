@@ -50,15 +50,28 @@ std::vector<Gathered> gathered(const SparseMatrix& A) {
   return blocks;
 }
 
-/// A B, or A^T B.
-Matrix multiplied(const char* transposed, const Matrix& A, const Matrix& B) {
-  const bool plain = *transposed == 'N';
-  const int m = static_cast<int>(plain ? A.rows() : A.cols()), n = static_cast<int>(B.cols());
-  const int k = static_cast<int>(B.rows()), lda = static_cast<int>(A.rows());
+/// A^T B^T.
+Matrix transposed_product(const Matrix& A, const Matrix& B) {
+  const int m = static_cast<int>(A.cols()), n = static_cast<int>(B.rows()), k = static_cast<int>(A.rows());
   const double one = 1.0, zero = 0.0;
   Matrix result(m, n);
-  dgemm_(transposed, "N", &m, &n, &k, &one, A.data(), &lda, B.data(), &k, &zero, result.data(), &m);
+  dgemm_("T", "T", &m, &n, &k, &one, A.data(), &k, B.data(), &n, &zero, result.data(), &m);
   return result;
+}
+
+/// Numbers that follow each other: `count` of them from `first`, in a list from `at`.
+struct Run {
+  int first = 0, at = 0, count = 0;
+};
+
+std::vector<Run> runs_of(const std::vector<int>& numbers, int longest) {
+  std::vector<Run> runs;
+  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+    const int number = numbers[static_cast<std::size_t>(i)];
+    if (i % longest == 0 || runs.back().first + runs.back().count != number) runs.push_back({number, i, 0});
+    ++runs.back().count;
+  }
+  return runs;
 }
 
 /// Places of ascending numbers in an ascending list that holds them all.
@@ -72,6 +85,23 @@ std::vector<int> places(const std::vector<int>& numbers, const std::vector<int>&
   return found;
 }
 
+constexpr int rows_at_once = 512;  // of C: what is copied of it stays in the cache until it is used
+
+/// (C(rows, block.rows) block.values)^T.
+Matrix moved_by(const Gathered& block, const Matrix& C, const std::vector<Run>& rows, int count) {
+  Matrix moved(block.values.cols(), count), part;
+  for (auto run = rows.begin(); run != rows.end();) {
+    const int top = run->at;
+    part.resize(std::min(rows_at_once, count - top), block.values.rows());
+    for (; run != rows.end() && run->at < top + rows_at_once; ++run)
+      for (Eigen::Index k = 0; k < part.cols(); ++k)
+        part.col(k).segment(run->at - top, run->count) =
+            C.col(block.rows[static_cast<std::size_t>(k)]).segment(run->first, run->count);
+    moved.middleCols(top, part.rows()) = transposed_product(block.values, part);
+  }
+  return moved;
+}
+
 }  // namespace
 
 Matrix gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatrix& R) {
@@ -81,13 +111,14 @@ Matrix gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatr
   const auto rows = touched_rows(L, 0, static_cast<int>(L.cols()));
   std::vector<std::vector<int>> place;
   for (const auto& block : left) place.push_back(places(block.rows, rows));
+  const auto runs = runs_of(rows, rows_at_once);
   const auto all_right = gathered(R);
   base::side_by_side(static_cast<int>(all_right.size()), [&](int k) {
     const auto& right = all_right[static_cast<std::size_t>(k)];
-    const Matrix moved = multiplied("N", C(rows, right.rows), right.values);
+    const Matrix moved = moved_by(right, C, runs, static_cast<int>(rows.size()));
     for (std::size_t b = 0; b < left.size(); ++b)
       product.block(left[b].first, right.first, left[b].values.cols(), right.values.cols()) =
-          multiplied("T", left[b].values, moved(place[b], Eigen::all));
+          transposed_product(left[b].values, moved(Eigen::all, place[b]));
   });
   return product;
 }

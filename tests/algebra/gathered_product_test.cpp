@@ -24,16 +24,18 @@ base::SparseMatrix scattered(int rows, int columns, int per_column, std::mt19937
 }  // namespace
 
 TEST(GatheredProduct, IsTheProductOfTheWholeMatrices) {
-  // Whatever the number of columns, none and empty ones included, the product is that of the dense matrices.
+  // Whatever the numbers of rows and of columns, none and empty ones included, the product is that of the dense
+  // matrices.
   std::mt19937_64 random(3);
-  const base::Matrix half = base::Matrix::Random(90, 90), C = half + half.transpose();
-  for (const auto& [left, right, entries] :
-       {std::array{70, 33, 5}, std::array{1, 64, 9}, std::array{0, 5, 3}, std::array{5, 0, 3}, std::array{40, 40, 0}}) {
-    const auto L = scattered(90, left, entries, random), R = scattered(90, right, entries, random);
+  for (const auto& [rows, left, right, entries] :
+       {std::array{90, 70, 33, 5}, std::array{90, 1, 64, 9}, std::array{90, 0, 5, 3}, std::array{90, 5, 0, 3},
+        std::array{90, 40, 40, 0}, std::array{1400, 260, 100, 4}}) {
+    const base::Matrix half = base::Matrix::Random(rows, rows), C = half + half.transpose();
+    const auto L = scattered(rows, left, entries, random), R = scattered(rows, right, entries, random);
     const base::Matrix expected = base::Matrix(L).transpose() * C * base::Matrix(R);
     const base::Matrix product = algebra::gathered_product(L, C, R);
     ASSERT_EQ(product.rows(), left);
     ASSERT_EQ(product.cols(), right);
-    EXPECT_LE((product - expected).lpNorm<1>(), 1e-11);
+    EXPECT_LE((product - expected).lpNorm<Eigen::Infinity>(), 1e-13);
   }
 }

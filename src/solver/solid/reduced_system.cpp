@@ -29,8 +29,21 @@ std::vector<Counted> counted_motions(const std::vector<ReducedRow>& rows, const 
   return all;
 }
 
-/// Columns over the components of all points, in the frames of their bodies: forces per unknown, Q^T along, or counted
-/// motions, Q^T row / covered.
+/// How each equation of the system counts the motions, rows x counted: its own, and where it is a gap the wear that
+/// opens it.
+SparseMatrix shares_of(const std::vector<WearRow>& wear, int count) {
+  std::vector<Triplet> entries;
+  for (int k = 0; k < count; ++k) entries.emplace_back(k, k, 1.0);
+  for (int i = 0; i < static_cast<int>(wear.size()); ++i)
+    for (const auto& [row, opening] : wear[static_cast<std::size_t>(i)].opens)
+      entries.emplace_back(row, count + i, -opening);
+  SparseMatrix shares(count, count + static_cast<int>(wear.size()));
+  shares.setFromTriplets(entries.begin(), entries.end());
+  return shares;
+}
+
+/// Columns over the components of all points, in the frames of their bodies: forces per unknown, Q^T along, or motions
+/// per equation, of counted ones Q^T row / covered.
 struct Columns {
   SparseMatrix force, motion;
 };
@@ -63,7 +76,7 @@ void add_column(const contact::SkinPlace& place, int point, double factor, int c
 }
 
 Columns columns_of(const SolidSystem& system, const ReducedState& state, const std::vector<ReducedRow>& rows,
-                   const std::vector<Counted>& counted) {
+                   const std::vector<Counted>& counted, const SparseMatrix& shares) {
   std::vector<Triplet> force, motion;
   const auto body_of = bodies_of_points(system);
   const auto framed = [&](std::size_t point, const Vec3& in_space) -> Vec3 {
@@ -87,6 +100,7 @@ Columns columns_of(const SolidSystem& system, const ReducedState& state, const s
   Columns columns{SparseMatrix(size, count), SparseMatrix(size, static_cast<int>(counted.size()))};
   columns.force.setFromTriplets(force.begin(), force.end());
   columns.motion.setFromTriplets(motion.begin(), motion.end());
+  if (counted.size() > rows.size()) columns.motion = SparseMatrix(columns.motion * shares.transpose());
   return columns;
 }
 
@@ -97,33 +111,30 @@ void subtract_compliance(const Matrix& C, const Columns& columns, int begin, Mat
   J.topLeftCorner(motion.cols(), force.cols()) -= algebra::gathered_product(motion, C, force);
 }
 
-/// `balance`: the rows of J where the equations of free motions begin.
-void add_free_motions(const SolidSystem& system, const Columns& columns, int balance, Matrix& J) {
-  const int count = static_cast<int>(columns.force.cols()), motions = static_cast<int>(columns.motion.cols());
+void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix& J) {
+  const int count = static_cast<int>(columns.force.cols());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const Matrix& A = system.bodies[b].A();
     if (A.cols() == 0) continue;
-    const int begin = 3 * system.first_point[b], column = count + system.first_free[b];
-    const int row = balance + system.first_free[b];
+    const int begin = 3 * system.first_point[b], free = count + system.first_free[b];
     const SparseMatrix motion = columns.motion.middleRows(begin, A.rows());
     const SparseMatrix force = columns.force.middleRows(begin, A.rows());
     const Matrix resultants = A.transpose() * force;
-    if (system.yields[b])
-      J.topLeftCorner(motions, count).noalias() += motion.transpose() * system.relief[b] * resultants;
+    if (system.yields[b]) J.topLeftCorner(count, count).noalias() += motion.transpose() * system.relief[b] * resultants;
     if (system.turning[b]) continue;
-    J.block(0, column, motions, A.cols()).noalias() += motion.transpose() * A;
-    J.block(row, 0, A.cols(), count) -= resultants;
+    J.block(0, free, count, A.cols()).noalias() += motion.transpose() * A;
+    J.block(free, 0, A.cols(), count) -= resultants;
   }
 }
 
-/// What the unknown motions of bodies that turn do to each row.
-void add_motion_of_turning(const SolidSystem& system, const ReducedState& state, const std::vector<Counted>& counted,
-                           Matrix& J) {
+/// What the unknown motions of bodies that turn do to each counted motion.
+Matrix counted_of_turning(const SolidSystem& system, const ReducedState& state, const std::vector<Counted>& counted) {
   const auto body_of = bodies_of_points(system);
+  Matrix changes = Matrix::Zero(static_cast<Eigen::Index>(counted.size()), system.free());
   for (int k = 0; k < static_cast<int>(counted.size()); ++k) {
     const auto& place = state.places[counted[k].contact];
     const Matrix& seen = state.tangent.seen[counted[k].contact];
-    auto change = J.row(k).tail(system.free());
+    auto change = changes.row(k);
     for (contact::SkinRows::InnerIterator it(place.Q, counted[k].point); it; ++it) {
       const double share = it.value() / place.covered[counted[k].point];
       const Vec3 row = share * direction_of(counted[k], state, body_of[it.col()]);
@@ -133,55 +144,45 @@ void add_motion_of_turning(const SolidSystem& system, const ReducedState& state,
         change.noalias() += share * counted[k].row.transpose() * seen.middleRows<3>(at);
     }
   }
+  return changes;
 }
 
-/// `balance` as in `add_free_motions`.
 void add_turning(const SolidSystem& system, const ReducedState& state, const std::vector<Counted>& counted,
-                 const Columns& columns, int balance, Matrix& J) {
+                 const SparseMatrix& shares, const Columns& columns, Matrix& J) {
   const auto count = columns.force.cols();
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (!system.turning[b]) continue;
     const int begin = 3 * system.first_point[b];
     const Matrix directions = body::balance_directions(*system.turning[b], state.standing.poses[b]);
     const SparseMatrix force = columns.force.middleRows(begin, directions.rows());
-    J.block(balance + system.first_free[b], 0, directions.cols(), count) -= directions.transpose() * force;
+    J.block(count + system.first_free[b], 0, directions.cols(), count) -= directions.transpose() * force;
   }
   J.bottomRightCorner(system.free(), system.free()) += state.tangent.balance;
-  add_motion_of_turning(system, state, counted, J);
+  J.topRightCorner(count, system.free()) += shares * counted_of_turning(system, state, counted);
 }
 
-/// The rows of wear by the tractions of their own points.
+/// Wear by the tractions of its own points, in the gaps that it opens.
 void add_wear_of_traction(const std::vector<ReducedRow>& rows, const std::vector<WearRow>& wear, Matrix& J) {
   const int count = static_cast<int>(rows.size());
   std::map<std::pair<int, int>, std::vector<int>> unknowns;
   for (int k = 0; k < count; ++k) unknowns[{rows[k].contact, rows[k].point}].push_back(k);
-  for (int i = 0; i < static_cast<int>(wear.size()); ++i)
-    for (const int k : unknowns[{wear[i].contact, wear[i].point}])
-      J(count + i, k) += wear[i].of_traction.dot(rows[k].along);
-}
-
-/// Puts the wear, rows of J below those of the conditions, into the gaps that it opens, and takes its rows away.
-Matrix worn_into(const Matrix& J, const std::vector<WearRow>& wear, int count, int free) {
-  Matrix square(count + free, J.cols());
-  square.topRows(count) = J.topRows(count);
-  square.bottomRows(free) = J.bottomRows(free);
-  for (std::size_t k = 0; k < wear.size(); ++k)
-    for (const auto& [row, opening] : wear[k].opens) square.row(row) -= opening * J.row(count + static_cast<int>(k));
-  return square;
+  for (const auto& worn : wear)
+    for (const int k : unknowns[{worn.contact, worn.point}])
+      for (const auto& [row, opening] : worn.opens) J(row, k) -= opening * worn.of_traction.dot(rows[k].along);
 }
 
 Matrix matrix_of(const SolidSystem& system, const ReducedState& state, const std::vector<ReducedRow>& rows,
                  const std::vector<WearRow>& wear) {
-  const int count = static_cast<int>(rows.size()), balance = count + static_cast<int>(wear.size());
+  const int count = static_cast<int>(rows.size());
   const auto counted = counted_motions(rows, wear);
-  const Columns columns = columns_of(system, state, rows, counted);
-  Matrix J = Matrix::Zero(balance + system.free(), count + system.free());
+  const SparseMatrix shares = shares_of(wear, count);
+  const Columns columns = columns_of(system, state, rows, counted, shares);
+  Matrix J = Matrix::Zero(count + system.free(), count + system.free());
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (system.yields[b]) subtract_compliance(system.bodies[b].C(), columns, 3 * system.first_point[b], J);
-  add_free_motions(system, columns, balance, J);
-  if (system.turns()) add_turning(system, state, counted, columns, balance, J);
+  add_free_motions(system, columns, J);
+  if (system.turns()) add_turning(system, state, counted, shares, columns, J);
   add_wear_of_traction(rows, wear, J);
-  if (!wear.empty()) J = worn_into(J, wear, count, system.free());
   for (int k = 0; k < count; ++k) J(k, k) += rows[k].diagonal;
   return J;
 }
