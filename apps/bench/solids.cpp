@@ -96,9 +96,14 @@ sim::SolidProblem sliding_ball_of(long facet_um, long variant) {
   return sim::prepare_solid(std::move(scene));
 }
 
-/// A cycle of 40 increments in gross slip.
+/// A cycle of 40 increments in gross slip. range(0), range(1): of `sliding_ball_of`; range(2): 1 where both sides wear.
 void sliding_ball(benchmark::State& run) {
-  const auto problem = sliding_ball_of(run.range(0), run.range(1));
+  auto problem = sliding_ball_of(run.range(0), run.range(1));
+  if (run.range(2) == 1) {
+    auto& law = problem.contacts.front().options.wear;
+    law.kind = wear::LawKind::energy;
+    law.secondary = law.primary = 1e-7;  // 1/MPa; 1e-4 mm^3/J
+  }
   for (auto _ : run) {
     support::PlayedSolids played;
     double start = 0.0;
@@ -199,10 +204,13 @@ BENCHMARK(reported<condensing_solid>)
     ->Unit(benchmark::kSecond);
 BENCHMARK(reported<sliding_ball>)
     ->Name("sliding_ball")
-    ->Args({190, 0})
-    ->Args({190, 1})
-    ->Args({94, 0})
-    ->Args({94, 2})
+    ->Args({190, 0, 0})
+    ->Args({190, 1, 0})
+    ->Args({94, 0, 0})
+    ->Args({94, 2, 0})
+    ->Args({190, 0, 1})
+    ->Args({94, 0, 1})
+    ->Args({94, 2, 1})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 BENCHMARK(reported<cores_sliding_ball>)->Name("cores_ball")->Arg(94)->Iterations(1)->Unit(benchmark::kSecond);

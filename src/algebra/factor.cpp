@@ -131,6 +131,7 @@ struct SchurFactor::Impl {
       return;
     }
     if (ordering == Ordering::nested_dissection && ranks_of(interior()) > 1) {
+      ranked.reset();
       K_ic = SparseMatrix(upper.rightCols(retained)).topRows(interior());
       ranked = std::make_unique<RankedFactor>(upper, retained);
       S = ranked->take_schur();

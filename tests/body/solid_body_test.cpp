@@ -58,6 +58,26 @@ TEST(solid_body, symmetry_on_planes_that_meet) {
   }
 }
 
+// The factor of a body in another shape, or of quite another body, changes nothing but the work: the compliance and the
+// displacements are those of a fresh body to the last bit.
+TEST(solid_body, spare_factor_leaves_no_trace) {
+  for (auto kind : support::solid_kinds) {
+    const auto made = [&](bool curved, const std::string& face, std::optional<algebra::SchurFactor> spare) {
+      SolidInput input = input_of(kind, curved);
+      input.supports = {by_node("z0", {fixed, fixed, moved(0.1)})};
+      return SolidBody(input, nodes_of_face(*input.mesh, face), std::move(spare));
+    };
+    const SolidBody fresh = made(true, "z1", {});
+    for (const std::string of : {"z1", "x1"}) {  // retains nodes as here, and others
+      SolidBody before = made(false, of, {});
+      const SolidBody again = made(true, "z1", before.take_factor());
+      EXPECT_EQ(again.C(), fresh.C()) << of;
+      const Vector f = wave(fresh.C().rows()), s = Vector::Constant(1, 0.4);
+      EXPECT_EQ(again.displacements(f, s, Vector()), fresh.displacements(f, s, Vector())) << of;
+    }
+  }
+}
+
 // Held directions of a node that are neither parallel nor orthogonal must all be kept, with their values.
 TEST(solid_body, oblique_directions_in_one_node) {
   for (auto kind : support::solid_kinds) {

@@ -41,16 +41,26 @@ void add_point_rows(const fem::SolidDofs& dofs, int node, int row, int interior,
 }  // namespace
 
 ElasticSolid::ElasticSolid(const SolidInput& input, const std::vector<SolidPlace>& places,
-                           const std::vector<int>& retained, SolidMatrices& out)
+                           const std::vector<int>& retained, std::optional<algebra::SchurFactor> spare,
+                           SolidMatrices& out)
     : columns_(number_columns(input, places, retained)) {
   set_retained_motion(retained);
   set_free_modes(input, places, out);
   set_loads(input, out);
-  factor_.emplace(fem::upper_stiffness(*input.mesh, input.material, columns_.dofs),
-                  columns_.dofs.size() - columns_.interior, algebra::SchurAnalysisPtr{},
-                  algebra::Ordering::nested_dissection);
+  factorise(fem::upper_stiffness(*input.mesh, input.material, columns_.dofs), std::move(spare));
   set_driven(out);
   condense(input, split(input), out);
+}
+
+void ElasticSolid::factorise(base::SparseMatrix K, std::optional<algebra::SchurFactor> spare) {
+  const int last = columns_.dofs.size() - columns_.interior;
+  if (spare && spare->size() == K.cols() && spare->retained() == last) {
+    factor_ = std::move(spare);
+    factor_->refactor(K);
+    return;
+  }
+  spare.reset();  // its memory is free before that of the other is asked for
+  factor_.emplace(std::move(K), last, algebra::SchurAnalysisPtr{}, algebra::Ordering::nested_dissection);
 }
 
 void ElasticSolid::set_retained_motion(const std::vector<int>& retained) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algebra/factor.hpp"
@@ -10,15 +11,18 @@ namespace reye::body {
 /// A solid that deforms: its factor, and what recovers all displacements from what is retained.
 class ElasticSolid {
  public:
-  /// Fills `out`, whose driven values and centre are set.
+  /// Fills `out`, whose driven values and centre are set; `spare` as in `SolidBody`.
   ElasticSolid(const SolidInput& input, const std::vector<SolidPlace>& places, const std::vector<int>& retained,
-               SolidMatrices& out);
+               std::optional<algebra::SchurFactor> spare, SolidMatrices& out);
 
   Points3 displacements(const SolidMatrices& matrices, const std::vector<int>& retained, const Vector& f,
                         const Vector& s, const Vector& a) const;
 
+  std::optional<algebra::SchurFactor> take_factor() { return std::exchange(factor_, std::nullopt); }
+
  private:
   struct Split;
+  void factorise(base::SparseMatrix K, std::optional<algebra::SchurFactor> spare);
   void set_retained_motion(const std::vector<int>& retained);
   void set_free_modes(const SolidInput& input, const std::vector<SolidPlace>& places, SolidMatrices& out);
   void set_loads(const SolidInput& input, const SolidMatrices& out);

@@ -33,7 +33,8 @@ struct SolidBody::Impl {
   std::optional<ElasticSolid> elastic;
   RigidMotion rigid;
 
-  Impl(SolidInput given, std::vector<int> nodes) : input(std::move(given)), retained(std::move(nodes)) {
+  Impl(SolidInput given, std::vector<int> nodes, std::optional<algebra::SchurFactor> spare)
+      : input(std::move(given)), retained(std::move(nodes)) {
     refuse_conflicts(input);
     for (const auto& support : input.supports) places.push_back(place_support(*input.mesh, support));
     matrices.driven = driven_of(input);
@@ -42,7 +43,7 @@ struct SolidBody::Impl {
     if (input.rigid)
       rigid = condense_rigid(input, places, retained, matrices);
     else
-      elastic.emplace(input, places, retained, matrices);
+      elastic.emplace(input, places, retained, std::move(spare), matrices);
   }
 
   Points3 rigid_displacements(const Vector& f, const Vector& s, const Vector& a) const {
@@ -54,8 +55,8 @@ struct SolidBody::Impl {
   }
 };
 
-SolidBody::SolidBody(SolidInput input, std::vector<int> retained)
-    : impl_(std::make_unique<Impl>(std::move(input), std::move(retained))) {}
+SolidBody::SolidBody(SolidInput input, std::vector<int> retained, std::optional<algebra::SchurFactor> spare)
+    : impl_(std::make_unique<Impl>(std::move(input), std::move(retained), std::move(spare))) {}
 SolidBody::~SolidBody() = default;
 SolidBody::SolidBody(SolidBody&&) noexcept = default;
 SolidBody& SolidBody::operator=(SolidBody&&) noexcept = default;
@@ -82,6 +83,11 @@ std::vector<std::string> SolidBody::free_motions() const {
 Points3 SolidBody::displacements(const Vector& f, const Vector& s, const Vector& a) const {
   return impl_->elastic ? impl_->elastic->displacements(impl_->matrices, impl_->retained, f, s, a)
                         : impl_->rigid_displacements(f, s, a);
+}
+
+std::optional<algebra::SchurFactor> SolidBody::take_factor() {
+  if (!impl_->elastic) return {};
+  return impl_->elastic->take_factor();
 }
 
 }  // namespace reye::body

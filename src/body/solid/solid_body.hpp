@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "algebra/factor.hpp"
 #include "base/linalg.hpp"
 #include "base/space.hpp"
 #include "body/solid/rigid_modes.hpp"
@@ -19,8 +21,9 @@ namespace reye::body {
 /// where what a loaded motion applies is included.
 class SolidBody {
  public:
-  /// Factorises. `retained`: nodes of the mesh, distinct. Throws base::SolveError where the stiffness is not definite.
-  SolidBody(SolidInput input, std::vector<int> retained);
+  /// Factorises. `retained`: nodes of the mesh, distinct; `spare`: the factor of this body in another shape, whose
+  /// analysis and memory serve again where they fit. Throws base::SolveError where the stiffness is not definite.
+  SolidBody(SolidInput input, std::vector<int> retained, std::optional<algebra::SchurFactor> spare = {});
   ~SolidBody();
   SolidBody(SolidBody&&) noexcept;
   SolidBody& operator=(SolidBody&&) noexcept;
@@ -44,6 +47,9 @@ class SolidBody {
 
   /// Displacements of all nodes of the mesh (nodes themselves, not control points): one back-substitution.
   Points3 displacements(const Vector& f, const Vector& s, const Vector& a) const;
+
+  /// Its factor, if it has one, as `spare` for another body; this one is no longer of use.
+  std::optional<algebra::SchurFactor> take_factor();
 
  private:
   struct Impl;

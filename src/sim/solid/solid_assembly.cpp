@@ -42,13 +42,13 @@ std::optional<CondensedBody> kept_body(std::optional<SolidAssembly>& old, std::s
 
 /// A body condensed in its present shape. One that turns does so about centres as they were drawn.
 CondensedBody make_body(const body::SolidInput& drawn, const std::shared_ptr<const mesh::SolidMesh>& mesh,
-                        const std::vector<int>& nodes) {
+                        const std::vector<int>& nodes, std::optional<algebra::SchurFactor> spare) {
   auto input = drawn;
   input.mesh = mesh;
   const auto pivot = body::solid_pivot(drawn);
-  if (!pivot) return {{std::move(input), nodes}, {}};
+  if (!pivot) return {{std::move(input), nodes, std::move(spare)}, {}};
   for (auto& support : input.supports) support.centre_mm = body::place_support(*drawn.mesh, support).centre;
-  return {{body::in_frame(input, *pivot), nodes}, body::make_turning(input, *pivot, nodes)};
+  return {{body::in_frame(input, *pivot), nodes, std::move(spare)}, body::make_turning(input, *pivot, nodes)};
 }
 
 using Places = std::map<std::array<int, 2>, std::size_t>;
@@ -85,13 +85,16 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
   const double start = cpu_seconds();
   SolidAssembly assembly;
   std::vector<std::optional<CondensedBody>> made(problem.inputs.size());
+  std::vector<std::optional<algebra::SchurFactor>> spare(made.size());
   for (std::size_t b = 0; b < made.size(); ++b) {
     made[b] = kept_body(old, b, meshes[b].get(), chosen(touchable[b]));
     assembly.factorised += !made[b];
+    if (old && !made[b]) spare[b] = old->system.bodies[b].take_factor();
   }
+  old.reset();  // the dense matrices of a body's shape before are gone when those of the next are made
   base::side_by_side(static_cast<int>(made.size()), [&](int body) {
     const auto b = static_cast<std::size_t>(body);
-    if (!made[b]) made[b] = make_body(problem.inputs[b], meshes[b], chosen(touchable[b]));
+    if (!made[b]) made[b] = make_body(problem.inputs[b], meshes[b], chosen(touchable[b]), std::move(spare[b]));
   });
   std::vector<body::SolidBody> bodies;
   std::vector<std::optional<body::SolidTurning>> turning;

@@ -22,8 +22,8 @@ struct SkinPoints {
 };
 std::vector<SkinPoints> points_of(const solver::SolidSystem& system);
 
-/// Condenses every body of these shapes onto its touchable nodes; bodies of `old` that are the same are taken from it.
-/// Throws base::SolveError.
+/// Condenses every body of these shapes onto its touchable nodes; bodies of `old` that are the same are taken from it,
+/// factors of the others serve again where they fit. Throws base::SolveError.
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
                        std::optional<SolidAssembly> old = {});
 
