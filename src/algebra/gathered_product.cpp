@@ -50,13 +50,11 @@ std::vector<Gathered> gathered(const SparseMatrix& A) {
   return blocks;
 }
 
-/// A^T B^T.
-Matrix transposed_product(const Matrix& A, const Matrix& B) {
+/// C = sum C + factor A^T B^T.
+void add_transposed(double factor, const Matrix& A, const Matrix& B, double sum, Eigen::Ref<Matrix> C) {
   const int m = static_cast<int>(A.cols()), n = static_cast<int>(B.rows()), k = static_cast<int>(A.rows());
-  const double one = 1.0, zero = 0.0;
-  Matrix result(m, n);
-  dgemm_("T", "T", &m, &n, &k, &one, A.data(), &k, B.data(), &n, &zero, result.data(), &m);
-  return result;
+  const int stride = static_cast<int>(C.outerStride());
+  dgemm_("T", "T", &m, &n, &k, &factor, A.data(), &k, B.data(), &n, &sum, C.data(), &stride);
 }
 
 /// Numbers that follow each other: `count` of them from `first`, in a list from `at`.
@@ -97,16 +95,15 @@ Matrix moved_by(const Gathered& block, const Matrix& C, const std::vector<Run>& 
       for (Eigen::Index k = 0; k < part.cols(); ++k)
         part.col(k).segment(run->at - top, run->count) =
             C.col(block.rows[static_cast<std::size_t>(k)]).segment(run->first, run->count);
-    moved.middleCols(top, part.rows()) = transposed_product(block.values, part);
+    add_transposed(1.0, block.values, part, 0.0, moved.middleCols(top, part.rows()));
   }
   return moved;
 }
 
 }  // namespace
 
-Matrix gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatrix& R) {
+void subtract_gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatrix& R, Eigen::Ref<Matrix> A) {
   single_thread();
-  Matrix product = Matrix::Zero(L.cols(), R.cols());
   const auto left = gathered(L);
   const auto rows = touched_rows(L, 0, static_cast<int>(L.cols()));
   std::vector<std::vector<int>> place;
@@ -117,10 +114,9 @@ Matrix gathered_product(const SparseMatrix& L, const Matrix& C, const SparseMatr
     const auto& right = all_right[static_cast<std::size_t>(k)];
     const Matrix moved = moved_by(right, C, runs, static_cast<int>(rows.size()));
     for (std::size_t b = 0; b < left.size(); ++b)
-      product.block(left[b].first, right.first, left[b].values.cols(), right.values.cols()) =
-          transposed_product(left[b].values, moved(Eigen::all, place[b]));
+      add_transposed(-1.0, left[b].values, moved(Eigen::all, place[b]), 1.0,
+                     A.block(left[b].first, right.first, left[b].values.cols(), right.values.cols()));
   });
-  return product;
 }
 
 }  // namespace reye::algebra

@@ -108,7 +108,7 @@ Columns columns_of(const SolidSystem& system, const ReducedState& state, const s
 void subtract_compliance(const Matrix& C, const Columns& columns, int begin, Matrix& J) {
   const SparseMatrix motion = columns.motion.middleRows(begin, C.rows());
   const SparseMatrix force = columns.force.middleRows(begin, C.rows());
-  J.topLeftCorner(motion.cols(), force.cols()) -= algebra::gathered_product(motion, C, force);
+  algebra::subtract_gathered_product(motion, C, force, J.topLeftCorner(motion.cols(), force.cols()));
 }
 
 void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix& J) {
