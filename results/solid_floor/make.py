@@ -19,8 +19,8 @@ def main():
         measured[f"condensing_at_{round(row[0], -3):.0f}_dofs"] = row[3]
     rows = []
     for run in benchmarks("^sliding_ball"):
-        _, size, kind, *_ = run["name"].split("/")
-        name = ("ball_secondary", "flat_secondary", "rigid_ball")[int(kind)] + f"_{size}"
+        _, size, kind, worn, *_ = run["name"].split("/")
+        name = ("ball_secondary", "flat_secondary", "rigid_ball")[int(kind)] + ("_worn" if worn == "1" else "") + f"_{size}"
         rows.append([name] + [run[c] for c in CYCLE])
         measured[f"{name}_iterations"] = run["iterations_an_increment"]
         measured[f"{name}_cutbacks"] = int(run["cutbacks"])
