@@ -23,6 +23,23 @@ TEST(SolidSlipLimit, FormIsThatOfItsReference) {
   EXPECT_NEAR(tenth[2], 0.001261, 1e-6);
 }
 
+TEST(SolidSlipLimit, PressureOfTheLimitCarriesTheForce) {
+  // Its integral over the stick disc, r = c sin t, is the force at any stick radius.
+  support::SlipLimitCase c;
+  for (const double q : {0.1, 0.5, 0.75}) {
+    c.q = q;
+    const auto limit = c.limit(c.mindlin().stick_radius());
+    constexpr int intervals = 2000;
+    const double step = 0.5 * std::numbers::pi / intervals;
+    double force = 0.0;
+    for (int k = 0; k < intervals; ++k) {
+      const double t = (k + 0.5) * step, r = limit.c * std::sin(t);
+      force += 2.0 * std::numbers::pi * r * limit.pressure(r) * limit.c * std::cos(t) * step;
+    }
+    EXPECT_NEAR(force, limit.force, 1e-6 * limit.force) << q;
+  }
+}
+
 TEST(SolidSlipLimit, PartialSlipWearsUntilNothingSlips) {
   // At half of the force that slips, ten times as long as its first wear would need for the limit and on eight elements
   // per radius, the edge of stick is within half an element of Cattaneo's, the worn volume within 5 % of the limit's,
