@@ -211,6 +211,43 @@ TEST(solid_skin, kept_pairs_change_nothing) {
   }
 }
 
+// Facets that are not asked for must keep their integrals of before, and the others must get those of now; forces must
+// balance all the same.
+TEST(solid_skin, only_the_facets_asked_for_are_fresh) {
+  for (FacetKind kind : skin_kinds) {
+    auto [secondary, primary] = curved_pair(kind, FacetKind::quad4);
+    mortar::SkinPairs pairs;
+    pairs.margin_mm = 0.1;
+    const auto before = mortar::integrate(secondary, primary, {.search_mm = 0.3}, pairs);
+    for (auto& x : primary.x) x += Vec3(0.03, 0.01, 0.004);
+    std::vector<char> fresh(secondary.facets.size(), 0);
+    for (std::size_t f = 0; f < fresh.size() / 2; ++f) fresh[f] = 1;
+    const auto mixed = mortar::integrate(secondary, primary, {.search_mm = 0.3}, pairs, fresh);
+    const auto now = mortar::integrate(secondary, primary, {.search_mm = 0.3});
+    std::vector<char> of_fresh(secondary.x.size(), 0), of_kept(secondary.x.size(), 0);
+    for (std::size_t f = 0; f < fresh.size(); ++f) {
+      bool bare = false;  // beside a point without multiplier the basis is made anew, where the facets are now
+      for (int k = 0; k < secondary.facets[f].count(); ++k) bare = bare || !mixed.carries[secondary.facets[f].nodes[k]];
+      for (int k = 0; k < secondary.facets[f].count(); ++k) {
+        if (fresh[f] || bare) of_fresh[secondary.facets[f].nodes[k]] = 1;
+        if (!fresh[f]) of_kept[secondary.facets[f].nodes[k]] = 1;
+      }
+    }
+    const Vector rows = mixed.M * Vector::Ones(mixed.M.cols()) - mixed.D * Vector::Ones(mixed.D.cols());
+    EXPECT_LT(rows.cwiseAbs().maxCoeff(), 1e-15);
+    int kept = 0, renewed = 0;
+    for (int j = 0; j < static_cast<int>(secondary.x.size()); ++j) {
+      if (!now.carries[j] || !before.carries[j] || (of_fresh[j] && of_kept[j])) continue;
+      const auto& expected = of_fresh[j] ? now : before;
+      EXPECT_EQ((mixed.M.row(j) - expected.M.row(j)).norm(), 0.0);
+      EXPECT_EQ((mixed.T.row(j) - expected.T.row(j)).norm(), 0.0);
+      ++(of_fresh[j] ? renewed : kept);
+    }
+    EXPECT_GE(kept, 2);
+    EXPECT_GE(renewed, 2);
+  }
+}
+
 // A side that changed its facets must not be paired by what was found before.
 TEST(solid_skin, pairs_of_another_mesh_do_not_hold) {
   const auto [secondary, primary] = curved_pair(FacetKind::quad4, FacetKind::quad4);

@@ -115,9 +115,9 @@ SkinFrame turned_least(SkinFrame frame, const SkinFrame& before) {
 }
 
 SkinPlace place_skins(const SkinSetup& setup, const Vector& displacement, const std::vector<HeldDirections>& held,
-                      int points, mortar::SkinPairs& pairs) {
+                      int points, mortar::SkinPairs& pairs, const std::vector<char>& fresh) {
   const auto integrals = mortar::integrate(moved(setup.secondary, displacement), moved(setup.primary, displacement),
-                                           {setup.search, setup.options.dual}, pairs);
+                                           {setup.search, setup.options.dual}, pairs, fresh);
   SkinPlace place;
   place.Q = rows_over_points(setup, integrals, points);
   if (setup.options.wear.wears()) {

@@ -51,9 +51,9 @@ struct SkinPlace {
 };
 
 /// Integrates at the displacements of the system's points (3 numbers each). `held` per point of the system; `pairs` are
-/// kept from call to call.
+/// kept from call to call; facets that `fresh` does not mark keep the integrals of the last call, unless it is empty.
 SkinPlace place_skins(const SkinSetup& setup, const base::Vector& displacement, const std::vector<HeldDirections>& held,
-                      int points, mortar::SkinPairs& pairs);
+                      int points, mortar::SkinPairs& pairs, const std::vector<char>& fresh = {});
 
 /// Puts the frames where the points are at these displacements, and leaves the integrals.
 void turn_frames(const SkinSetup& setup, const base::Vector& displacement, const std::vector<HeldDirections>& held,

@@ -1,5 +1,6 @@
 #include "mortar/solid/facet_integrals.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <string>
 
@@ -30,24 +31,21 @@ int degree_for(const PlaneFacet& a, const PlaneFacet& b) {
 }
 
 /// Area of the facet, where areas are measured, per area of the plane at a place.
-double stretch(const Facet& facet, const Skin& skin, const Vec3& n, const Vec2& xi) {
-  if (facet.kind == FacetKind::tri3 && skin.X.empty()) return 1.0;
-  const Points3& x = skin.x;
-  const Vec3 a = area_vector_at(facet, x, xi);
+double stretch(const FacetMaps& maps, const Vec3& n, const Vec2& xi) {
+  const Vec3 a = maps.x.dr(xi).cross(maps.x.ds(xi));
   const double seen = a.dot(n), whole = a.norm();
   if (!(seen > 0.05 * whole)) {
-    const Vec3& at = x[facet.nodes[0]];
+    const Vec3 at = maps.x.at(xi);
     throw base::MeshError("a facet of a contact folds over, at x = " + std::to_string(at.x()) +
                           ", y = " + std::to_string(at.y()) + ", z = " + std::to_string(at.z()) + " mm");
   }
-  return (skin.X.empty() ? whole : area_vector_at(facet, skin.X, xi).norm()) / seen;
+  return maps.X.dr(xi).cross(maps.X.ds(xi)).norm() / seen;
 }
 
 /// Places the points of a polygon that a piece of each facet has in common, triangle by triangle about its first
 /// corner.
-void place_polygon(const SkinSides& sides, int facet, const Vec3& n, const PlanePiece& own, const PlanePiece& other,
-                   const ConvexPolygon& common, SkinWorkspace& w) {
-  const Facet& f = sides.secondary.facets[facet];
+void place_polygon(const Vec3& n, const PlanePiece& own, const PlanePiece& other, const ConvexPolygon& common,
+                   SkinWorkspace& w) {
   const auto& y = common.corners;
   const auto rule = triangle_rule(degree_for(w.own, w.other));
   for (int i = 2; i < common.count; ++i) {
@@ -62,7 +60,7 @@ void place_polygon(const SkinSides& sides, int facet, const Vec3& n, const Plane
       q.xi = place.xi;
       q.N = place.N;
       q.Nm = place_at(w.other, other, here).N;
-      q.weight = weight * area * stretch(f, sides.secondary, n, q.xi);
+      q.weight = weight * area * stretch(w.maps, n, q.xi);
       q.pair = static_cast<int>(w.pairs.size());
     }
   }
@@ -73,7 +71,7 @@ bool boxes_meet(const PlanePiece& a, const PlanePiece& b) {
 }
 
 /// Clips all pieces of both facets; what is farther apart than the search distance at its middle is left out.
-void clip_pair(const SkinSides& sides, int facet, const Vec3& n, SkinWorkspace& w) {
+void clip_pair(double search_mm, const Vec3& n, SkinWorkspace& w) {
   const double tolerance = clip_tolerance * w.own.size;
   for (int i = 0; i < w.own.piece_count; ++i)
     for (int k = 0; k < w.other.piece_count; ++k) {
@@ -83,21 +81,14 @@ void clip_pair(const SkinSides& sides, int facet, const Vec3& n, SkinWorkspace& 
       if (common.count == 0) continue;
       const Vec2 middle = polygon_middle(common);
       const double gap = height_at(w.other, other, middle) - height_at(w.own, own, middle);
-      if (std::abs(gap) <= sides.search_mm) place_polygon(sides, facet, n, own, other, common, w);
+      if (std::abs(gap) <= search_mm) place_polygon(n, own, other, common, w);
     }
-}
-
-Vec3 mean_of_corners(const Facet& facet, const Points3& x) {
-  Vec3 sum = Vec3::Zero();
-  const int corners = mesh::facet_corners(facet.kind);
-  for (int j = 0; j < corners; ++j) sum += x[facet.nodes[j]];
-  return sum / corners;
 }
 
 /// Whether a primary facet may cover a part: it looks this way, and comes near in the plane.
 bool may_cover(const SkinSides& sides, const PlaneFrame& frame, double radius, int other) {
   if (frame.n.dot(sides.primary_normals[other]) > -least_facing) return false;
-  const Vec3 from = mean_of_corners(sides.primary.facets[other], sides.primary.x) - frame.origin;
+  const Vec3 from = sides.primary_middles[other] - frame.origin;
   const double height = from.dot(frame.n), reach = radius + sides.primary_radii[other];
   return from.squaredNorm() - height * height <= reach * reach;
 }
@@ -118,6 +109,33 @@ SkinColumn& column(SkinWorkspace& w, int primary) {
   return w.columns[place];
 }
 
+/// int P_k N_l and int N_k N_l of a pair of facets, k of the secondary one, l of the primary one.
+struct PairMoments {
+  std::array<FacetValues, mesh::most_facet_nodes> P{}, N{};
+
+  void add(const SkinPoint& q) {
+    for (std::size_t k = 0; k < P.size(); ++k) {
+      const double of_P = q.weight * q.P[k], of_N = q.weight * q.N[k];
+      for (std::size_t l = 0; l < q.Nm.size(); ++l) {
+        P[k][l] += of_P * q.Nm[l];
+        N[k][l] += of_N * q.Nm[l];
+      }
+    }
+  }
+};
+
+/// Adds what a pair of facets contributes to the columns of M and T.
+void add_pair(const Multipliers& basis, const PairMoments& moments, const Facet& other, int count, SkinWorkspace& w) {
+  for (int l = 0; l < other.count(); ++l) {
+    auto& c = column(w, other.nodes[l]);
+    for (int j = 0; j < count; ++j)
+      for (int k = 0; k < count; ++k) {
+        c.M[j] += basis.a[j][k] * moments.P[k][l];
+        c.T[j] += basis.share[j][k] * moments.N[k][l];
+      }
+  }
+}
+
 /// D_jk = int psi_j N_k for points k that are cut; D_jj so that its row sum is that of M.
 void close_rows(const FacetCut& cut, int count, SkinWorkspace& w) {
   for (int j = 0; j < count; ++j) {
@@ -135,15 +153,20 @@ bool place_points(const SkinSides& sides, int facet, std::span<const int> opposi
   w.points.clear();
   w.pairs.clear();
   w.plane_area = w.covered = 0.0;
-  const auto frame = plane_of(sides.secondary.facets[facet], sides.secondary.x);
-  project_facet(frame, sides.secondary.facets[facet], sides.secondary.x, 1, w.own);
+  const Facet& own = sides.secondary.facets[facet];
+  const auto frame = plane_of(own, sides.secondary.x);
+  project_facet(frame, own, sides.secondary.x, 1, w.own);
+  const auto polynomial = [&](const Points3& x) {
+    return facet_polynomial<Vec3>(own.kind, [&](int j) -> const Vec3& { return x[own.nodes[j]]; });
+  };
+  w.maps = {polynomial(sides.secondary.x), polynomial(sides.secondary.measured())};
   for (int i = 0; i < w.own.piece_count; ++i) w.plane_area += polygon_area(w.own.pieces[i].outline);
   const double radius = radius_round(w.own);
   for (int other : opposite) {
     if (!may_cover(sides, frame, radius, other)) continue;
     project_facet(frame, sides.primary.facets[other], sides.primary.x, -1, w.other);
     const std::size_t before = w.points.size();
-    clip_pair(sides, facet, frame.n, w);
+    clip_pair(sides.search_mm, frame.n, w);
     if (w.points.size() > before) w.pairs.push_back(other);
   }
   return w.covered >= least_covered * w.plane_area && !w.points.empty();
@@ -164,25 +187,21 @@ void integrate_points(const SkinSides& sides, const FacetCut& cut, SkinWorkspace
   w.columns.clear();
   w.column_of.resize(sides.primary.x.size(), -1);
   w.D = {};
-  for (const auto& q : w.points) {
-    FacetValues psi{}, spread{};
-    for (int j = 0; j < count; ++j) {
-      for (int k = 0; k < count; ++k) {
-        psi[j] += q.weight * basis.a[j][k] * q.P[k];
-        spread[j] += q.weight * basis.share[j][k] * q.N[k];
-      }
-      for (int k = 0; k < count; ++k)
-        if (cut[k]) w.D[j][k] += psi[j] * q.N[k];
-    }
-    const Facet& other = sides.primary.facets[w.pairs[q.pair]];
-    for (int l = 0; l < other.count(); ++l) {
-      auto& c = column(w, other.nodes[l]);
-      for (int j = 0; j < count; ++j) {
-        c.M[j] += psi[j] * q.Nm[l];
-        c.T[j] += spread[j] * q.Nm[l];
-      }
-    }
+  for (std::size_t begin = 0; begin < w.points.size();) {
+    const int pair = w.points[begin].pair;
+    const Facet& other = sides.primary.facets[w.pairs[pair]];
+    PairMoments own;
+    std::size_t end = begin;
+    for (; end < w.points.size() && w.points[end].pair == pair; ++end) own.add(w.points[end]);
+    add_pair(basis, own, other, count, w);
+    begin = end;
   }
+  for (const auto& q : w.points)
+    for (int k = 0; k < count; ++k) {
+      if (!cut[k]) continue;
+      for (int j = 0; j < count; ++j)
+        for (int l = 0; l < count; ++l) w.D[j][k] += q.weight * basis.a[j][l] * q.P[l] * q.N[k];
+    }
   close_rows(cut, count, w);
 }
 

@@ -21,9 +21,23 @@ struct SkinColumn {
   FacetValues M{}, T{};
 };
 
+/// The integrals of one facet, before they are added up.
+struct FacetBlock {
+  int facet = -1;         ///< -1: it takes no part
+  FacetValues covered{};  ///< int N_j over the covered part
+  std::array<FacetValues, mesh::most_facet_nodes> D{};
+  std::vector<SkinColumn> columns;
+};
+
+/// A facet's points in space as polynomials: where it is, and where its areas are measured.
+struct FacetMaps {
+  FacetPolynomial<Vec3> x, X;
+};
+
 /// Work space for one facet, kept between facets so that nothing is allocated.
 struct SkinWorkspace {
   PlaneFacet own, other;
+  FacetMaps maps;
   std::vector<SkinPoint> points;
   std::vector<int> pairs;                  ///< primary facets that cover a part, as `SkinPoint::pair` numbers them
   double plane_area = 0.0, covered = 0.0;  ///< of the facet and of its covered part, both in the plane [mm^2]
@@ -37,7 +51,8 @@ struct SkinSides {
   const Skin& secondary;
   const Skin& primary;
   const Points3& primary_normals;     ///< mean normals of facets
-  const base::Vector& primary_radii;  ///< of spheres round the means of the corners [mm]
+  const Points3& primary_middles;     ///< means of the corners of facets
+  const base::Vector& primary_radii;  ///< of spheres round them [mm]
   double search_mm;
 };
 

@@ -71,15 +71,14 @@ void add_quadrangle(PlaneFacet& seen, int facing) {
   piece.outline.count = 4;
   for (std::size_t i = 0; i < 4; ++i) piece.outline.corners[i] = y[i];
   if (facing < 0) turn_round(piece.outline);
-  seen.bilinear = {0.25 * (y[0] + y[1] + y[2] + y[3]), 0.25 * (y[1] + y[2] - y[0] - y[3]),
-                   0.25 * (y[2] + y[3] - y[0] - y[1]), 0.25 * (y[0] + y[2] - y[1] - y[3])};
+  const auto& c = seen.map.c;
   Eigen::Matrix2d tangents;
-  tangents << seen.bilinear[1], seen.bilinear[2];
+  tangents << c[1], c[2];
   piece.xi0.setZero();
-  piece.y0 = seen.bilinear[0];
+  piece.y0 = c[0];
   piece.B = tangents.inverse();
-  seen.affine = seen.bilinear[3].norm() <= bent * seen.size;
-  seen.skew = seen.bilinear[3].norm() / std::min(seen.bilinear[1].norm(), seen.bilinear[2].norm());
+  seen.affine = c[4].norm() <= bent * seen.size;
+  seen.skew = c[4].norm() / std::min(c[1].norm(), c[2].norm());
   piece.follow = !seen.affine;
   box_in(piece);
 }
@@ -96,37 +95,13 @@ void add_curved(PlaneFacet& seen, int facing) {
     add_triangle(seen, {y[a], y[b], y[c]}, {xi[a], xi[b], xi[c]}, facing, !seen.affine);
 }
 
-/// A step of Newton's method to the place xi that is seen at y.
-Vec2 step_on_bilinear(const PlaneFacet& seen, const Vec2& xi, const Vec2& y) {
-  const auto& c = seen.bilinear;
-  const double r = xi.x(), s = xi.y();
-  const double rx = c[1].x() + s * c[3].x(), ry = c[1].y() + s * c[3].y();  // dy/dr
-  const double sx = c[2].x() + r * c[3].x(), sy = c[2].y() + r * c[3].y();  // dy/ds
-  const double x_miss = y.x() - c[0].x() - r * rx - s * c[2].x(), y_miss = y.y() - c[0].y() - r * ry - s * c[2].y();
-  const double scale = 1.0 / (rx * sy - ry * sx);
-  return {(x_miss * sy - y_miss * sx) * scale, (rx * y_miss - ry * x_miss) * scale};
-}
-
-Vec2 step_on_curved(const PlaneFacet& seen, const Vec2& xi, const Vec2& y) {
-  const auto N = skin_functions(seen.kind, xi);
-  const auto [dr, ds] = skin_slopes(seen.kind, xi);
-  Vec2 miss = y;
-  Eigen::Matrix2d tangents = Eigen::Matrix2d::Zero();
-  for (int j = 0; j < seen.count; ++j) {
-    miss -= N[j] * seen.y[j];
-    tangents.col(0) += dr[j] * seen.y[j];
-    tangents.col(1) += ds[j] * seen.y[j];
-  }
-  return tangents.inverse() * miss;
-}
-
 /// The place seen at y, from a guess; the guess where Newton's method finds none. After a step of 1e-8 the rest is of
 /// round-off's size.
-template <class Step>
-Vec2 followed(const PlaneFacet& seen, const Vec2& guess, const Vec2& y, Step step_on) {
+Vec2 followed(const PlaneFacet& seen, const Vec2& guess, const Vec2& y) {
   Vec2 xi = guess;
   for (int i = 0; i < newton_steps; ++i) {
-    const Vec2 step = step_on(seen, xi, y);
+    const Vec2 r = seen.map.dr(xi), s = seen.map.ds(xi), miss = y - seen.map.at(xi);
+    const Vec2 step = Vec2(base::cross(miss, s), base::cross(r, miss)) / base::cross(r, s);
     xi += step;
     if (!(step.squaredNorm() > 1e-16)) return (xi - guess).squaredNorm() <= 1.0 ? xi : guess;
   }
@@ -163,6 +138,7 @@ void project_facet(const PlaneFrame& frame, const Facet& facet, const Points3& x
     hi = hi.cwiseMax(seen.y[j]);
   }
   seen.size = (hi - lo).maxCoeff();
+  seen.map = facet_polynomial<Vec2>(seen.kind, [&](int j) -> const Vec2& { return seen.y[j]; });
   seen.affine = true;
   seen.skew = 0.0;
   if (seen.kind == FacetKind::tri3) return add_triangle(seen, 0, 1, 2, facing);
@@ -177,8 +153,7 @@ void project_facet(const PlaneFrame& frame, const Facet& facet, const Points3& x
 FacetPlace place_at(const PlaneFacet& seen, const PlanePiece& piece, const Vec2& y) {
   const Vec2 guess = piece.xi0 + piece.B * (y - piece.y0);
   if (!piece.follow) return {guess, skin_functions(seen.kind, guess)};
-  const Vec2 xi = seen.kind == FacetKind::quad4 ? followed(seen, guess, y, step_on_bilinear)
-                                                : followed(seen, guess, y, step_on_curved);
+  const Vec2 xi = followed(seen, guess, y);
   return {xi, skin_functions(seen.kind, xi)};
 }
 

@@ -36,9 +36,9 @@ struct PlaneFacet {
   std::array<Vec2, mesh::most_facet_nodes> y;
   FacetValues height{};
   bool affine = true;  ///< seen in the plane, places on the facet are linear in y: tri3, parallelograms, straight tri6
-  double skew = 0.0;   ///< of a quad4: |c_3| / min(|c_1|, |c_2|), see `bilinear`; zero for parallelograms
+  double skew = 0.0;   ///< of a quad4: |c_4| / min(|c_1|, |c_2|) of its map; zero for parallelograms
   double size = 0.0;   ///< the longer side of the box round its points [mm]
-  std::array<Vec2, 4> bilinear;  ///< of a quad4: y = c_0 + c_1 r + c_2 s + c_3 r s
+  FacetPolynomial<Vec2> map;  ///< y of places on the facet
   std::array<PlanePiece, 4> pieces;
   int piece_count = 0;
 };

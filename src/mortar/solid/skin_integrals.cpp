@@ -19,14 +19,6 @@ using base::Vector;
 using mesh::Facet;
 using mesh::FacetKind;
 
-/// The integrals of one facet, before they are added up.
-struct FacetBlock {
-  int facet = 0;
-  FacetValues covered{};  ///< int N_j over the covered part
-  std::array<FacetValues, mesh::most_facet_nodes> D{};
-  std::vector<SkinColumn> columns;
-};
-
 constexpr int facets_at_once = 32;  ///< that share a work space
 
 void check_side(const Skin& skin) {
@@ -49,16 +41,26 @@ void check(const Skin& secondary, const Skin& primary, const SkinOptions& option
   check_side(primary);
 }
 
-/// Radii of spheres round the means of the corners that hold the facets.
-Vector radii(const Skin& skin) {
-  Vector result(static_cast<Eigen::Index>(skin.facets.size()));
-  for (std::size_t f = 0; f < skin.facets.size(); ++f) {
-    const Facet& facet = skin.facets[f];
+Points3 middles(const Skin& skin) {
+  Points3 result;
+  result.reserve(skin.facets.size());
+  for (const Facet& facet : skin.facets) {
     const int corners = mesh::facet_corners(facet.kind);
     Vec3 middle = Vec3::Zero();
     for (int j = 0; j < corners; ++j) middle += skin.x[facet.nodes[j]] / corners;
+    result.push_back(middle);
+  }
+  return result;
+}
+
+/// Radii of spheres round the means of the corners that hold the facets.
+Vector radii(const Skin& skin, const Points3& middles) {
+  Vector result(static_cast<Eigen::Index>(skin.facets.size()));
+  for (std::size_t f = 0; f < skin.facets.size(); ++f) {
+    const Facet& facet = skin.facets[f];
     double square = 0.0;
-    for (int j = 0; j < facet.count(); ++j) square = std::max(square, (skin.x[facet.nodes[j]] - middle).squaredNorm());
+    for (int j = 0; j < facet.count(); ++j)
+      square = std::max(square, (skin.x[facet.nodes[j]] - middles[f]).squaredNorm());
     result[static_cast<Eigen::Index>(f)] = (1.0 + 1e-12) * std::sqrt(square);
   }
   return result;
@@ -83,21 +85,30 @@ std::span<const int> facets_opposite(const SkinPairs& pairs, int facet) {
   return std::span(pairs.opposite).subspan(pairs.first[facet], pairs.first[facet + 1] - pairs.first[facet]);
 }
 
-/// The integrals of all facets that take part, in their order.
-std::vector<FacetBlock> all_facets(const SkinSides& sides, const SkinPairs& pairs, const std::vector<char>& carries) {
-  const int count = static_cast<int>(sides.secondary.facets.size());
-  std::vector<FacetBlock> all(static_cast<std::size_t>(count));
-  base::side_by_side(count, facets_at_once, [&](int first, int end) {
+/// Integrates the facets anew that are asked for: all, where `fresh` marks none, or there are no integrals yet.
+void integrate_facets(const SkinSides& sides, const std::vector<char>& carries, const std::vector<char>& fresh,
+                      SkinPairs& pairs) {
+  const auto count = sides.secondary.facets.size();
+  const bool all = fresh.empty() || pairs.blocks.size() != count;
+  pairs.blocks.resize(count);
+  base::side_by_side(static_cast<int>(count), facets_at_once, [&](int first, int end) {
     SkinWorkspace w;
     for (int f = first; f < end; ++f) {
-      auto& block = all[static_cast<std::size_t>(f)];
+      if (!all && !fresh[static_cast<std::size_t>(f)]) continue;
+      auto& block = pairs.blocks[static_cast<std::size_t>(f)];
       block.facet = -1;
       if (!place_points(sides, f, facets_opposite(pairs, f), w)) continue;
       integrate_points(sides, cut_of(sides.secondary.facets[f], carries), w);
       block = {f, covered_areas(w), w.D, w.columns};
     }
   });
-  std::erase_if(all, [](const FacetBlock& block) { return block.facet < 0; });
+}
+
+/// Those that take part, in their order.
+std::vector<FacetBlock> that_take_part(const std::vector<FacetBlock>& blocks) {
+  std::vector<FacetBlock> all;
+  for (const auto& block : blocks)
+    if (block.facet >= 0) all.push_back(block);
   return all;
 }
 
@@ -181,17 +192,20 @@ SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOp
   return integrate(secondary, primary, options, pairs);
 }
 
-SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOptions& options, SkinPairs& pairs) {
+SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOptions& options, SkinPairs& pairs,
+                        const std::vector<char>& fresh) {
   check(secondary, primary, options);
   if (!pairs_hold(pairs, secondary, primary, options.search_mm))
     find_pairs(secondary, primary, options.search_mm, pairs);
   const Points3 normals = facet_normals(primary);
-  const Vector around = radii(primary);
-  const SkinSides sides{secondary, primary, normals, around, options.search_mm};
+  const Points3 means = middles(primary);
+  const Vector around = radii(primary, means);
+  const SkinSides sides{secondary, primary, normals, means, around, options.search_mm};
   SkinIntegrals out;
   out.carries = eligible(secondary, options.dual);
   out.area = nodal_areas(secondary);
-  auto all = all_facets(sides, pairs, out.carries);
+  integrate_facets(sides, out.carries, fresh, pairs);
+  auto all = that_take_part(pairs.blocks);
   auto before = out.carries;
   bool bare = drop_bare(covered_by(secondary, all), out.area, out.carries);
   for (;;) {

@@ -84,6 +84,7 @@ void find_pairs(const Skin& secondary, const Skin& primary, double search_mm, Sk
   std::sort(found.begin(), found.end());
   pairs.first.assign(secondary.facets.size() + 1, 0);
   pairs.opposite.clear();
+  pairs.blocks.clear();
   for (const auto& [f, other] : found) {
     ++pairs.first[f + 1];
     pairs.opposite.push_back(other);

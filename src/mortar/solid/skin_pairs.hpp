@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "mortar/solid/facet_integrals.hpp"
 #include "mortar/solid/skin.hpp"
 
 namespace reye::mortar {
@@ -9,13 +10,14 @@ namespace reye::mortar {
 /// point of a side has moved so far that another pair might have come near; integrals over them are the same to the
 /// last bit as over pairs found at each call.
 struct SkinPairs {
-  double margin_mm = 0.0;     ///< 0: half the mean size of the secondary facets; set before the first use
-  double search_mm = 0.0;     ///< for which they were found
-  double reach_mm = 0.0;      ///< the margin they were found with
-  Skin secondary, primary;    ///< for which they were found
-  Points3 normals;            ///< of the secondary facets then
-  std::vector<int> first;     ///< per secondary facet its first entry of `opposite`, and one past the last
-  std::vector<int> opposite;  ///< primary facets, ascending per secondary facet
+  double margin_mm = 0.0;          ///< 0: half the mean size of the secondary facets; set before the first use
+  double search_mm = 0.0;          ///< for which they were found
+  double reach_mm = 0.0;           ///< the margin they were found with
+  Skin secondary, primary;         ///< for which they were found
+  Points3 normals;                 ///< of the secondary facets then
+  std::vector<int> first;          ///< per secondary facet its first entry of `opposite`, and one past the last
+  std::vector<int> opposite;       ///< primary facets, ascending per secondary facet
+  std::vector<FacetBlock> blocks;  ///< the last integrals of each secondary facet over these pairs; none yet: empty
 };
 
 /// Finds the pairs; `margin_mm` of `pairs` is kept.

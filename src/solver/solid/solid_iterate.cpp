@@ -70,13 +70,25 @@ void SolidIterate::integrate() {
   const Account account(mortar_s);
   const auto before = std::move(place_);
   place_.clear();
-  for (std::size_t c = 0; c < system_.contacts.size(); ++c)
-    place_.push_back(contact::place_skins(system_.contacts[c], now_.u, system_.held, system_.points(), pairs_[c]));
+  for (std::size_t c = 0; c < system_.contacts.size(); ++c) {
+    const auto& setup = system_.contacts[c];
+    const auto fresh =
+        before.empty() ? std::vector<char>() : near_facets(setup, before[c], now_.status[c], whole_[c], now_.u);
+    place_.push_back(contact::place_skins(setup, now_.u, system_.held, system_.points(), pairs_[c], fresh));
+  }
   for (std::size_t c = 0; c < place_.size(); ++c) turn_tractions(c, before.empty() ? place_[c].frame : before[c].frame);
   worn_.assign(place_.size(), {});
   for (std::size_t c = 0; c < place_.size(); ++c)
     if (system_.contacts[c].options.wear.wears()) worn_[c] = worn_contact(system_.contacts[c], place_[c], old_.wear[c]);
   evaluate();
+  if (before.empty()) keep_whole();
+}
+
+void SolidIterate::keep_whole() {
+  for (const auto& of_contact : nodes_) {
+    auto& whole = whole_.emplace_back(WholeIntegrals{now_.u, {}});
+    for (const auto& node : of_contact) whole.gap.push_back(node.gap);
+  }
 }
 
 /// Pressure stays pressure as normals turn, and tangents turn with them.

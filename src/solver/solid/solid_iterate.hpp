@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/solid/increment_state.hpp"
+#include "solver/solid/near_facets.hpp"
 #include "solver/solid/reduced_system.hpp"
 #include "solver/solid/worn_contact.hpp"
 
@@ -13,7 +14,7 @@ class SolidIterate {
  public:
   SolidIterate(const SolidSystem& system, const SolidState& old, const SolidTarget& target, SolidStart start);
 
-  /// Integrates where the points are now.
+  /// Integrates where the points are now: all facets at first, later those that may be in contact.
   void integrate();
   /// Evaluates the conditions where the points are now, with the integrals at hand.
   void evaluate();
@@ -57,6 +58,7 @@ class SolidIterate {
   Vector moved_by(const std::vector<ReducedRow>& rows, const ReducedStep& step) const;
   double step_share(const Vector& moved) const;
   void drive();
+  void keep_whole();
   void stand();
   SolidMotion motion() const { return {force_, now_.s, now_.a, standing_.poses}; }
   double friction(int contact) const { return keep_shear_ ? 0.0 : target_.friction[contact]; }
@@ -71,6 +73,7 @@ class SolidIterate {
   SolidState now_;
   std::vector<mortar::SkinPairs> pairs_;
   std::vector<contact::SkinPlace> place_;
+  std::vector<WholeIntegrals> whole_;  ///< per contact
   std::vector<std::vector<contact::SkinNode>> nodes_;
   std::vector<WornContact> worn_;  ///< per contact
   Standing standing_;

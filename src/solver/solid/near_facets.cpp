@@ -1,0 +1,39 @@
+#include "solver/solid/near_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reye::solver {
+
+namespace {
+
+/// A gap is a mean with weights of both signs, the absolute ones of which add up to less than five.
+constexpr double much = 10.0;
+
+double largest_motion(const contact::SkinSide& side, const Vector& moved) {
+  double square = 0.0;
+  for (const auto& point : side.points) square = std::max(square, moved.segment<3>(3 * point.column).squaredNorm());
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+std::vector<char> near_facets(const contact::SkinSetup& setup, const contact::SkinPlace& place,
+                              const std::vector<contact::SkinStatus>& status, const WholeIntegrals& whole,
+                              const Vector& u) {
+  const Vector moved = u - whole.u;
+  const double reach = much * (largest_motion(setup.secondary, moved) + largest_motion(setup.primary, moved));
+  const auto near = [&](int j) {
+    return place.carries[j] && (status[j] != contact::SkinStatus::open || !(whole.gap[j] > reach));
+  };
+  std::vector<char> marks;
+  for (const auto& facet : setup.secondary.skin.facets) {
+    const auto* nodes = facet.nodes.data();
+    const bool known =
+        std::any_of(nodes, nodes + facet.count(), [&](int j) { return static_cast<bool>(place.carries[j]); });
+    marks.push_back(!known || std::any_of(nodes, nodes + facet.count(), near));
+  }
+  return marks;
+}
+
+}  // namespace reye::solver
