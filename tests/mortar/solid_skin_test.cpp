@@ -226,7 +226,7 @@ TEST(solid_skin, only_the_facets_asked_for_are_fresh) {
     const auto now = mortar::integrate(secondary, primary, {.search_mm = 0.3});
     std::vector<char> of_fresh(secondary.x.size(), 0), of_kept(secondary.x.size(), 0);
     for (std::size_t f = 0; f < fresh.size(); ++f) {
-      bool bare = false;  // beside a point without multiplier the basis is made anew, where the facets are now
+      bool bare = false;  // beside a point without multiplier the basis is another one, of where the facets are now
       for (int k = 0; k < secondary.facets[f].count(); ++k) bare = bare || !mixed.carries[secondary.facets[f].nodes[k]];
       for (int k = 0; k < secondary.facets[f].count(); ++k) {
         if (fresh[f] || bare) of_fresh[secondary.facets[f].nodes[k]] = 1;

@@ -126,22 +126,25 @@ TEST(SolidWear, AJumpStandsForItsCycles) {
 
 TEST(SolidWear, AToleranceIsHeldByTheColumn) {
   // Under a tolerance of 1 % the depth of the held column comes within 1 % of its differential equation, with few of
-  // the cycles played, and the run says no less than its error.
+  // the cycles played, and the run says no less than a third of its error: from whatever jump it begins, though that
+  // decides which blocks it plays.
   SlidingBlocks blocks;
   blocks.held = true;
-  auto problem = blocks.problem(0.002, 1, 10000.0, 1.0);
-  problem.scene.steps[1].jump_tolerance = 0.01;
-  problem.scene.steps[1].jump = 10.0;
-  const auto played = support::play(problem);
-  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
   const double k = blocks.mu * (blocks.alpha_secondary + blocks.alpha_primary);
   const double lost = 2.0 * blocks.p / blocks.E * (1.0 - std::exp(-0.5 * blocks.E * k * 20.0));
   const double exact = lost * blocks.alpha_secondary / (blocks.alpha_secondary + blocks.alpha_primary);
-  const double error = std::abs(played.summary.contacts[0].secondary.max_depth_mm / exact - 1.0);
-  EXPECT_LE(error, 0.01) << *played.summary.error_cycle_jump << " by " << played.summary.counts.cycles_solved;
-  EXPECT_LE(error, 3.0 * *played.summary.error_cycle_jump + 1e-4);
-  EXPECT_LE(played.summary.counts.cycles_solved, 150);
-  EXPECT_LE(*played.summary.contacts[0].ledger_relative_error, 1e-12);
+  for (const double more : {0.0, 1e-6, 1e-4, 1e-3, 0.01, 0.1, 0.3, 0.5, 1.0, 2.0}) {
+    auto problem = blocks.problem(0.002, 1, 10000.0, 1.0);
+    problem.scene.steps[1].jump_tolerance = 0.01;
+    problem.scene.steps[1].jump = 10.0 + more;
+    const auto played = support::play(problem);
+    ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+    const double error = std::abs(played.summary.contacts[0].secondary.max_depth_mm / exact - 1.0);
+    EXPECT_LE(error, 0.01) << *played.summary.error_cycle_jump << " by " << played.summary.counts.cycles_solved;
+    EXPECT_LE(error, 3.0 * *played.summary.error_cycle_jump + 1e-4);
+    EXPECT_LE(played.summary.counts.cycles_solved, 150);
+    EXPECT_LE(*played.summary.contacts[0].ledger_relative_error, 1e-12);
+  }
 }
 
 TEST(SolidWear, ALimitEndsTheRunAtItsDepth) {

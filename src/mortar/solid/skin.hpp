@@ -56,7 +56,7 @@ struct SkinPairs;
 SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOptions& options);
 
 /// Integrals over pairs kept from an earlier call, equal to the last bit; pairs that no longer hold are found again.
-/// `fresh`: marks of the secondary facets to integrate anew. The others keep the integrals of the last call with these
+/// `fresh`: marks of the secondary facets to integrate again. The others keep the integrals of the last call with these
 /// pairs, where those still hold; all are integrated where `fresh` is empty.
 SkinIntegrals integrate(const Skin& secondary, const Skin& primary, const SkinOptions& options, SkinPairs& pairs,
                         const std::vector<char>& fresh = {});

@@ -85,7 +85,7 @@ std::span<const int> facets_opposite(const SkinPairs& pairs, int facet) {
   return std::span(pairs.opposite).subspan(pairs.first[facet], pairs.first[facet + 1] - pairs.first[facet]);
 }
 
-/// Integrates the facets anew that are asked for: all, where `fresh` marks none, or there are no integrals yet.
+/// Integrates the facets that are asked for: all, where `fresh` marks none, or there are no integrals yet.
 void integrate_facets(const SkinSides& sides, const std::vector<char>& carries, const std::vector<char>& fresh,
                       SkinPairs& pairs) {
   const auto count = sides.secondary.facets.size();

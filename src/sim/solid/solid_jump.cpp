@@ -35,7 +35,7 @@ void tell_block(const SolidObserver& observer, const SolidSpan& span, double cyc
 }
 
 /// Of the tolerance, for errors of blocks of one sign add up where pressures fade as bodies wear apart.
-constexpr double caution = 0.7;
+constexpr double caution = 0.5;
 
 /// The error that a block from `start` to `end` of its step may have.
 double allowed_error(const SolidProblem& problem, const scene::Step& step, const SolidRunState& start, double end) {
