@@ -29,8 +29,9 @@ std::vector<char> near_facets(const contact::SkinSetup& setup, const contact::Sk
   std::vector<char> marks;
   for (const auto& facet : setup.secondary.skin.facets) {
     const auto* nodes = facet.nodes.data();
-    const bool known =
-        std::any_of(nodes, nodes + facet.count(), [&](int j) { return static_cast<bool>(place.carries[j]); });
+    const bool linear = setup.options.dual == mortar::SkinDual::linear;  // then control points carry nothing anyway
+    const bool known = std::all_of(nodes, nodes + (linear ? mesh::facet_corners(facet.kind) : facet.count()),
+                                   [&](int j) { return static_cast<bool>(place.carries[j]); });
     marks.push_back(!known || std::any_of(nodes, nodes + facet.count(), near));
   }
   return marks;
