@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "mortar/solid/facet_geometry.hpp"
 
 namespace reye::mortar {
 

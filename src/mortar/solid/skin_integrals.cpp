@@ -132,12 +132,16 @@ void renew(const SkinSides& sides, const SkinPairs& pairs, const std::vector<cha
       const Facet& facet = sides.secondary.facets[block.facet];
       const auto cut = cut_of(facet, carries);
       if (cut == cut_of(facet, before)) continue;
-      place_points(sides, block.facet, facets_opposite(pairs, block.facet), w);
+      if (!place_points(sides, block.facet, facets_opposite(pairs, block.facet), w)) {
+        block.facet = -1;  // its kept integrals are of a part that has been left since
+        continue;
+      }
       integrate_points(sides, cut, w);
       block.D = w.D;
       block.columns = w.columns;
     }
   });
+  std::erase_if(all, [](const FacetBlock& block) { return block.facet < 0; });
 }
 
 /// One matrix from its entries per facet: `entries(block, j, add)` adds those of row j.

@@ -7,7 +7,7 @@ namespace reye::solver {
 
 namespace {
 
-/// A gap is a mean with weights of both signs, the absolute ones of which add up to less than five.
+/// A gap is a mean with weights of both signs, and may change by more than points move.
 constexpr double much = 10.0;
 
 double largest_motion(const contact::SkinSide& side, const Vector& moved) {
