@@ -140,22 +140,46 @@ Matrix DenseCholesky::condense(Matrix& B) const {
   const double one = 1.0, zero = 0.0;
   dtrsm_("L", "L", "N", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
   dsyrk_("L", "T", &m, &n, &one, B.data(), &n, &zero, C.data(), &m);
-  C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
+  mirror_lower(C);
   dtrsm_("L", "L", "T", "N", &n, &m, &one, L_.data(), &n, B.data(), &n);
   return C;
 }
 
 double DenseCholesky::log_determinant() const { return 2.0 * L_.diagonal().array().log().sum(); }
 
+void mirror_lower(Matrix& A) {
+  constexpr Eigen::Index block = 64;  // rows and columns of both stay in the cache
+  const Eigen::Index n = A.rows();
+  for (Eigen::Index j = 0; j < n; j += block) {
+    const Eigen::Index wide = std::min(block, n - j);
+    A.block(j, j, wide, wide).triangularView<Eigen::StrictlyUpper>() = A.block(j, j, wide, wide).transpose();
+    for (Eigen::Index i = j + wide; i < n; i += block) {
+      const Eigen::Index tall = std::min(block, n - i);
+      A.block(j, i, wide, tall) = A.block(i, j, tall, wide).transpose();
+    }
+  }
+}
+
 void invert(Matrix& A) {
   single_thread();
   const int n = static_cast<int>(A.rows());
   int info = 0;
+  if (n == 0) return;
   dpotrf_("L", &n, A.data(), &n, &info);
-  if (info == 0) dpotri_("L", &n, A.data(), &n, &info);
   if (info != 0)
     throw SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
-  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
+  invert_from_factor(A);
+}
+
+void invert_from_factor(Matrix& L) {
+  single_thread();
+  const int n = static_cast<int>(L.rows());
+  int info = 0;
+  if (n == 0) return;
+  dpotri_("L", &n, L.data(), &n, &info);
+  if (info != 0)
+    throw SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
+  mirror_lower(L);
 }
 
 Vector solve_dense(Matrix& A, const Vector& b) {

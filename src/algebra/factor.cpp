@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "algebra/blas.hpp"
 #include "algebra/ranks.hpp"
@@ -90,7 +92,7 @@ Matrix product(const Matrix& L, const Vector& shift) {
   if (n > 0) dlauum_("U", &n, U.data(), &n, &info);
   Matrix S = U.reverse();
   S.diagonal() -= shift;
-  S.triangularView<Eigen::StrictlyUpper>() = S.transpose();
+  mirror_lower(S);
   return S;
 }
 
@@ -115,9 +117,11 @@ struct SchurAnalysis {
 struct SchurFactor::Impl {
   int size = 0, retained = 0;
   Ordering ordering = Ordering::minimum_degree;
+  std::optional<std::vector<int>> shifted;  ///< retained rows, counted from the first; else all
   SchurAnalysisPtr analysis;
   mutable Supernodal L;  // its workspace changes in solves
-  Matrix Lcc, S;
+  Matrix S;
+  Vector shift;
   std::unique_ptr<RankedFactor> ranked;  ///< in place of L, where several processes factorise
   SparseMatrix K_ic;                     ///< with `ranked` alone
 
@@ -126,6 +130,8 @@ struct SchurFactor::Impl {
   /// `known`: an analysis to reuse if it is of this pattern. The diagonal of `upper` is shifted.
   void factorise(SparseMatrix& upper, const SchurAnalysisPtr& known) {
     size = static_cast<int>(upper.rows());
+    shift = chosen_shift(upper);
+    S.resize(0, 0);
     if (interior() == 0) {  // nothing to eliminate: no definiteness needed either
       S = Matrix(SparseMatrix(upper.selfadjointView<Eigen::Upper>()));
       return;
@@ -140,12 +146,15 @@ struct SchurFactor::Impl {
     start(known && known->fits(upper, retained, ordering)
               ? known
               : std::make_shared<const SchurAnalysis>(upper, retained, ordering));
-    const Vector shift = add_shift(upper);
+    for (int j = 0; j < retained; ++j)
+      if (shift[j] > 0.0) upper.coeffRef(interior() + j, interior() + j) += shift[j];
     L.factorise(upper);
     check_pivots(L, upper, interior());
-    Lcc = L.trailing(retained);
-    S = product(Lcc, shift);
+    if (!shifted) S = product(L.trailing(retained, retained), shift);
   }
+
+  /// Whether S is there itself, and not L_cc of S + sigma.
+  bool has_schur() const { return S.rows() == retained; }
 
   void start(const SchurAnalysisPtr& fitting) {
     if (fitting == analysis) return;
@@ -153,14 +162,14 @@ struct SchurFactor::Impl {
     analysis = fitting;
   }
 
-  /// Doubles the diagonal of K_cc: each row by its own entry, for what is small in one unit is large in another.
-  Vector add_shift(SparseMatrix& K) const {
-    Vector shift = K.diagonal().tail(retained);
-    for (int j = 0; j < retained; ++j) {
-      if (!(shift[j] > 0.0)) shift[j] = 1.0;
-      K.coeffRef(interior() + j, interior() + j) += shift[j];
-    }
-    return shift;
+  /// As large as the diagonal of K_cc, each row by its own entry, for what is small in one unit is large in another; of
+  /// rows that are not chosen none.
+  Vector chosen_shift(const SparseMatrix& K) const {
+    Vector all = K.diagonal().tail(retained).unaryExpr([](double k) { return k > 0.0 ? k : 1.0; });
+    if (!shifted) return all;
+    Vector chosen = Vector::Zero(retained);
+    for (const int j : *shifted) chosen[j] = all[j];
+    return chosen;
   }
 
   /// L_ii^-1 f_i above, -L_ci L_ii^-1 f_i (in the basis of L_cc) below.
@@ -181,6 +190,16 @@ SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known, O
   SparseMatrix().swap(K);  // assignment from an empty matrix would keep the memory
   impl_->factorise(upper, known);
 }
+SchurFactor::SchurFactor(SparseMatrix K, int retained, Ordering ordering, std::vector<int> shifted)
+    : impl_(std::make_unique<Impl>()) {
+  if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
+  impl_->retained = retained;
+  impl_->ordering = ordering;
+  impl_->shifted = std::move(shifted);
+  SparseMatrix upper = upper_triangle(K);
+  SparseMatrix().swap(K);
+  impl_->factorise(upper, {});
+}
 SchurFactor::~SchurFactor() = default;
 SchurFactor::SchurFactor(SchurFactor&&) noexcept = default;
 SchurFactor& SchurFactor::operator=(SchurFactor&&) noexcept = default;
@@ -189,18 +208,51 @@ void SchurFactor::refactor(const SparseMatrix& K) {
   SparseMatrix upper = upper_triangle(K);
   impl_->factorise(upper, impl_->analysis);
 }
+void SchurFactor::refactor(const SparseMatrix& K, std::vector<int> shifted) {
+  impl_->shifted = std::move(shifted);
+  refactor(K);
+}
 const SchurAnalysisPtr& SchurFactor::analysis() const { return impl_->analysis; }
 int SchurFactor::size() const { return impl_->size; }
 int SchurFactor::retained() const { return impl_->retained; }
 const Matrix& SchurFactor::schur() const { return impl_->S; }
-Matrix SchurFactor::take_schur() { return std::move(impl_->S); }
+
+SchurFactor::Inverse SchurFactor::take_inverse(int count) {
+  Inverse inverse;
+  Matrix& C = inverse.C;
+  Vector diagonal;
+  if (impl_->has_schur()) {
+    C = std::exchange(impl_->S, {});
+    if (count < C.rows()) C = Matrix(C.topLeftCorner(count, count));
+    C.diagonal() += impl_->shift.head(count);
+    diagonal = C.diagonal();
+    invert(C);
+  } else {
+    C = impl_->L.trailing(retained(), count);
+    diagonal = C.rowwise().squaredNorm();
+    invert_from_factor(C);
+  }
+  if (count > 0) inverse.condition = C.diagonal().cwiseProduct(diagonal).maxCoeff();
+  return inverse;
+}
+
+Matrix SchurFactor::schur_rows(int first) const {
+  const int c = retained();
+  if (impl_->has_schur()) return impl_->S.bottomRows(c - first);
+  Matrix rows = impl_->L.trailing_rows(c, first);
+  Matrix S(c - first, c);
+  for (int k = first; k < c; ++k)
+    S.row(k - first) = impl_->L.times_trailing(rows.row(k - first).transpose()).transpose();
+  S.rightCols(c - first).diagonal() -= impl_->shift.tail(c - first);
+  return S;
+}
 
 Vector SchurFactor::condense(const Vector& f) const {
   const int c = retained();
   if (size() == c) return f;
   if (impl_->ranked) return f.tail(c) - impl_->K_ic.transpose() * impl_->ranked->solve_interior(f.head(size() - c));
   const Vector tail = impl_->forward(f).tail(c);
-  return f.tail(c) + impl_->Lcc.triangularView<Eigen::Lower>() * tail;
+  return f.tail(c) + impl_->L.times_trailing(tail);
 }
 
 Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
@@ -212,7 +264,7 @@ Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
     return u;
   }
   Vector y = impl_->forward(f);
-  y.tail(c) = impl_->Lcc.transpose().triangularView<Eigen::Upper>() * u_c;
+  y.tail(c) = impl_->L.times_trailing_transposed(u_c);
   const Vector x = impl_->L.backward(y);
   const auto order = impl_->L.order();
   Vector u(size());
@@ -220,6 +272,21 @@ Vector SchurFactor::recover(const Vector& f, const Vector& u_c) const {
   u.tail(c) = u_c;
   return u;
 }
+
+Vector SchurFactor::solve_leading(const Vector& b) const {
+  const int interior = size() - retained(), left_out = size() - static_cast<int>(b.size());
+  const auto order = impl_->L.order();
+  Vector y = Vector::Zero(size());
+  for (Eigen::Index k = 0; k < b.size(); ++k) y[k] = b[k < interior ? order[k] : k];
+  y = impl_->L.forward(y);
+  y.tail(left_out).setZero();
+  y = impl_->L.backward(y);
+  Vector x(b.size());
+  for (Eigen::Index k = 0; k < b.size(); ++k) x[k < interior ? order[k] : k] = y[k];
+  return x;
+}
+
+bool SchurFactor::is_shared() const { return impl_->ranked != nullptr; }
 
 int ranks_of(int interior) { return interior >= smallest_ranked ? ranks() : 1; }
 

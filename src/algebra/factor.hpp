@@ -22,24 +22,42 @@ enum class Ordering { minimum_degree, nested_dissection };
 /// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
 ///   S = K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc^T - sigma        (theory: exact whatever rigid motion is free)
 /// The symbolic analysis is kept: `refactor` with the same pattern reuses it, and so does a factor that is given it.
+/// Where the shift is on chosen rows alone, S + sigma is inverted from L_cc, and S itself is not made.
 class SchurFactor {
  public:
   /// K: n x n, its upper triangle is read; a temporary is released before the factor is made. `known`:
   /// the analysis of another factor, used where it fits. Throws base::SolveError when K_ii is not positive definite.
   SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known = {}, Ordering ordering = Ordering::minimum_degree);
+  /// The shift on these rows, counted from the first one retained. Throws base::SolveError where S + sigma is not
+  /// definite, too.
+  SchurFactor(SparseMatrix K, int retained, Ordering ordering, std::vector<int> shifted);
   ~SchurFactor();
   SchurFactor(SchurFactor&&) noexcept;
   SchurFactor& operator=(SchurFactor&&) noexcept;
 
   void refactor(const SparseMatrix& K);
+  void refactor(const SparseMatrix& K, std::vector<int> shifted);
   const SchurAnalysisPtr& analysis() const;  ///< empty where nothing is eliminated
   int size() const;
   int retained() const;
-  const Matrix& schur() const;  ///< retained x retained, symmetric, both triangles
-  Matrix take_schur();          ///< moves it out; `schur` is empty from then on
+  const Matrix& schur() const;  ///< retained x retained, symmetric, both triangles; empty with a shift on chosen rows
+
+  /// The leading rows and columns of S + sigma, inverted.
+  struct Inverse {
+    Matrix C;                ///< both triangles
+    double condition = 0.0;  ///< largest product of a diagonal entry of C and that of the matrix
+  };
+  /// With a shift on chosen rows: once, of the first `count` rows retained. Throws base::SolveError where the matrix is
+  /// not definite.
+  Inverse take_inverse(int count);
+  /// With a shift on chosen rows, before `take_inverse`: the last rows of S, from one on; few, else `schur` is cheaper.
+  Matrix schur_rows(int first) const;
 
   /// f_c - K_ci K_ii^-1 f_i for a full load vector f (size n): one forward solve.
   Vector condense(const Vector& f) const;
+  /// (K + sigma) x = b of the leading rows, as many as b has: all of the interior at least. Not where it `is_shared`.
+  Vector solve_leading(const Vector& b) const;
+  bool is_shared() const;  ///< held by several processes
   /// The full solution (size n) for loads f and known retained values u_c.
   Vector recover(const Vector& f, const Vector& u_c) const;
 
@@ -112,6 +130,10 @@ class DenseCholesky {
 /// Replaces a dense symmetric positive definite matrix by its inverse, both triangles.
 /// Throws base::SolveError when A is not definite.
 void invert(Matrix& A);
+/// Replaces the Cholesky factor L of A, a lower triangle, by A^-1, both triangles.
+void invert_from_factor(Matrix& L);
+/// Puts the lower triangle of a square matrix into its upper one.
+void mirror_lower(Matrix& A);
 
 /// Solves the dense square system A x = b; A is overwritten.
 /// Throws base::SolveError when A is singular to working precision or x is not finite.

@@ -131,21 +131,56 @@ Vector Supernodal::diagonal() const {
   return d;
 }
 
-Matrix Supernodal::trailing(int count) const {
+/// Calls take(column, rows, values, count) for the last columns of L: from the diagonal down, numbered from the first.
+template <class Take>
+void Supernodal::for_each_trailing(int count, Take take) const {
   const int first = static_cast<int>(factor_->n) - count;
   const int *super = ints(factor_->super), *pi = ints(factor_->pi), *px = ints(factor_->px), *row = ints(factor_->s);
   const double* x = static_cast<const double*>(factor_->x);
-  Matrix L = Matrix::Zero(count, count);
+  std::vector<int> below;
   for (size_t s = 0; s < factor_->nsuper; ++s) {
+    if (super[s + 1] <= first) continue;
     const int rows = pi[s + 1] - pi[s];
+    below.assign(row + pi[s], row + pi[s + 1]);
+    for (int& r : below) r -= first;
     // A supernode may straddle the border between leading and trailing columns.
     for (int j = std::max(super[s], first); j < super[s + 1]; ++j) {
       const int local = j - super[s];
-      const double* column = x + px[s] + static_cast<ptrdiff_t>(local) * rows;
-      for (int k = local; k < rows; ++k) L(row[pi[s] + k] - first, j - first) = column[k];
+      take(j - first, below.data() + local, x + px[s] + static_cast<ptrdiff_t>(local) * rows + local, rows - local);
     }
   }
+}
+
+Matrix Supernodal::trailing(int count, int size) const {
+  Matrix L = Matrix::Zero(size, size);
+  for_each_trailing(count, [&](int column, const int* row, const double* value, int entries) {
+    for (int k = 0; column < size && k < entries && row[k] < size; ++k) L(row[k], column) = value[k];
+  });
   return L;
+}
+
+Matrix Supernodal::trailing_rows(int count, int first) const {
+  Matrix rows = Matrix::Zero(count - first, count);
+  for_each_trailing(count, [&](int column, const int* row, const double* value, int entries) {
+    for (int k = entries - 1; k >= 0 && row[k] >= first; --k) rows(row[k] - first, column) = value[k];
+  });
+  return rows;
+}
+
+Vector Supernodal::times_trailing(const Vector& v) const {
+  Vector product = Vector::Zero(v.size());
+  for_each_trailing(static_cast<int>(v.size()), [&](int column, const int* row, const double* value, int entries) {
+    for (int k = 0; k < entries; ++k) product[row[k]] += value[k] * v[column];
+  });
+  return product;
+}
+
+Vector Supernodal::times_trailing_transposed(const Vector& v) const {
+  Vector product = Vector::Zero(v.size());
+  for_each_trailing(static_cast<int>(v.size()), [&](int column, const int* row, const double* value, int entries) {
+    for (int k = 0; k < entries; ++k) product[column] += value[k] * v[row[k]];
+  });
+  return product;
 }
 
 std::vector<int> minimum_degree(const SparseMatrix& K, int count) {

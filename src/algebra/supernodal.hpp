@@ -57,13 +57,21 @@ class Supernodal {
 
   /// Elimination order: order()[k] is the row of K eliminated as k-th.
   std::span<const int> order() const;
-  base::Vector diagonal() const;           ///< of L, in the order of elimination
-  base::Matrix trailing(int count) const;  ///< dense lower triangle of the last `count` rows and columns of L
+  base::Vector diagonal() const;  ///< of L, in the order of elimination
+  /// Dense lower triangle of the leading `size` of the last `count` rows and columns of L.
+  base::Matrix trailing(int count, int size) const;
+  /// The last rows of L from `first`, in the last `count` columns: dense.
+  base::Matrix trailing_rows(int count, int first) const;
+  /// L_cc v and L_cc^T v of the last rows and columns, as many as v has.
+  base::Vector times_trailing(const base::Vector& v) const;
+  base::Vector times_trailing_transposed(const base::Vector& v) const;
 
  private:
   base::Vector triangular(int system, const base::Vector& b);
   base::Matrix dense_solve(int system, const double* b, int columns);
   void release();
+  template <class Take>
+  void for_each_trailing(int count, Take take) const;
 
   Workspace workspace_;
   cholmod_factor* factor_ = nullptr;

@@ -110,14 +110,29 @@ TEST(schur, nested_dissection_equals_minimum_degree) {
   }
 }
 
-// The complement that is taken out must leave the factor able to recover.
-TEST(schur, taken_out) {
-  const SparseMatrix K = grid(10, 10, 2.0);
-  algebra::SchurFactor f(K, 20);
-  const Matrix before = f.schur(), S = f.take_schur();
-  EXPECT_EQ((S - before).norm(), 0.0);
-  const Vector load = wave(200);
-  EXPECT_LT((K * f.recover(load, algebra::solve_symmetric(S, f.condense(load))) - load).norm(), 1e-11 * load.norm());
+// With springs on chosen rows alone, S + sigma must come out inverted, its rows as they are, and what recovers
+// unchanged.
+TEST(schur, inverted_from_its_factor) {
+  const int retained = 20;
+  for (const double ground : {2.0, 0.0}) {
+    const SparseMatrix K = grid(10, 10, ground);
+    const algebra::SchurFactor whole(K, retained);
+    const std::vector<int> shifted{0, 1, 18, 19};  // a node, for the motions that are free, and the last two rows
+    algebra::SchurFactor f(K, retained, algebra::Ordering::nested_dissection, shifted);
+    EXPECT_EQ(f.schur().size(), 0);
+    Matrix held = whole.schur();
+    for (const int k : shifted) held(k, k) += K.coeff(180 + k, 180 + k);
+    EXPECT_LT((f.schur_rows(18) - whole.schur().bottomRows(2)).norm(), 1e-12 * held.norm());
+    const Vector load = wave(200);
+    EXPECT_LT((f.condense(load) - whole.condense(load)).norm(), 1e-12 * load.norm());
+    const Vector u_c = wave(retained);
+    EXPECT_LT((f.recover(load, u_c) - whole.recover(load, u_c)).norm(), 1e-11 * whole.recover(load, u_c).norm());
+    const auto inverse = f.take_inverse(18);
+    const Matrix leading = held.topLeftCorner(18, 18), one = Matrix::Identity(18, 18);
+    EXPECT_LT((inverse.C * leading - one).norm(), 1e-11);
+    EXPECT_EQ((inverse.C - inverse.C.transpose()).norm(), 0.0);
+    EXPECT_NEAR(inverse.condition, inverse.C.diagonal().cwiseProduct(leading.diagonal()).maxCoeff(), 1e-9);
+  }
 }
 
 // The predicted size of a factor must grow with what is retained, and be that of a dense one where all is.

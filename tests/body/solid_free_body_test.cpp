@@ -39,7 +39,7 @@ TEST(solid_body, free_motions) {
       EXPECT_LT((b.A().transpose() * f + b.B() * s).norm(), 1e-11 * f.norm());
       const Points3 u = b.displacements(f, s, a);
       EXPECT_LT(residual(b, u, f, s, held ? "x0" : ""), 1e-10);
-      const Vector p = b.C() * f + b.U() * s + b.A() * a;
+      const Vector p = b.C().times(f) + b.U() * s + b.A() * a;
       EXPECT_LT((p - points_of(b, u)).norm(), 1e-10 * p.norm());
       if (held == 0) {
         EXPECT_EQ(b.free_motions(), (std::vector<std::string>{"rotation about x", "rotation about y",

@@ -184,7 +184,7 @@ TEST(solid_turning, small_turns_are_those_of_the_linear_body) {
   const double small = 1e-6;
   const Vector s = small * wave(2), f = small * wave(b.frame.C().rows());
   const auto pose = pose_of(b.turning, base::Turn::Identity(), Vector(), Vector(), s);
-  const Vector w = b.frame.C() * to_frame(pose, f), u = linear.C() * f + linear.U() * s;
+  const Vector w = b.frame.C().times(to_frame(pose, f)), u = linear.C().times(f) + linear.U() * s;
   for (std::size_t i = 0; i < b.turning.points.size(); ++i) {
     const auto at = 3 * static_cast<Eigen::Index>(i);
     const Vec3 moved = pose.place(b.turning.points[i], w.segment<3>(at)) - b.turning.points[i];

@@ -35,11 +35,11 @@ class RigidSolid {
     const Matrix moved = imposed();
     RigidMotion z{M * R.transpose(), moved + M * (P_ - K_ * moved)};
     out_.modes = free_modes(held_rows(input_, places_, out_.centre, true), size_);
-    out_.C = R * M * R.transpose();
     out_.U = R * z.of_s;
     out_.A = R * out_.modes;
     out_.B = out_.modes.transpose() * P_;
     set_resultants(R, z);
+    out_.C = PointCompliance(R, M);
     return z;
   }
 

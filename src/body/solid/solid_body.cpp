@@ -64,7 +64,7 @@ SolidBody& SolidBody::operator=(SolidBody&&) noexcept = default;
 const SolidInput& SolidBody::input() const { return impl_->input; }
 const std::vector<int>& SolidBody::retained() const { return impl_->retained; }
 const std::vector<Driven>& SolidBody::driven() const { return impl_->matrices.driven; }
-const Matrix& SolidBody::C() const { return impl_->matrices.C; }
+const PointCompliance& SolidBody::C() const { return impl_->matrices.C; }
 const Matrix& SolidBody::U() const { return impl_->matrices.U; }
 const Matrix& SolidBody::A() const { return impl_->matrices.A; }
 const Matrix& SolidBody::B() const { return impl_->matrices.B; }
@@ -83,6 +83,19 @@ std::vector<std::string> SolidBody::free_motions() const {
 Points3 SolidBody::displacements(const Vector& f, const Vector& s, const Vector& a) const {
   return impl_->elastic ? impl_->elastic->displacements(impl_->matrices, impl_->retained, f, s, a)
                         : impl_->rigid_displacements(f, s, a);
+}
+
+Points3 SolidBody::displacements_in(std::shared_ptr<const mesh::SolidMesh> shape, const Vector& f, const Vector& s,
+                                    const Vector& a) const {
+  SolidInput input = impl_->input;
+  input.mesh = std::move(shape);
+  if (impl_->elastic) {
+    std::vector<SolidPlace> places;
+    for (const auto& support : input.supports) places.push_back(place_support(*input.mesh, support));
+    if (auto u = impl_->elastic->displacements_in(input, places, impl_->retained, impl_->matrices, f, s, a))
+      return std::move(*u);
+  }
+  return SolidBody(std::move(input), impl_->retained).displacements(f, s, a);
 }
 
 std::optional<algebra::SchurFactor> SolidBody::take_factor() {

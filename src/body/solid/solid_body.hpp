@@ -7,6 +7,7 @@
 #include "algebra/factor.hpp"
 #include "base/linalg.hpp"
 #include "base/space.hpp"
+#include "body/solid/point_compliance.hpp"
 #include "body/solid/rigid_modes.hpp"
 
 namespace reye::body {
@@ -32,13 +33,13 @@ class SolidBody {
   const std::vector<int>& retained() const;
   const std::vector<Driven>& driven() const;
 
-  const Matrix& C() const;     ///< 3n x 3n, symmetric, positive semi-definite [mm/N]
-  const Matrix& U() const;     ///< 3n x driven
-  const Matrix& A() const;     ///< 3n x free motions: unit translations and rotations about the centre of the box
-  const Matrix& B() const;     ///< free motions x driven: resultants of loads in the free motions [N; N mm]
-  const Matrix& F() const;     ///< 6 supports x 3n
-  const Matrix& G() const;     ///< 6 supports x driven
-  const Vec3& centre() const;  ///< about which the free rotations turn
+  const PointCompliance& C() const;  ///< 3n x 3n
+  const Matrix& U() const;           ///< 3n x driven
+  const Matrix& A() const;           ///< 3n x free motions: unit translations and rotations about the centre of the box
+  const Matrix& B() const;           ///< free motions x driven: resultants of loads in the free motions [N; N mm]
+  const Matrix& F() const;           ///< 6 supports x 3n
+  const Matrix& G() const;           ///< 6 supports x driven
+  const Vec3& centre() const;        ///< about which the free rotations turn
   /// Force, and moment about `centre`, of each load of the input at factor 1 [N; N mm].
   const std::vector<Mode>& load_resultant() const;
   Vec3 support_centre(int support) const;  ///< about which it turns, and its moments are taken
@@ -47,6 +48,11 @@ class SolidBody {
 
   /// Displacements of all nodes of the mesh (nodes themselves, not control points): one back-substitution.
   Points3 displacements(const Vector& f, const Vector& s, const Vector& a) const;
+
+  /// Displacements of all nodes in another shape of the cells, which is not factorised as long as it differs little.
+  /// Motions that nothing holds turn about the centre of that shape's box.
+  Points3 displacements_in(std::shared_ptr<const mesh::SolidMesh> shape, const Vector& f, const Vector& s,
+                           const Vector& a) const;
 
   /// Its factor, if it has one, as `spare` for another body; this one is no longer of use.
   std::optional<algebra::SchurFactor> take_factor();

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "body/solid/point_compliance.hpp"
 #include "body/solid/rigid_modes.hpp"
 #include "body/solid/solid_columns.hpp"
 
@@ -10,7 +11,8 @@ namespace reye::body {
 /// u = C f + U s + A a,  A^T f + B s = 0,  r = F f + G s
 struct SolidMatrices {
   std::vector<Driven> driven;
-  Matrix C, U, A, B, F, G;
+  PointCompliance C;
+  Matrix U, A, B, F, G;
   Vec3 centre = Vec3::Zero();        ///< of the modes
   Modes modes;                       ///< the free ones
   std::vector<Mode> load_resultant;  ///< per load at factor 1, about `centre`

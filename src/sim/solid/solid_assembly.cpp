@@ -107,14 +107,20 @@ SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, c
     for (const int node : bodies.back().retained()) columns[node] = next++;
   }
   assembly.system = solver::make_system(std::move(bodies), std::move(turning));
-  std::vector<const mesh::SolidMesh*> shapes;
-  for (const auto& mesh : meshes) shapes.push_back(mesh.get());
-  for (const auto& contact : problem.contacts)
-    assembly.system.contacts.push_back(contact::make_skin_setup(
-        contact.options, contact::make_side({contact.secondary}, shapes, assembly.columns),
-        contact::make_side(contact.primary, shapes, assembly.columns), contact.modulus_MPa, contact.search_mm));
+  set_contacts(problem, meshes, assembly);
   assembly.seconds = cpu_seconds() - start;
   return assembly;
+}
+
+void set_contacts(const SolidProblem& problem, const SolidMeshes& meshes, SolidAssembly& assembly) {
+  std::vector<const mesh::SolidMesh*> shapes;
+  for (const auto& mesh : meshes) shapes.push_back(mesh.get());
+  auto& contacts = assembly.system.contacts;
+  contacts.clear();
+  for (const auto& contact : problem.contacts)
+    contacts.push_back(contact::make_skin_setup(
+        contact.options, contact::make_side({contact.secondary}, shapes, assembly.columns),
+        contact::make_side(contact.primary, shapes, assembly.columns), contact.modulus_MPa, contact.search_mm));
 }
 
 std::vector<contact::SkinWear> carried_wear(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,

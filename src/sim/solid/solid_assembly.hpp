@@ -27,6 +27,9 @@ std::vector<SkinPoints> points_of(const solver::SolidSystem& system);
 SolidAssembly assemble(const SolidProblem& problem, const SolidMeshes& meshes, const Touchable& touchable,
                        std::optional<SolidAssembly> old = {});
 
+/// Puts the contacts onto these shapes, whose nodes are those of the equations.
+void set_contacts(const SolidProblem& problem, const SolidMeshes& meshes, SolidAssembly& assembly);
+
 /// The state carried onto equations with other points: values stay with their nodes.
 solver::SolidState carried(const std::vector<SkinPoints>& from, const solver::SolidSystem& to,
                            const solver::SolidState& state);

@@ -17,21 +17,28 @@ std::array<double, 6> turned_stress(const base::Mat3& R, const std::array<double
   return {turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(1, 2), turned(2, 0)};
 }
 
-SolidFrameBody frame_body(const SolidAssembly& assembly, const solver::SolidSolution& solution, std::size_t b) {
+/// Displacements of a body in its present shape, which its equations need not be of.
+Points3 displacements_of(const body::SolidBody& body, const std::shared_ptr<const mesh::SolidMesh>& shape,
+                         const base::Vector& force, const base::Vector& s, const base::Vector& a) {
+  return shape == body.input().mesh ? body.displacements(force, s, a) : body.displacements_in(shape, force, s, a);
+}
+
+SolidFrameBody frame_body(const SolidAssembly& assembly, const SolidRunState& state, std::size_t b) {
   const auto& system = assembly.system;
+  const auto& solution = *state.solved;
+  const auto& shape = state.meshes[b];
   const auto& input = system.bodies[b].input();
   const auto& turning = system.turning[b];
   const body::SolidPose pose = solver::poses_of(system, solution.state)[b];
   const base::Vector force = forces_on(system, solution, b), s = system.of_driven(solution.state.s, b);
   const Eigen::Index modes = system.bodies[b].A().cols();
-  SolidFrameBody body{input.name, input.mesh, {}, {}};
-  body.u = turning ? system.bodies[b].displacements(body::to_frame(pose, force), body::frame_values(*turning, pose, s),
-                                                    base::Vector::Zero(modes))
-                   : system.bodies[b].displacements(force, s, system.of_free(solution.state.a, b));
-  if (!input.rigid) body.stress_MPa = fem::nodal_stress(*input.mesh, input.material, body.u);
+  SolidFrameBody body{input.name, shape, {}, {}};
+  body.u = turning ? displacements_of(system.bodies[b], shape, body::to_frame(pose, force),
+                                      body::frame_values(*turning, pose, s), base::Vector::Zero(modes))
+                   : displacements_of(system.bodies[b], shape, force, s, system.of_free(solution.state.a, b));
+  if (!input.rigid) body.stress_MPa = fem::nodal_stress(*shape, input.material, body.u);
   if (!turning) return body;
-  for (std::size_t n = 0; n < body.u.size(); ++n)
-    body.u[n] = pose.place(input.mesh->X[n], body.u[n]) - input.mesh->X[n];
+  for (std::size_t n = 0; n < body.u.size(); ++n) body.u[n] = pose.place(shape->X[n], body.u[n]) - shape->X[n];
   for (auto& stress : body.stress_MPa) stress = turned_stress(pose.R, stress);
   return body;
 }
@@ -129,7 +136,7 @@ SolidFrame solid_frame(const SolidProblem& problem, const SolidAssembly& assembl
   SolidFrame frame{moment.cycle, moment.progress, step, {}, {}};
   if (moment.bodies)
     for (int b = 0; b < problem.body_count(); ++b)
-      frame.bodies.push_back(frame_body(assembly, solution, static_cast<std::size_t>(b)));
+      frame.bodies.push_back(frame_body(assembly, state, static_cast<std::size_t>(b)));
   for (std::size_t c = 0; c < assembly.system.contacts.size(); ++c) {
     const auto& wear = state.solution.wear[c];
     frame.surfaces.push_back(secondary_record(assembly.system, solution, wear, c));

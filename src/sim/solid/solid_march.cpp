@@ -172,10 +172,11 @@ class March {
     if (const double cycles = state_.cycle - before.cycle; cycles > 0.0)
       state_.share_per_cycle = std::max(0.0, share - waiting) / cycles;
     const long remeshes = state_.counts.remeshes;
-    if (problem_.scene.shape && !move_shapes(step, share, last)) return false;
+    if (problem_.scene.shape && !move_shapes(step, share)) return false;
     auto block = block_of(step, before, now(), state_.step_blocks, last);
     block.remeshed = state_.counts.remeshes > remeshes;
     if (frame_due(problem_.scene.frames, block)) show(step.name, {state_.cycle, 1.0});
+    if (at_end(problem_, state_)) state_.probes = probe_values(problem_, player_->assembly(), state_);
     return keep();
   }
 
@@ -187,10 +188,10 @@ class March {
   }
 
   /// Moves the worn faces where the depth that waits in the gaps, a `share` of the facets, is no longer small, and at
-  /// the end of a step, and remeshes. False where a body cannot follow.
-  bool move_shapes(const scene::Step& step, double share, bool last) {
+  /// the end of the run, and remeshes. False where a body cannot follow.
+  bool move_shapes(const scene::Step& step, double share) {
     constexpr double small = 0.02;
-    const bool moves = step.wear && share > (last ? 0.0 : small);
+    const bool moves = share > (at_end(problem_, state_) ? 0.0 : small);
     if (!moves && !remesh_due(problem_, state_)) return true;
     failure_ = reshape_bodies(problem_, *player_, relocations_, step, observer_, state_);
     return failure_.empty();
@@ -241,7 +242,7 @@ class March {
     if (state_.solved) {
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
         s.contacts.push_back(contact_summary(problem_, player_->system(), state_, c));
-      s.probes = probe_values(problem_, player_->assembly(), state_);
+      s.probes = at_end(problem_, state_) ? state_.probes : probe_values(problem_, player_->assembly(), state_);
     }
     summarise_limits(s);
     s.size = planned_;

@@ -54,6 +54,7 @@ SolidPlayer::SolidPlayer(const SolidProblem& problem, SolidRunState& state, std:
     state.factor_s += assembly_->seconds;
   else
     build(state);
+  if (!state.fitted) fit(state);
 }
 
 void SolidPlayer::assemble_bodies(SolidRunState& state) {
@@ -99,9 +100,17 @@ void SolidPlayer::reshape(SolidRunState& state, SolidMeshes meshes) {
   fit(state);
 }
 
+void SolidPlayer::show_on(SolidRunState& state, SolidMeshes meshes) {
+  bring_up(state);
+  state.meshes = std::move(meshes);
+  set_contacts(problem_, state.meshes, *assembly_);
+  state.fitted = false;
+}
+
 void SolidPlayer::fit(SolidRunState& state) const {
   state.solution.u = solver::displacements_of(system(), state.solution);  // what sticks is held to these
   solver::fit_gaps(system(), state.solution);
+  state.fitted = true;
 }
 
 void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable touchable) {

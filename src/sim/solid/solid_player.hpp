@@ -24,6 +24,9 @@ class SolidPlayer {
   /// theirs. Throws base::SolveError.
   void reshape(SolidRunState& state, SolidMeshes meshes);
 
+  /// Shows the state on other shapes, on which nothing is played any more: the bodies keep their equations.
+  void show_on(SolidRunState& state, SolidMeshes meshes);
+
   /// Makes the equations of fresh meshes with these touchable nodes; what the state holds of contacts is to be carried
   /// onto them.
   void redraw(SolidRunState& state, SolidMeshes meshes, Touchable touchable);

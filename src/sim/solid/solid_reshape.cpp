@@ -148,7 +148,7 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
   const double start = cpu_seconds();
   const auto& options = problem.scene.remesh;
   const bool due = remesh_due(problem, state);
-  const bool goes_on = !at_end(problem, state);  // else nothing is solved on a fresh mesh but what it shows at the end
+  const bool goes_on = !at_end(problem, state);  // else nothing is solved on these shapes but what they show
   MovedSolids moved{state.meshes, std::vector<std::string>(state.meshes.size())};
   std::vector<double> ratio(state.meshes.size(), 1.0);
   for (std::size_t b = 0; b < moved.meshes.size(); ++b) {
@@ -169,7 +169,10 @@ std::string reshape_bodies(const SolidProblem& problem, SolidPlayer& player, Sol
   state.shape_s += cpu_seconds() - start;
   const auto asks = [](const std::string& reason) { return !reason.empty(); };
   if (std::none_of(moved.reasons.begin(), moved.reasons.end(), asks)) {
-    player.reshape(state, std::move(moved.meshes));
+    if (goes_on)
+      player.reshape(state, std::move(moved.meshes));
+    else
+      player.show_on(state, std::move(moved.meshes));
     return {};
   }
   for (std::size_t b = 0; b < moved.reasons.size(); ++b)

@@ -18,6 +18,8 @@ struct SolidRunState {
   Touchable touchable;             ///< nodes that the condensation keeps
   /// The increment that led here, of which frames and summaries are made; in it `solution` once more.
   std::optional<solver::SolidSolution> solved;
+  bool fitted = true;  ///< its points and gaps are those of `meshes`: not where a run has ended on these
+  std::map<std::string, Vec3> probes;         ///< displacements at the end of the run
   std::map<std::string, double> factors;      ///< of all histories
   std::vector<contact::SkinWear> block_wear;  ///< per contact: when this block began
   int step = 0;

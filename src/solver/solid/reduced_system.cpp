@@ -4,7 +4,6 @@
 #include <map>
 
 #include "algebra/decompose.hpp"
-#include "algebra/gathered_product.hpp"
 #include "base/errors.hpp"
 
 namespace reye::solver {
@@ -105,10 +104,10 @@ Columns columns_of(const SolidSystem& system, const ReducedState& state, const s
 }
 
 /// J -= motion^T C force of one body.
-void subtract_compliance(const Matrix& C, const Columns& columns, int begin, Matrix& J) {
+void subtract_compliance(const body::PointCompliance& C, const Columns& columns, int begin, Matrix& J) {
   const SparseMatrix motion = columns.motion.middleRows(begin, C.rows());
   const SparseMatrix force = columns.force.middleRows(begin, C.rows());
-  algebra::subtract_gathered_product(motion, C, force, J.topLeftCorner(motion.cols(), force.cols()));
+  C.subtract_product(motion, force, J.topLeftCorner(motion.cols(), force.cols()));
 }
 
 void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix& J) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "algebra/decompose.hpp"
-#include "base/cores.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::solver {
@@ -25,7 +24,7 @@ base::Mat3 pivot_moves(const body::SolidTurning& turning) {
 /// The directions in which no force, drive or free motion moves a point.
 contact::HeldDirections held_directions(const body::SolidBody& body, int point, double compliance, base::Mat3 moves) {
   const int row = 3 * point;
-  if (compliance > 0.0) moves += body.C().block<3, 3>(row, row) / compliance;
+  if (compliance > 0.0) moves += body.C().of_point(row) / compliance;
   for (const Matrix* part : {&body.U(), &body.A()})
     if (part->cols() > 0) moves += part->middleRows<3>(row) * part->middleRows<3>(row).transpose();
   const auto [values, vectors] = algebra::eigenpairs(moves);
@@ -39,7 +38,7 @@ contact::HeldDirections held_directions(const body::SolidBody& body, int point, 
 Matrix relief_of(const body::SolidBody& body) {
   const Matrix& A = body.A();
   if (A.cols() == 0) return {};
-  return body.C() * (A * algebra::pseudo_inverse(A.transpose() * A));
+  return body.C().times(A * algebra::pseudo_inverse(A.transpose() * A));
 }
 
 std::vector<int> starts(const std::vector<body::SolidBody>& bodies, const auto& count) {
@@ -77,35 +76,16 @@ SolidSystem make_system(std::vector<body::SolidBody> bodies, std::vector<std::op
   system.first_free =
       starts(system.bodies, [&](const auto& body) { return of(body) ? of(body)->count() : body.A().cols(); });
   for (const auto& body : system.bodies) {
-    const double compliance = body.retained().empty() ? 0.0 : body.C().diagonal().maxCoeff();
+    const double compliance = body.C().largest();
     const base::Mat3 moves = of(body) ? pivot_moves(*of(body)) : base::Mat3(base::Mat3::Zero());
     system.unheld += count_unheld(body, of(body));
-    system.yields.push_back(compliance > 0.0);
+    system.yields.push_back(body.C().yields());
     system.relief.push_back(relief_of(body));
     for (int i = 0; i < static_cast<int>(body.retained().size()); ++i)
       system.held.push_back(held_directions(body, i, compliance, moves));
   }
   return system;
 }
-
-namespace {
-
-/// u += C f, with the columns of points that bear no force left out: most are open.
-void add_compliance(const Matrix& C, const Vector& force, Eigen::Ref<Vector> u) {
-  constexpr int rows_at_once = 512;
-  base::side_by_side(static_cast<int>(C.rows()), rows_at_once, [&](int top, int bottom) {
-    for (Eigen::Index first = 0; first < force.size(); first += 3) {
-      Eigen::Index end = first;
-      while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
-      if (end > first)
-        u.segment(top, bottom - top).noalias() +=
-            C.block(top, first, bottom - top, end - first) * force.segment(first, end - first);
-      first = end;
-    }
-  });
-}
-
-}  // namespace
 
 Vector motion_scale(const SolidSystem& system) {
   Vector scale = Vector::Ones(system.free());
@@ -122,7 +102,7 @@ Vector response_in_frame(const SolidSystem& system, std::size_t b, const Vector&
   const auto& body = system.bodies[b];
   Vector w = body.U() * s;
   if (!system.yields[b]) return w;
-  add_compliance(body.C(), force, w);
+  body.C().add(force, w);
   if (body.A().cols() > 0) w.noalias() -= system.relief[b] * (body.A().transpose() * force + body.B() * s).eval();
   return w;
 }
@@ -156,7 +136,7 @@ Vector displacement(const SolidSystem& system, const SolidMotion& motion) {
       own = turned_displacement(system, b, motion);
       continue;
     }
-    if (system.yields[b]) add_compliance(body.C(), motion.force.segment(3 * system.first_point[b], rows), own);
+    if (system.yields[b]) body.C().add(motion.force.segment(3 * system.first_point[b], rows), own);
     own.noalias() += body.U() * motion.s.segment(system.first_driven[b], body.U().cols());
     own.noalias() += body.A() * motion.a.segment(system.first_free[b], body.A().cols());
     if (system.yields[b] && body.A().cols() > 0)

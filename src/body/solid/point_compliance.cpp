@@ -1,0 +1,58 @@
+#include "body/solid/point_compliance.hpp"
+
+#include <utility>
+
+#include "algebra/gathered_product.hpp"
+#include "base/cores.hpp"
+
+namespace reye::body {
+
+PointCompliance::PointCompliance(Matrix C, Eigen::Index rows) : rows_(rows), C_(std::move(C)) {
+  if (rows > 0) largest_ = C_.diagonal().head(rows).maxCoeff();
+}
+
+PointCompliance::PointCompliance(Matrix R, Matrix M) : rows_(R.rows()), R_(std::move(R)), M_(std::move(M)) {
+  if (rows_ > 0) largest_ = (R_ * M_).cwiseProduct(R_).rowwise().sum().maxCoeff();
+}
+
+Mat3 PointCompliance::of_point(Eigen::Index first_row) const {
+  if (C_.size() > 0) return C_.block<3, 3>(first_row, first_row);
+  return R_.middleRows<3>(first_row) * M_ * R_.middleRows<3>(first_row).transpose();
+}
+
+Matrix PointCompliance::times(const Matrix& forces) const {
+  if (C_.size() > 0) return C_.topLeftCorner(rows_, rows_) * forces;
+  return R_ * (M_ * (R_.transpose() * forces));
+}
+
+void PointCompliance::add(const Vector& force, Eigen::Ref<Vector> u) const {
+  if (C_.size() == 0) {
+    u.noalias() += R_ * (M_ * (R_.transpose() * force));
+    return;
+  }
+  constexpr int rows_at_once = 512;
+  base::side_by_side(static_cast<int>(rows_), rows_at_once, [&](int top, int bottom) {
+    for (Eigen::Index first = 0; first < force.size(); first += 3) {  // most points are open
+      Eigen::Index end = first;
+      while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
+      if (end > first)
+        u.segment(top, bottom - top).noalias() +=
+            C_.block(top, first, bottom - top, end - first) * force.segment(first, end - first);
+      first = end;
+    }
+  });
+}
+
+void PointCompliance::subtract_product(const SparseMatrix& motion, const SparseMatrix& force,
+                                       Eigen::Ref<Matrix> A) const {
+  if (C_.size() > 0)
+    algebra::subtract_gathered_product(motion, C_, force, A);
+  else
+    A.noalias() -= (motion.transpose() * R_) * (M_ * (R_.transpose() * force));
+}
+
+Matrix PointCompliance::dense() const {
+  return C_.size() > 0 ? Matrix(C_.topLeftCorner(rows_, rows_)) : Matrix(R_ * M_ * R_.transpose());
+}
+
+}  // namespace reye::body
