@@ -80,9 +80,9 @@ def calculix(name, deck):
     return peer(name, deck, ["ccx", name])
 
 
-def getfem(name, case):
+def getfem(name, case, script=HERE / "getfem_contact.py"):
     """(CPU of the whole command, what the script wrote)."""
     text = json.dumps(case)
     (WORK / f"{name}.case.json").write_text(text, encoding="utf-8")
-    cpu = peer(name, text, [DEBIAN_PYTHON, str(HERE / "getfem_contact.py"), f"{name}.case.json", f"{name}.json"])
+    cpu = peer(name, text, [DEBIAN_PYTHON, str(script), f"{name}.case.json", f"{name}.json"])
     return cpu, json.loads((WORK / f"{name}.json").read_text(encoding="utf-8"))

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Reye against CalculiX in space: a ball pressed on a flat, then one cycle of gross slip in 40 increments, on one mesh.
+"""Reye against CalculiX and GetFEM in space: a ball pressed on a flat, then one cycle of gross slip in 40 increments, on
+one mesh.
 
-CalculiX takes a quarter of an hour. Where it is not installed (`apt-get install calculix-ccx`), the case is left out.
+CalculiX and GetFEM take a quarter of an hour each. Where either is not installed (`apt-get install calculix-ccx
+python3-getfem`), the case is left out.
 """
 import pathlib
 import subprocess
@@ -19,6 +21,7 @@ E_MPA, NU, FRICTION, FORCE_N, STROKE_MM, RADIUS_MM, INCREMENTS = 210e3, 0.3, 0.6
 NEAR_MM = 3.0                       # facets so near to the first point of contact are paired
 OVERLAP_MM = 0.002                  # of the start: some points touch at once; under a force it changes nothing else
 PENALTY_MPA_PER_MM, STICK_MPA_PER_MM = 100.0 * E_MPA, 10.0 * E_MPA
+FACET_MM = 0.27
 FACES = ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0))    # of a tetrahedron, in CalculiX's order
 TET10 = 24                          # VTK's number of the cell
 
@@ -26,7 +29,7 @@ TET10 = 24                          # VTK's number of the cell
 def scene_text():
     """geo/sliding_ball with larger elements: some 38 000 dofs, 360 nodes of either side."""
     text = (SCENE / "scene.toml").read_text(encoding="utf-8")
-    for old, new in (("size_mm = 0.19", "size_mm = 0.27"), ("far_size_mm = 8.0", "far_size_mm = 12.0"),
+    for old, new in (("size_mm = 0.19", f"size_mm = {FACET_MM}"), ("far_size_mm = 8.0", "far_size_mm = 12.0"),
                      ('["sliding_ball.geo"]', f'["{SCENE}/sliding_ball.geo"]')):
         assert old in text
         text = text.replace(old, new)
@@ -95,6 +98,31 @@ def deck(nodes, cells):
     return "\n".join(lines) + "\n"
 
 
+def getfem_case(nodes, cells):
+    """What getfem_ball.py reads: the same facets, and the same path, pressed in two increments."""
+    tables, of_ball, facets = sets_of(nodes, cells)
+    paired = {is_ball: sorted({cells[e - 1][k] for e, f in facets[is_ball] for k in face_nodes(f)}) for is_ball in facets}
+    slide = [(FORCE_N, STROKE_MM * aside) for aside in slid_shares()]
+    return {"nodes": nodes, "ball": [c for c in cells if c[0] in of_ball], "flat": [c for c in cells if c[0] not in of_ball],
+            "top": tables["TOP"], "bottom": tables["BOTTOM"], "symmetry": tables["SYMMETRY"], "round": paired[True],
+            "face": paired[False], "E_MPa": E_MPA, "nu": NU, "friction": FRICTION, "reach_mm": 0.5,
+            "augmentation_MPa_per_mm": E_MPA / FACET_MM, "approach_mm": OVERLAP_MM,
+            "increments": [(0.5 * FORCE_N, 0.0), (FORCE_N, 0.0), *slide]}
+
+
+def face_nodes(face):
+    """All six nodes of a facet, by their places in a cell."""
+    corners = FACES[face - 1]
+    edges = {frozenset(e): 4 + k for k, e in enumerate(((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)))}
+    return [*corners, *(edges[frozenset((corners[i], corners[i - 1]))] for i in range(3))]
+
+
+def slid_shares():
+    """Shares of the stroke at the ends of the increments of the cycle: out, across and back."""
+    ends = [(k + 1) / INCREMENTS for k in range(INCREMENTS)]
+    return [4.0 * t if t <= 0.25 else 2.0 - 4.0 * t if t <= 0.75 else 4.0 * t - 4.0 for t in ends]
+
+
 def frictions(path):
     """Size of the reaction along x of each increment in a .dat file."""
     words = [line.split() for line in path.read_text(encoding="ascii").splitlines()]
@@ -104,8 +132,9 @@ def frictions(path):
 
 def main():
     WORK.mkdir(parents=True, exist_ok=True)
-    if not programs.versions()["CalculiX"]:
-        return write_measured("CalculiX is not installed")
+    for program in ("CalculiX", "GetFEM"):
+        if not programs.versions()[program]:
+            return write_measured(f"{program} is not installed")
     file = WORK / "ball.toml"
     file.write_text(scene_text(), encoding="utf-8")
     subprocess.run([REYE, "mesh", str(file), "--out", str(WORK / "mesh")], check=True, stdout=subprocess.DEVNULL)
@@ -113,13 +142,21 @@ def main():
     cpu, _, _ = programs.reye("ball", scene_text(), repeats=5)
     theirs_cpu = programs.calculix("ccx_ball", deck(nodes, cells))
     theirs = frictions(WORK / "ccx_ball.dat")[-INCREMENTS:]
+    getfem_cpu, answer = programs.getfem("getfem_ball", getfem_case(nodes, cells), HERE / "getfem_ball.py")
+    getfem = answer["friction_N"][-INCREMENTS:]
     ours = [abs(float(r["table_force_x_N"])) for r in read_csv(WORK / "ball" / "history.csv")[-INCREMENTS:]]
     slips = slice(1, 10)      # increments of the first quarter: after it CalculiX's springs first have to turn round
-    write_csv("cycle.csv", ("increment", "friction_N", "friction_of_CalculiX_N"), [(i + 1, *both) for i, both in enumerate(zip(ours, theirs))])
-    write_csv("figures.csv", ("program", "dofs", "cpu_s"), [("Reye", 3 * len(nodes), cpu), ("CalculiX", 3 * len(nodes), theirs_cpu)])
-    write_measured({"dofs": 3 * len(nodes), "reye_cpu_s": cpu, "calculix_cpu_s": theirs_cpu, "calculix_over_reye": theirs_cpu / cpu,
+    write_csv("cycle.csv", ("increment", "friction_N", "friction_of_CalculiX_N", "friction_of_GetFEM_N"),
+              [(i + 1, *row) for i, row in enumerate(zip(ours, theirs, getfem))])
+    dofs = 3 * len(nodes)
+    write_csv("figures.csv", ("program", "dofs", "cpu_s"),
+              [("Reye", dofs, cpu), ("CalculiX", dofs, theirs_cpu), ("GetFEM", dofs, getfem_cpu)])
+    limit = FRICTION * FORCE_N
+    write_measured({"dofs": dofs, "reye_cpu_s": cpu, "calculix_cpu_s": theirs_cpu, "calculix_over_reye": theirs_cpu / cpu,
+                    "getfem_cpu_s": getfem_cpu, "getfem_over_reye": getfem_cpu / cpu,
                     "friction_over_calculix": sum(ours[slips]) / sum(theirs[slips]),
-                    "friction_over_coulomb": sum(ours[slips]) / len(ours[slips]) / (FRICTION * FORCE_N)})
+                    "friction_over_coulomb": sum(ours[slips]) / len(ours[slips]) / limit,
+                    "friction_apart_from_getfem": max(abs(a - b) for a, b in zip(ours, getfem)) / limit})
 
 
 if __name__ == "__main__":
