@@ -81,6 +81,11 @@ bool doubtful(const Matrix& LU) {
   return !(pivots.minCoeff() > 1e-9 * pivots.maxCoeff());
 }
 
+void require_definite(int info, int rows) {
+  if (info != 0)
+    throw SolveError("dense inverse: the matrix of " + std::to_string(rows) + " rows is not positive definite");
+}
+
 }  // namespace
 
 void DenseFactor::factor(Matrix& A) {
@@ -163,22 +168,20 @@ void mirror_lower(Matrix& A) {
 void invert(Matrix& A) {
   single_thread();
   const int n = static_cast<int>(A.rows());
-  int info = 0;
   if (n == 0) return;
+  int info = 0;
   dpotrf_("L", &n, A.data(), &n, &info);
-  if (info != 0)
-    throw SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
+  require_definite(info, n);
   invert_from_factor(A);
 }
 
 void invert_from_factor(Matrix& L) {
   single_thread();
   const int n = static_cast<int>(L.rows());
-  int info = 0;
   if (n == 0) return;
+  int info = 0;
   dpotri_("L", &n, L.data(), &n, &info);
-  if (info != 0)
-    throw SolveError("dense inverse: the matrix of " + std::to_string(n) + " rows is not positive definite");
+  require_definite(info, n);
   mirror_lower(L);
 }
 

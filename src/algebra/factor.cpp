@@ -1,14 +1,12 @@
 #include "algebra/factor.hpp"
 
-#include <algorithm>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "algebra/blas.hpp"
 #include "algebra/ranks.hpp"
-#include "algebra/supernodal.hpp"
+#include "algebra/schur_analysis.hpp"
 #include "base/errors.hpp"
 
 namespace reye::algebra {
@@ -49,20 +47,6 @@ SparseMatrix upper_triangle(const SparseMatrix& K) {
   return U;
 }
 
-/// Where a compressed matrix has entries.
-struct Entries {
-  std::vector<int> start, row;
-
-  explicit Entries(const SparseMatrix& A)
-      : start(A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1),
-        row(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros()) {}
-
-  bool are_of(const SparseMatrix& A) const {
-    return std::equal(start.begin(), start.end(), A.outerIndexPtr(), A.outerIndexPtr() + A.cols() + 1) &&
-           std::equal(row.begin(), row.end(), A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
-  }
-};
-
 /// A singular matrix often passes the factorisation with a last pivot of pure round-off.
 void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
   const Vector l = L.diagonal(), k = K.diagonal();
@@ -71,16 +55,6 @@ void check_pivots(const Supernodal& L, const SparseMatrix& K, int count) {
     if (!(l[j] * l[j] > smallest_pivot_share * k[order[j]]))
       throw SolveError("sparse Cholesky: the matrix is singular to working precision (pivot of row " +
                        std::to_string(order[j]) + "); a rigid motion may be unconstrained");
-}
-
-/// Elimination order of an upper triangle: the interior as chosen, then what is retained as it stands.
-std::vector<int> retained_last(const SparseMatrix& upper, int retained, Ordering by) {
-  const int n = static_cast<int>(upper.rows()), interior = n - retained;
-  std::vector<int> order =
-      by == Ordering::minimum_degree ? minimum_degree(upper, interior) : nested_dissection(upper, interior);
-  order.resize(static_cast<size_t>(n));
-  std::iota(order.begin() + interior, order.end(), interior);
-  return order;
 }
 
 /// L L^T - diag(shift), both triangles. LAPACK multiplies a triangle with its own transpose as U U^T; L turned round in
@@ -98,22 +72,6 @@ Matrix product(const Matrix& L, const Vector& shift) {
 
 }  // namespace
 
-struct SchurAnalysis {
-  int retained;
-  Ordering ordering;
-  Entries entries;  ///< of the upper triangle
-  Symbolic symbolic;
-
-  SchurAnalysis(SparseMatrix& upper, int c, Ordering by) : retained(c), ordering(by), entries(upper) {
-    std::vector<int> order = retained_last(upper, c, by);
-    symbolic = analyse(upper, order);
-  }
-
-  bool fits(const SparseMatrix& upper, int c, Ordering by) const {
-    return c == retained && by == ordering && entries.are_of(upper);
-  }
-};
-
 struct SchurFactor::Impl {
   int size = 0, retained = 0;
   Ordering ordering = Ordering::minimum_degree;
@@ -124,6 +82,10 @@ struct SchurFactor::Impl {
   Vector shift;
   std::unique_ptr<RankedFactor> ranked;  ///< in place of L, where several processes factorise
   SparseMatrix K_ic;                     ///< with `ranked` alone
+
+  Impl(const SparseMatrix& K, int c, Ordering by) : retained(c), ordering(by) {
+    if (c < 0 || c > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
+  }
 
   int interior() const { return size - retained; }
 
@@ -182,19 +144,13 @@ struct SchurFactor::Impl {
 };
 
 SchurFactor::SchurFactor(SparseMatrix K, int retained, SchurAnalysisPtr known, Ordering ordering)
-    : impl_(std::make_unique<Impl>()) {
-  if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
-  impl_->retained = retained;
-  impl_->ordering = ordering;
+    : impl_(std::make_unique<Impl>(K, retained, ordering)) {
   SparseMatrix upper = upper_triangle(K);
   SparseMatrix().swap(K);  // assignment from an empty matrix would keep the memory
   impl_->factorise(upper, known);
 }
 SchurFactor::SchurFactor(SparseMatrix K, int retained, Ordering ordering, std::vector<int> shifted)
-    : impl_(std::make_unique<Impl>()) {
-  if (retained < 0 || retained > K.rows()) throw SolveError("Schur complement: more retained rows than there are");
-  impl_->retained = retained;
-  impl_->ordering = ordering;
+    : impl_(std::make_unique<Impl>(K, retained, ordering)) {
   impl_->shifted = std::move(shifted);
   SparseMatrix upper = upper_triangle(K);
   SparseMatrix().swap(K);
@@ -286,17 +242,9 @@ Vector SchurFactor::solve_leading(const Vector& b) const {
   return x;
 }
 
-bool SchurFactor::is_shared() const { return impl_->ranked != nullptr; }
+bool SchurFactor::has_whole() const { return impl_->ranked == nullptr && impl_->interior() > 0; }
 
 int ranks_of(int interior) { return interior >= smallest_ranked ? ranks() : 1; }
-
-FactorCost factor_cost(SparseMatrix graph, int retained, int block) {
-  std::vector<int> order = retained_last(graph, retained, Ordering::nested_dissection);
-  Fill fill;
-  analyse(graph, order, &fill);
-  const double b = block;
-  return {b * b * fill.entries, b * b * b * fill.flops};
-}
 
 struct Cholesky::Impl {
   mutable Supernodal L;

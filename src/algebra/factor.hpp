@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "algebra/ordering.hpp"
 #include "base/linalg.hpp"
 
 namespace reye::algebra {
@@ -13,10 +14,6 @@ using base::Vector;
 /// The symbolic analysis of a matrix: a handle, shared by factors of a pattern; may be empty.
 struct SchurAnalysis;
 using SchurAnalysisPtr = std::shared_ptr<const SchurAnalysis>;
-
-/// How the interior is ordered: approximate minimum degree (plane problems), or nested dissection of the graph of nodes
-/// (solids: half the time of a factor and less of its memory).
-enum class Ordering { minimum_degree, nested_dissection };
 
 /// Symmetric positive (semi-)definite K, split into interior i (first) and retained c (the last `retained`
 /// rows), factorised once with c kept last and a positive shift sigma = diag K_cc added to that diagonal:
@@ -55,9 +52,10 @@ class SchurFactor {
 
   /// f_c - K_ci K_ii^-1 f_i for a full load vector f (size n): one forward solve.
   Vector condense(const Vector& f) const;
-  /// (K + sigma) x = b of the leading rows, as many as b has: all of the interior at least. Not where it `is_shared`.
+  /// (K + sigma) x = b of the leading rows, as many as b has: all of the interior at least. Where `has_whole`.
   Vector solve_leading(const Vector& b) const;
-  bool is_shared() const;  ///< held by several processes
+  /// Whether L of all rows is here: not where several processes hold it, or nothing was eliminated.
+  bool has_whole() const;
   /// The full solution (size n) for loads f and known retained values u_c.
   Vector recover(const Vector& f, const Vector& u_c) const;
 
@@ -69,15 +67,6 @@ class SchurFactor {
 /// Processes that hold the factor of a solid with so many rows to eliminate: all ranks (ranks.hpp), or one where it is
 /// small.
 int ranks_of(int interior);
-
-/// What a factorisation with `retained` rows last would take.
-struct FactorCost {
-  double entries = 0.0;  ///< of L
-  double flops = 0.0;
-};
-/// From the graph of nodes alone (upper triangle, the nodes retained last), each of `block` dofs: nested dissection and
-/// symbolic analysis.
-FactorCost factor_cost(SparseMatrix graph, int retained, int block);
 
 /// Plain sparse Cholesky of a symmetric positive definite matrix, factor kept.
 class Cholesky {

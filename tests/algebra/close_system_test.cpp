@@ -61,3 +61,10 @@ TEST(close_system, far_from_it_there_is_none) {
   for (int k = 0; k < n; ++k) far.insert(k, k) = std::exp(0.1 * k);
   EXPECT_FALSE(algebra::solve_close(far, wave(n), algebra::SchurFactor(chain(n, 0.0), 40)));
 }
+
+// A factor that has eliminated nothing holds no L, and solves nothing.
+TEST(close_system, of_a_factor_without_interior_there_is_none) {
+  const algebra::SchurFactor all(chain(30, 0.0), 30);
+  EXPECT_FALSE(all.has_whole());
+  EXPECT_FALSE(algebra::solve_close(chain(30, 0.0), wave(30), all));
+}

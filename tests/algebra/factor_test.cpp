@@ -9,6 +9,7 @@
 
 #include "algebra/decompose.hpp"
 #include "algebra/dense.hpp"
+#include "algebra/factor_cost.hpp"
 #include "base/cores.hpp"
 #include "base/errors.hpp"
 

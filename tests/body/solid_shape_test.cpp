@@ -47,6 +47,19 @@ TEST(solid_body, displacements_in_another_shape) {
     }
 }
 
+// A layer of hexahedra that is held below and touched above has no node between: nothing is eliminated, and its shape
+// is condensed as it stands.
+TEST(solid_body, displacements_of_a_single_layer_in_another_shape) {
+  SolidInput input = input_of(SolidKind::hex8);
+  const auto layer = [](double top) {
+    return std::make_shared<mesh::SolidMesh>(support::block(
+        SolidKind::hex8, {2, 2, 1}, Vec3(1, 1, 0.3), [&](const Vec3& X) { return Vec3(X.x(), X.y(), top * X.z()); }));
+  };
+  input.mesh = layer(1.0);
+  input.supports = {by_node("z0", {fixed, fixed, moved(0.1)})};
+  expect_as_condensed(input, layer(0.99));
+}
+
 // Where contact touches a curved face of six-node facets, forces act on its control points there, too.
 TEST(solid_body, displacements_of_control_points_in_another_shape) {
   SolidInput input = input_of(SolidKind::tet10);

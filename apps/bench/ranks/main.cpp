@@ -8,6 +8,7 @@
 
 #include "../patch_last.hpp"
 #include "algebra/factor.hpp"
+#include "algebra/factor_cost.hpp"
 #include "algebra/ranks.hpp"
 
 namespace {

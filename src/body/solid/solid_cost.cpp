@@ -1,6 +1,7 @@
 #include "body/solid/solid_cost.hpp"
 
 #include "algebra/factor.hpp"
+#include "algebra/factor_cost.hpp"
 #include "fem/solid/solid_stiffness.hpp"
 
 namespace reye::body {

@@ -242,7 +242,8 @@ class March {
     if (state_.solved) {
       for (std::size_t c = 0; c < problem_.contacts.size(); ++c)
         s.contacts.push_back(contact_summary(problem_, player_->system(), state_, c));
-      s.probes = at_end(problem_, state_) ? state_.probes : probe_values(problem_, player_->assembly(), state_);
+      const bool kept = failure_.empty() && at_end(problem_, state_);
+      s.probes = kept ? state_.probes : probe_values(problem_, player_->assembly(), state_);
     }
     summarise_limits(s);
     s.size = planned_;
