@@ -4,12 +4,13 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "base/formatted.hpp"
-#include "cad/build/importer_process.hpp"
 #include "cad/meshing/kernel.hpp"
+#include "cad/meshing/mesher.hpp"
+#include "cad/part/importer_process.hpp"
 #include "cad/part/raw_bytes.hpp"
 
 namespace reye::cad {
@@ -42,14 +43,6 @@ Answer answer_about(const std::string& file, const std::string& bytes) {
   }
 }
 
-/// Loads the mesher while the importer reads, on another core. A failure reports its reason where the kernel is needed.
-void load_kernel() {
-  try {
-    kernel();
-  } catch (const std::exception&) {
-  }
-}
-
 void take(Answer answer, const std::string& file, Imported& all, std::vector<base::Issue>& issues) {
   for (RawPart& part : answer.parts) {
     part.file = file;
@@ -66,22 +59,24 @@ Imported import_files(const GeometryOptions& options) {
   Imported all;
   std::vector<base::Issue> issues;
   for (std::size_t k = 0; k < options.files.size();) {
-    ImporterProcess importer(words_for(options, k));
-    std::jthread loading;
-    if (extension(options.files[k]) != ".vtu") loading = std::jthread(load_kernel);
-    const auto guarded = importer.message(most_s);
+    const auto first = options.files.begin() + static_cast<std::ptrdiff_t>(k);
+    auto importer = std::make_unique<ImporterProcess>(words_for(options, k));
+    const auto guarded = importer->message(most_s);
     if (!guarded) {  // it has not seen a file yet
       kernel();      // says why, where it is gmsh that cannot be loaded
-      throw std::runtime_error("reye-import does not start: " + importer.end_in_words());
+      throw std::runtime_error("reye-import does not start: " + importer->end_in_words());
     }
     all.guarded = all.guarded && *guarded == "guarded";
     for (; k < options.files.size(); ++k) {
-      const auto bytes = importer.message(most_s);
+      const auto bytes = importer->message(most_s);
       if (!bytes) break;
       take(answer_about(options.files[k], *bytes), options.files[k], all, issues);
     }
-    if (k == options.files.size()) break;
-    issues.push_back({"geometry", "\"" + options.files[k] + "\"", importer.end_in_words()});
+    if (k == options.files.size()) {
+      if (std::any_of(first, options.files.end(), needs_gmsh)) mesh_in(std::move(importer), options.trusted);
+      break;
+    }
+    issues.push_back({"geometry", "\"" + options.files[k] + "\"", importer->end_in_words()});
     ++k;  // the next one may be sound
   }
   if (options.files.empty()) issues.push_back({"geometry", "[]", "names no file"});

@@ -26,6 +26,10 @@ void limit(int resource, rlim_t most) {
 
 void end_with_parent() { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
+void ignore_ends_of_groups() {
+  for (int end : {SIGINT, SIGHUP, SIGTERM}) std::signal(end, SIG_IGN);
+}
+
 void limit_memory(int gigabytes) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);

@@ -8,6 +8,9 @@ namespace reye::cad {
 /// Ends this process when the one that started it ends.
 void end_with_parent();
 
+/// Ignores the signals that end a whole group of processes: this one ends with its parent.
+void ignore_ends_of_groups();
+
 /// Limits this process to so many GB of memory, and lets no file grow.
 void limit_memory(int gigabytes = 3);
 

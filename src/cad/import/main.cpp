@@ -1,27 +1,30 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <new>
 
-#include "cad/build/importer_process.hpp"
+#include "cad/import/face_server.hpp"
 #include "cad/import/guard.hpp"
 #include "cad/import/messages.hpp"
 #include "cad/import/read_file.hpp"
 #include "cad/import/same_addresses.hpp"
 #include "cad/import/solid_server.hpp"
 #include "cad/meshing/kernel.hpp"
+#include "cad/part/importer_process.hpp"
 #include "cad/part/raw_bytes.hpp"
 
 /// reye-import: reads geometry files for another program, which starts it (`cad/importer`), and can do nothing else.
 ///   reye-import guarded|trusted FOLDER SECTION FILE...
 ///   reye-import guarded|trusted FOLDER solid FILE    FOLDER: as seen from that of FILE, an absolute path
-///   reye-import guarded|trusted FOLDER fill -
+///   reye-import guarded|trusted FOLDER fill|faces -
 /// SECTION: six numbers, point and normal, or "-". Its messages go to descriptor 3, each preceded by its size: first
-/// whether the system keeps it from anything but reading, then an answer for each file; of solids, an answer to each
-/// request on standard input (`solid_server`); of surfaces to be filled, which are no files, the mesh of each.
+/// whether the system keeps it from anything but reading, then an answer for each file; after files of plane faces, of
+/// which one needed gmsh, the mesh of each region on standard input (`face_server`); of solids, an answer to each
+/// request there (`solid_server`). With `fill`, surfaces to be filled by solids are there, with `faces` regions.
 namespace {
 
 using namespace reye;
@@ -68,8 +71,6 @@ void go_beside(char* word) {
   std::memmove(word + 2, slash + 1, std::strlen(slash + 1) + 1);
 }
 
-bool needs_gmsh(const std::string& file) { return cad::extension(file) != ".vtu"; }
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -78,25 +79,29 @@ int main(int count, char** words) {
     return 2;
   }
   const std::string task = words[3];
-  if (task == "solid" || task == "fill") cad::start_with_same_addresses(words);
+  const bool without_files = task == "fill" || task == "faces";
+  if (task == "solid" || without_files) cad::start_with_same_addresses(words);
   if (task == "solid") go_beside(words[4]);
   const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
-  const std::vector<std::string> files(words + (task == "fill" ? count : 4), words + count);
+  const std::vector<std::string> files(words + (without_files ? count : 4), words + count);
   std::vector<std::string> folders{how.folder};
   for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path().string());
   cad::end_with_parent();
   if (!how.trusted) cad::limit_memory();
-  if (task == "fill") cad::kernel();
-  for (const std::string& file : files)
-    if (needs_gmsh(file)) cad::kernel();  // loaded before the restriction to reading
+  const bool with_gmsh = without_files || std::any_of(files.begin(), files.end(), cad::needs_gmsh);
+  if (with_gmsh) cad::kernel();  // loaded before the restriction to reading
   const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
   say(guarded ? "guarded" : "open");
-  if (task == "solid") cad::serve_solids(files[0], how);
-  if (task == "fill") cad::serve_fillings(how);
-  if (task == "solid" || task == "fill") std::_Exit(0);
-  for (const std::string& file : files) {
-    if (!how.trusted) cad::limit_computing(cad::computing_s);
-    say(cad::to_bytes(answer_about(file, how)));
+  if (task == "solid") {
+    cad::serve_solids(files[0], how);
+  } else if (task == "fill") {
+    cad::serve_fillings(how);
+  } else {
+    for (const std::string& file : files) {
+      if (!how.trusted) cad::limit_computing(cad::computing_s);
+      say(cad::to_bytes(answer_about(file, how)));
+    }
+    if (with_gmsh) cad::serve_faces(how);
   }
   std::_Exit(0);  // nothing to clean up, and libraries that failed may fail again at exit
 }

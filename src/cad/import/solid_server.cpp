@@ -3,8 +3,7 @@
 #include <new>
 
 #include "base/errors.hpp"
-#include "cad/import/guard.hpp"
-#include "cad/import/messages.hpp"
+#include "cad/import/answer_each.hpp"
 #include "cad/import/read_vtu.hpp"
 #include "cad/solid/solid_bytes.hpp"
 #include "cad/solid/solid_file.hpp"
@@ -36,30 +35,6 @@ SolidAnswer answer_to(const SolidQuery& query, const std::string& file, const Re
   }
 }
 
-/// The mesh that `make` gives, or why there is none.
-template <class Make>
-SolidMeshAnswer mesh_or_failure(Make make) {
-  try {
-    return {make(), {}};
-  } catch (const std::bad_alloc&) {
-    return {{}, "meshing it takes more than " + std::to_string(meshing_GB) + " GB of memory"};
-  } catch (const std::exception& error) {
-    return {{}, error.what()};
-  } catch (...) {
-    return {{}, "gmsh fails without a message"};
-  }
-}
-
-/// Limited to what meshing may take.
-template <class Make>
-void answer_each(const Reading& how, Make make) {
-  if (!how.trusted) limit_memory(meshing_GB);
-  while (const auto request = next_request()) {
-    if (!how.trusted) limit_computing(meshing_s);
-    say(bytes_of(mesh_or_failure([&] { return make(*request); })));
-  }
-}
-
 }  // namespace
 
 void serve_solids(const std::string& file, const Reading& how) {
@@ -67,11 +42,15 @@ void serve_solids(const std::string& file, const Reading& how) {
   if (!query) return;
   if (!how.trusted) limit_computing(computing_s);
   say(bytes_of(answer_to(solid_query_of(*query), file, how)));
-  answer_each(how, [](const std::string& order) { return solid_kernel().mesh(solid_order_of(order)); });
+  answer_each(how, [](const std::string& order) {
+    return bytes_of(mesh_or_failure<SolidMeshAnswer>([&] { return solid_kernel().mesh(solid_order_of(order)); }));
+  });
 }
 
 void serve_fillings(const Reading& how) {
-  answer_each(how, [](const std::string& filling) { return solid_kernel().fill(skin_filling_of(filling)); });
+  answer_each(how, [](const std::string& filling) {
+    return bytes_of(mesh_or_failure<SolidMeshAnswer>([&] { return solid_kernel().fill(skin_filling_of(filling)); }));
+  });
 }
 
 }  // namespace reye::cad

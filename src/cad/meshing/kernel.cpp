@@ -35,6 +35,4 @@ const Kernel& kernel() {
   return *loaded;
 }
 
-void fill(Region& region, const SizeField& size) { kernel().fill(region, size); }
-
 }  // namespace reye::cad

@@ -19,6 +19,11 @@ struct SizeSource {
   std::array<double, 4> box{};  ///< of the line, for a quick lower bound
 };
 
+template <class Archive>
+void pass(Archive& archive, SizeSource& source) {
+  archive(source.line), archive(source.depth), archive(source.size), archive(source.box);
+}
+
 SizeSource make_source(Points line, double depth, double size);
 
 /// Wished element size over the plane [mm]: the smallest of the sources' laws and the far size.
@@ -27,6 +32,12 @@ class SizeField {
   SizeField(double far_size, double growth) : far_(far_size), slope_(growth - 1.0) {}
   void add(SizeSource source) { sources_.push_back(std::move(source)); }
   double operator()(const Vec2& p) const;
+
+  /// Names the members for `Writer` and `Reader`.
+  template <class Archive>
+  friend void pass(Archive& archive, SizeField& field) {
+    archive(field.far_), archive(field.slope_), archive(field.sources_);
+  }
 
   double far_size() const { return far_; }
   double slope() const { return slope_; }

@@ -27,7 +27,8 @@ class Writer {
   void operator()(const T& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  void operator()(const base::Vec3& p) {
+  template <int n>
+  void operator()(const Eigen::Matrix<double, n, 1>& p) {
     for (double x : p) (*this)(x);
   }
   template <class T, std::size_t N>
@@ -78,7 +79,8 @@ class Reader {
     (*this)(byte);
     value = byte != 0;
   }
-  void operator()(base::Vec3& p) {
+  template <int n>
+  void operator()(Eigen::Matrix<double, n, 1>& p) {
     for (double& x : p) (*this)(x);
     if (!p.allFinite()) throw std::runtime_error("holds a coordinate that is not a finite number");
   }
@@ -94,6 +96,13 @@ class Reader {
   template <class T>
   void operator()(std::vector<T>& list) {
     for (std::size_t n = count(); n > 0; --n) (*this)(list.emplace_back());
+  }
+  void operator()(std::vector<bool>& list) {
+    for (std::size_t n = count(); n > 0; --n) {
+      bool value = false;
+      (*this)(value);
+      list.push_back(value);
+    }
   }
   template <class T>
   void operator()(std::set<T>& list) {

@@ -14,6 +14,8 @@ std::string extension(const std::string& path) {
   return ext;
 }
 
+bool needs_gmsh(const std::string& path) { return extension(path) != ".vtu"; }
+
 void refuse(const std::string& path, const std::string& rule) {
   throw base::InputError({{"geometry", "\"" + path + "\"", rule}});
 }

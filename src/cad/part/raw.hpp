@@ -43,6 +43,9 @@ enum class Format { shapes, script, mesh, vtu };
 /// The end of a file's name from its last point, in small letters.
 std::string extension(const std::string& path);
 
+/// Whether gmsh reads such a file.
+bool needs_gmsh(const std::string& path);
+
 /// Throws base::InputError, key "geometry".
 [[noreturn]] void refuse(const std::string& path, const std::string& rule);
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/errors.hpp"
-#include "cad/build/importer_process.hpp"
+#include "cad/part/importer_process.hpp"
 #include "cad/solid/solid_bytes.hpp"
 #include "cad/solid/solid_file.hpp"
 #include "mesh/solid/solid_skin.hpp"

@@ -1,15 +1,9 @@
 #pragma once
-#include "cad/build/importer_process.hpp"
+#include "cad/part/importer_process.hpp"
 #include "cad/solid/raw_solid.hpp"
 #include "cad/solid/solid_options.hpp"
 
 namespace reye::cad {
-
-/// Seconds that the importer may compute on the mesh of one body of a file that is not trusted, and may keep this
-/// program waiting for it; memory for that. A million nodes take about a minute and 2 GB.
-inline constexpr int meshing_s = 600;
-inline constexpr double waiting_for_mesh_s = 1200.0;
-inline constexpr int meshing_GB = 16;
 
 /// A file of solids with the importer that has it open, in a process of its own.
 class SolidFile {

@@ -1,4 +1,4 @@
-#include "cad/build/importer_process.hpp"
+#include "cad/part/importer_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -64,7 +64,8 @@ void close_both(const int (&ends)[2]) {
 
 }  // namespace
 
-ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments, const std::string& folder) {
+ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments, const std::string& folder)
+    : starter_(::getpid()) {
   int ends[2] = {-1, -1}, asking[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, asking) != 0) {
     const std::string why = std::strerror(errno);
@@ -87,11 +88,13 @@ ImporterProcess::ImporterProcess(const std::vector<std::string>& arguments, cons
 ImporterProcess::~ImporterProcess() {
   ::close(pipe_);
   ::close(requests_);
-  if (pid_ == 0) return;
+  if (pid_ == 0 || !is_own()) return;
   ::kill(pid_, SIGKILL);
   while (::waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }
+
+bool ImporterProcess::is_own() const { return starter_ == ::getpid(); }
 
 void ImporterProcess::ask(const std::string& bytes) {
   const std::uint64_t size = bytes.size();

@@ -11,6 +11,12 @@ namespace reye::cad {
 inline constexpr int computing_s = 20;
 inline constexpr double waiting_s = 40.0;
 
+/// What the mesh of one body of such a file may take: computing, waiting, memory. A million nodes take about a minute
+/// and 2 GB.
+inline constexpr int meshing_s = 600;
+inline constexpr double waiting_for_mesh_s = 1200.0;
+inline constexpr int meshing_GB = 16;
+
 /// What the importer is at, and how long that may take.
 struct Task {
   std::string doing = "reading it";
@@ -20,7 +26,7 @@ struct Task {
 };
 
 /// A running `reye-import`, which takes requests through a socket and answers by messages through a pipe, the only
-/// things it shares with this program; ended with the object.
+/// things it shares with this program; ended with the object. A process forked from this one has no share in it.
 class ImporterProcess {
  public:
   /// `folder`: in which it works; empty: in that of this program. Throws std::runtime_error when it cannot be started.
@@ -35,13 +41,19 @@ class ImporterProcess {
   /// Sends it a request, which it reads from its standard input, preceded by its size. One that has ended reads none.
   void ask(const std::string& bytes);
 
+  /// Whether this process has started it, and not one that this was forked from.
+  bool is_own() const;
+
+  /// Whether its last message did not come in time.
+  bool is_late() const { return too_long_; }
+
   /// Why there is no further message, as the rule of an issue.
   std::string end_in_words(const Task& task = {});
 
  private:
   bool read_all(char* to, std::size_t bytes, double deadline);
 
-  pid_t pid_ = 0;
+  pid_t pid_ = 0, starter_ = 0;
   int pipe_ = -1;
   int requests_ = -1;
   bool too_long_ = false, too_large_ = false;
