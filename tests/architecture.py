@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Includes of src/ as designed: a room includes itself and rooms before it, a floor of a room (a folder in it) itself and
-floors before it, no file includes itself through others, a third-party library is named in the room that owns it alone.
+floors before it, no file includes itself through others, a third-party library is named in the room that owns it alone, no
+file has more than 300 lines.
 
   architecture.py SOURCE ROOM[/FLOOR...]...   rooms in their order, each with its floors in theirs
 """
@@ -11,6 +12,7 @@ import sys
 OWNERS = {"gmsh": {"cad"}, "dlfcn": {"cad"}, "CGAL/": {"mortar", "adapt"}, "vtk": {"cad", "output"}, "nlohmann": {"scene", "output"}, "cereal": {"output"},
           "toml": {"scene"}, "cholmod": {"algebra"}, "umfpack": {"algebra"}, "suitesparse": {"algebra"}, "Support>": {"algebra"},
           "mpi.h": {"algebra"}, "dmumps": {"algebra"}, "tbb/": {"base"}, "CLI/": {"apps"}, "muParser": {"wear"}, "boost/math": {"fit"}}
+MOST_LINES = 300
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)
 
 
@@ -54,7 +56,10 @@ def main():
         for file in sorted((source / room).rglob("*.[ch]pp")):
             name = file.relative_to(source).as_posix()
             here = includes.setdefault(unit(name), set())
-            for own, library in INCLUDE.findall(file.read_text(encoding="utf-8")):
+            text = file.read_text(encoding="utf-8")
+            if (lines := text.count("\n")) > MOST_LINES:
+                failures.append(f"{name}: {lines} lines, more than {MOST_LINES}")
+            for own, library in INCLUDE.findall(text):
                 if own and own.split("/")[0] not in rooms[:number + 1]:
                     failures.append(f"{name}: room '{room}' includes '{own}', which stands after it or is not written by its room")
                 if own and climbs(name, own, floors):

@@ -3,14 +3,15 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
 #include <limits>
+#include <set>
 #include <thread>
 
 #include "base/errors.hpp"
 #include "cad/meshing/mesher.hpp"
 #include "cad/meshing/region.hpp"
 #include "cad/meshing/region_bytes.hpp"
+#include "support/children.hpp"
 
 namespace {
 
@@ -38,16 +39,20 @@ Region filled(Region region) {
   return region;
 }
 
-/// The processes that this thread has started.
-std::vector<pid_t> children() {
-  std::ifstream listed("/proc/thread-self/children");
-  return {std::istream_iterator<pid_t>(listed), {}};
+/// The process that fills for this one, which has no other child: that is no test where there is none.
+pid_t the_child() {
+  const std::set<pid_t> running = support::children();
+  EXPECT_EQ(running.size(), 1u);
+  return running.empty() ? 0 : *running.begin();
 }
 
-// Each test has its own process.
+// Each test begins with none.
 class mesher : public testing::Test {
  protected:
-  void SetUp() override { cad::mesh_in(nullptr, true); }
+  void SetUp() override {
+    cad::mesh_in(nullptr, true);
+    ASSERT_TRUE(support::children().empty());
+  }
 };
 
 // A region is filled inside its outline, whose nodes stay; its bytes survive the way there and back.
@@ -70,10 +75,11 @@ TEST_F(mesher, is_replaced_when_it_has_ended) {
   Region first;
   std::thread([&] { first = filled(triangle()); }).join();
   EXPECT_EQ(filled(triangle()).X, first.X);
-  const auto running = children();
-  if (running.empty()) GTEST_SKIP() << "the system does not list children";
-  ASSERT_EQ(::kill(running.back(), SIGKILL), 0);
+  const pid_t running = the_child();
+  ASSERT_GT(running, 0);
+  ASSERT_EQ(::kill(running, SIGKILL), 0);
   EXPECT_EQ(filled(triangle()).X, first.X);
+  EXPECT_NE(the_child(), running);
 }
 
 // A region on which gmsh crashes leaves an error, and the next one is filled.
@@ -92,7 +98,7 @@ TEST_F(mesher, crash_is_an_error) {
 // A forked process fills by one of its own, and gives up that of its parent without ending it.
 TEST_F(mesher, is_not_shared_with_forked_processes) {
   const Region before = filled(triangle());
-  const auto running = children();
+  const pid_t running = the_child();
   const pid_t child = ::fork();
   if (child == 0) {
     const bool same = filled(triangle()).X == before.X;
@@ -104,17 +110,17 @@ TEST_F(mesher, is_not_shared_with_forked_processes) {
   ASSERT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_EQ(status, 0);
   EXPECT_EQ(filled(triangle()).X, before.X);
-  EXPECT_EQ(children(), running);
+  EXPECT_EQ(the_child(), running);
 }
 
 // Signals that a terminal sends to all processes of a run leave it at work: the program that asked decides.
 TEST_F(mesher, outlives_signals_to_its_group) {
   filled(triangle());
-  const auto running = children();
-  if (running.empty()) GTEST_SKIP() << "the system does not list children";
-  for (int signal : {SIGINT, SIGHUP, SIGTERM}) ::kill(running.back(), signal);
+  const pid_t running = the_child();
+  ASSERT_GT(running, 0);
+  for (int signal : {SIGINT, SIGHUP, SIGTERM}) ASSERT_EQ(::kill(running, signal), 0);
   filled(triangle());
-  EXPECT_EQ(children(), running);
+  EXPECT_EQ(the_child(), running);
 }
 
 // What comes back is checked: who read a hostile file may be under its control.

@@ -2,9 +2,11 @@
 
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "base/errors.hpp"
+#include "cad/meshing/kernel.hpp"
 #include "cad/meshing/region.hpp"
 #include "cad/meshing/region_bytes.hpp"
 
@@ -30,20 +32,27 @@ const Task meshing{"meshing it", "meshes", meshing_s, waiting_for_mesh_s};
 void start(Mesher& mesher) {
   mesher.process = std::make_unique<ImporterProcess>(std::vector<std::string>{"trusted", "-", "faces", "-"});
   mesher.most_s = std::numeric_limits<double>::infinity();
-  if (!mesher.process->message(waiting_s)) throw base::MeshError(mesher.process->end_in_words(meshing));
+  if (mesher.process->message(waiting_s)) return;
+  kernel();  // says why, where it is gmsh that cannot be loaded
+  throw base::MeshError("reye-import does not start: " + mesher.process->end_in_words(meshing));
 }
 
-/// The answer to a request. A process that was there before may have ended for other reasons than the request, as
-/// with the thread that started it: then one of its own gets it.
+std::optional<std::string> asked(Mesher& mesher, const std::string& request) {
+  mesher.process->ask(request);
+  return mesher.process->message(mesher.most_s);
+}
+
+/// The answer to a request. A process that was there before may be killed with the thread that started it: then one of
+/// its own gets the request. One that crashes on it, or takes too long, gets no second try.
 std::string answer_to(const std::string& request, Mesher& mesher) {
   const bool was_there = mesher.process && mesher.process->is_own();
   if (!was_there) start(mesher);
-  for (bool again = was_there;; again = false) {
-    mesher.process->ask(request);
-    if (auto bytes = mesher.process->message(mesher.most_s)) return std::move(*bytes);
-    if (!again || mesher.process->is_late()) break;
+  auto bytes = asked(mesher, request);
+  if (!bytes && was_there && mesher.process->was_killed()) {
     start(mesher);
+    bytes = asked(mesher, request);
   }
+  if (bytes) return std::move(*bytes);
   const std::string why = mesher.process->end_in_words(meshing);
   mesher.process.reset();
   throw base::MeshError(why);

@@ -29,22 +29,6 @@ void pass(Archive& archive, FilledRegion& answer) {
 
 namespace {
 
-template <class T>
-std::string written(const T& value) {
-  Writer writer;
-  writer(value);
-  return std::move(writer.bytes);
-}
-
-template <class T>
-T read(std::string_view bytes) {
-  T value;
-  Reader reader(bytes);
-  reader(value);
-  if (!reader.at_end()) throw std::runtime_error("continues behind its end");
-  return value;
-}
-
 bool is_of(const mesh::Cell& cell, mesh::CellKind kind, std::size_t nodes) {
   const int n = mesh::nodes_per_cell(kind);
   const auto known = [&](int node) { return node >= 0 && static_cast<std::size_t>(node) < nodes; };
@@ -57,10 +41,10 @@ bool is_of(const mesh::Cell& cell, mesh::CellKind kind, std::size_t nodes) {
 std::string bytes_of(const RegionToFill& request) { return written(request); }
 std::string bytes_of(const FilledRegion& answer) { return written(answer); }
 
-RegionToFill region_to_fill_of(std::string_view bytes) { return read<RegionToFill>(bytes); }
+RegionToFill region_to_fill_of(std::string_view bytes) { return read_whole<RegionToFill>(bytes); }
 
 FilledRegion filled_region_of(std::string_view bytes, const Region& asked) {
-  FilledRegion answer = read<FilledRegion>(bytes);
+  FilledRegion answer = read_whole<FilledRegion>(bytes);
   if (!answer.failure.empty()) return answer;
   const Region& region = answer.region;
   if (region.X.size() < asked.X.size() || !std::equal(asked.X.begin(), asked.X.end(), region.X.begin()))

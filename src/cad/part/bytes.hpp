@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/issue.hpp"
@@ -141,6 +142,24 @@ class Reader {
   }
   std::string_view rest_;
 };
+
+/// A value as bytes.
+template <class T>
+std::string written(const T& value) {
+  Writer writer;
+  writer(value);
+  return std::move(writer.bytes);
+}
+
+/// The value that the bytes are, all of them. Throws std::runtime_error where they end early or late.
+template <class T>
+T read_whole(std::string_view bytes) {
+  T value;
+  Reader reader(bytes);
+  reader(value);
+  if (!reader.at_end()) throw std::runtime_error("continues behind its end");
+  return value;
+}
 
 template <class Archive>
 void pass(Archive& archive, base::Issue& issue) {

@@ -140,18 +140,29 @@ std::optional<std::string> ImporterProcess::message(double most_s) {
   return text;
 }
 
+bool ImporterProcess::await_end() {
+  while (pid_ != 0) {
+    if (::waitpid(pid_, &status_, 0) == pid_)
+      pid_ = 0;
+    else if (errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
+bool ImporterProcess::was_killed() {
+  return !too_long_ && !too_large_ && await_end() && WIFSIGNALED(status_) && WTERMSIG(status_) == SIGKILL;
+}
+
 std::string ImporterProcess::end_in_words(const Task& task) {
   if (too_large_) return "holds more than 1 GB of outlines or mesh";
   if (too_long_) {
     return task.doing + " takes more than " + std::to_string(static_cast<int>(task.waiting_s)) +
            " s; a file that you trust may take longer with --trust-geometry";
   }
-  int status = 0;
-  while (::waitpid(pid_, &status, 0) < 0)
-    if (errno != EINTR) return "the program that " + task.does + " it ended without a message";
-  pid_ = 0;
-  if (WIFSIGNALED(status)) return in_words(WTERMSIG(status), task);
-  return "the program that " + task.does + " it ended without a message (code " + std::to_string(WEXITSTATUS(status)) +
+  if (!await_end()) return "the program that " + task.does + " it ended without a message";
+  if (WIFSIGNALED(status_)) return in_words(WTERMSIG(status_), task);
+  return "the program that " + task.does + " it ended without a message (code " + std::to_string(WEXITSTATUS(status_)) +
          ")";
 }
 

@@ -44,8 +44,8 @@ class ImporterProcess {
   /// Whether this process has started it, and not one that this was forked from.
   bool is_own() const;
 
-  /// Whether its last message did not come in time.
-  bool is_late() const { return too_long_; }
+  /// Where its last message did not come: whether it was killed from outside, as it is with the thread that started it.
+  bool was_killed();
 
   /// Why there is no further message, as the rule of an issue.
   std::string end_in_words(const Task& task = {});
@@ -53,7 +53,11 @@ class ImporterProcess {
  private:
   bool read_all(char* to, std::size_t bytes, double deadline);
 
+  /// Waits for its end; whether the system knows of it.
+  bool await_end();
+
   pid_t pid_ = 0, starter_ = 0;
+  int status_ = 0;  ///< with which it has ended, once pid_ is zero
   int pipe_ = -1;
   int requests_ = -1;
   bool too_long_ = false, too_large_ = false;

@@ -59,17 +59,10 @@ void check(const RawMesh& mesh) {
 
 }  // namespace
 
-std::string to_bytes(const Answer& answer) {
-  Writer writer;
-  writer(answer);
-  return std::move(writer.bytes);
-}
+std::string to_bytes(const Answer& answer) { return written(answer); }
 
 Answer answer_of(std::string_view bytes) {
-  Answer answer;
-  Reader reader(bytes);
-  reader(answer);
-  if (!reader.at_end()) throw std::runtime_error("continues behind its end");
+  Answer answer = read_whole<Answer>(bytes);
   for (const RawPart& part : answer.parts) {
     for (const RawCurve& curve : part.curves) check(curve);
     check(part.surface_points);

@@ -68,22 +68,6 @@ void pass(Archive& archive, SolidMeshAnswer& answer) {
 
 namespace {
 
-template <class T>
-std::string solid_written(const T& value) {
-  Writer writer;
-  writer(value);
-  return std::move(writer.bytes);
-}
-
-template <class T>
-T solid_read(std::string_view bytes) {
-  T value;
-  Reader reader(bytes);
-  reader(value);
-  if (!reader.at_end()) throw std::runtime_error("continues behind its end");
-  return value;
-}
-
 constexpr double most_mm = 1e9;  // a thousand kilometres
 
 void check_number(double x) {
@@ -132,18 +116,18 @@ void check_raw_mesh(const RawSolidMesh& mesh, std::size_t faces) {
 
 }  // namespace
 
-std::string bytes_of(const SolidQuery& query) { return solid_written(query); }
-std::string bytes_of(const SolidOrder& order) { return solid_written(order); }
-std::string bytes_of(const SkinFilling& filling) { return solid_written(filling); }
-std::string bytes_of(const SolidAnswer& answer) { return solid_written(answer); }
-std::string bytes_of(const SolidMeshAnswer& answer) { return solid_written(answer); }
+std::string bytes_of(const SolidQuery& query) { return written(query); }
+std::string bytes_of(const SolidOrder& order) { return written(order); }
+std::string bytes_of(const SkinFilling& filling) { return written(filling); }
+std::string bytes_of(const SolidAnswer& answer) { return written(answer); }
+std::string bytes_of(const SolidMeshAnswer& answer) { return written(answer); }
 
-SolidQuery solid_query_of(std::string_view bytes) { return solid_read<SolidQuery>(bytes); }
-SolidOrder solid_order_of(std::string_view bytes) { return solid_read<SolidOrder>(bytes); }
-SkinFilling skin_filling_of(std::string_view bytes) { return solid_read<SkinFilling>(bytes); }
+SolidQuery solid_query_of(std::string_view bytes) { return read_whole<SolidQuery>(bytes); }
+SolidOrder solid_order_of(std::string_view bytes) { return read_whole<SolidOrder>(bytes); }
+SkinFilling skin_filling_of(std::string_view bytes) { return read_whole<SkinFilling>(bytes); }
 
 SolidAnswer solid_answer_of(std::string_view bytes, std::size_t probes) {
-  SolidAnswer answer = solid_read<SolidAnswer>(bytes);
+  SolidAnswer answer = read_whole<SolidAnswer>(bytes);
   for (const RawSolid& solid : answer.solids) {
     const bool own_mesh = !solid.mesh.cells.empty();
     if (own_mesh ? !solid.inside.empty() || !solid.faces.empty() : solid.inside.size() != probes)
@@ -157,7 +141,7 @@ SolidAnswer solid_answer_of(std::string_view bytes, std::size_t probes) {
 }
 
 SolidMeshAnswer solid_mesh_answer_of(std::string_view bytes, std::size_t faces) {
-  SolidMeshAnswer answer = solid_read<SolidMeshAnswer>(bytes);
+  SolidMeshAnswer answer = read_whole<SolidMeshAnswer>(bytes);
   check_raw_mesh(answer.mesh, faces);
   if (answer.failure.empty() && answer.mesh.facets.empty()) throw std::runtime_error("is no mesh");
   return answer;
