@@ -164,7 +164,10 @@ void worn_balls(benchmark::State& run) {
   support::SlipLimitCase c;
   c.q = 0.01 * static_cast<double>(run.range(0));
   c.elements = static_cast<double>(run.range(1));
-  c.fine = c.q > 0.5 ? 1.4 : 1.25;
+  if (c.q > 0.5) {
+    c.fine = 1.4;
+    c.layer = 0.25;
+  }
   c.way = 3.0;
   c.jump = 1.0;
   c.increments = 2;

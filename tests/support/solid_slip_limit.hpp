@@ -39,13 +39,15 @@ struct SlipLimit {
 
 /// At the edge of stick pressure and shear are singular, in the ratio mu where nothing slips any more. Cubes of eight
 /// nodes are stiffer in shear than in pressure where tractions change from node to node (compliances 0.7 to 0.9 of
-/// those of pressure at wavelengths of two to four elements): their edge takes a sixth too much shear, slips and
-/// recedes, by a quarter of the radius at q = 0.75. A first layer of a quarter of their width leaves 0.96 to 0.99.
+/// those of pressure at wavelengths of two to four elements, results/solid_slip_limit): the edge takes too much shear,
+/// slips and recedes, at q = 0.75 by a quarter of the radius. A first layer of a quarter of their width leaves 0.96 to
+/// 0.99.
 struct SlipLimitCase {
   double q = 0.5;
-  double elements = 8.0;  ///< per radius of the first contact
-  double fine = 1.25;     ///< even elements so far over that radius: the scar ends at 1.137 for q = 0.5, 1.307 for 0.75
-  double way = 10.0;      ///< cycles, over those in which the first one's wear is that of the limit
+  double elements = 8.0;    ///< per radius of the first contact
+  double fine = 1.5;        ///< even elements so far over that radius; the scar ends at 1.14 for q = 0.5, 1.31 for 0.75
+  double layer = 1.0;       ///< thickness of the first elements over their width
+  double way = 10.0;        ///< cycles, over those in which the first one's wear is that of the limit
   double tolerance = 0.02;  ///< of the blocks
   double jump = 0.0;        ///< cycles of each block; 0: chosen by the tolerance
   int increments = 8;       ///< of a cycle
@@ -57,10 +59,10 @@ struct SlipLimitCase {
     c.half = c.two_balls = true;
     c.elements = elements;
     c.fine = fine;
-    c.fine_depth = 0.03;
+    c.fine_depth = layer < 1.0 ? 0.03 : 0.3;
     c.growth = 1.6;
-    c.layer = 0.25;
-    c.deep_growth = 1.4;
+    c.layer = layer;
+    c.deep_growth = layer < 1.0 ? 1.4 : 0.0;
     return c;
   }
   SlipLimit limit(double c) const { return {c, hertz().force(), hertz().plane_modulus(), hertz().R_mm}; }
