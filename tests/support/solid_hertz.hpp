@@ -36,8 +36,8 @@ struct HertzCase {
   bool two_balls = false;  ///< both faces curved, with the same relative curvature
   double E_MPa = 2.1e5, a_mm = 0.5, R_mm = 25.0, size_over_a = 8.0;
   double fine = 1.3, fine_depth = 0.5, growth = 1.35;  ///< even elements so far over a, then growing by this factor
-  double layer = 1.0,
-         deep_growth = 0.0;  ///< thickness of the first layer over its width; growth in depth, 0: the other
+  double layer = 1.0;                                  ///< thickness of the first elements over their width
+  double deep_growth = 0.0;                            ///< growth in depth where it is another one, else 0
 
   double plane_modulus() const { return 0.5 * E_MPa / (1.0 - nu * nu); }                      ///< E* of the pair
   double force() const { return 4.0 * plane_modulus() * a_mm * a_mm * a_mm / (3.0 * R_mm); }  ///< of the whole ball
