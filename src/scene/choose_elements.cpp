@@ -1,19 +1,12 @@
 #include "scene/choose_elements.hpp"
 
 #include <algorithm>
-#include <set>
+
+#include "scene/force_driven.hpp"
 
 namespace reye::scene {
 
 namespace {
-
-/// The histories that are played cycle by cycle while contacts wear.
-std::set<std::string> cycled_histories(const Scene& scene) {
-  std::set<std::string> names;
-  for (const auto& step : scene.steps)
-    if (step.wear && step.cycles > 0.0) names.insert(step.play.begin(), step.play.end());
-  return names;
-}
 
 /// Whether a body may have an edge: one that no [boundary] names may lie on any.
 bool may_have(const Scene& scene, const cad::BodyOptions& body, const std::string& edge) {
@@ -45,22 +38,6 @@ ElementChoice choice_of(const Scene& scene, std::size_t c) {
 }
 
 }  // namespace
-
-bool only_forces_drive(const Scene& scene) {
-  const auto cycled = cycled_histories(scene);
-  const auto varies = [&](const auto& driven) { return cycled.contains(driven.history); };
-  bool moved = false, loaded = false;
-  for (const auto& support : scene.supports)
-    for (const auto& motion : {support.x, support.y, support.rotation}) {
-      if (std::none_of(motion.parts.begin(), motion.parts.end(), varies)) continue;
-      moved = moved || ((motion.drive == body::Drive::moved || motion.stiffness > 0.0) && nonzero(motion));
-      loaded = loaded || motion.drive == body::Drive::loaded;
-    }
-  loaded = loaded || std::any_of(scene.boundary_loads.begin(), scene.boundary_loads.end(), varies) ||
-           std::any_of(scene.point_loads.begin(), scene.point_loads.end(), varies) ||
-           std::any_of(scene.body_forces.begin(), scene.body_forces.end(), varies);
-  return loaded && !moved;
-}
 
 std::vector<ElementChoice> element_choices(const Scene& scene) {
   std::vector<ElementChoice> choices;

@@ -17,9 +17,6 @@ struct ElementChoice {
   bool linear = false;                    ///< multipliers
 };
 
-/// True where forces vary over a cycle that wears and no motion is prescribed.
-bool only_forces_drive(const Scene& scene);
-
 std::vector<ElementChoice> element_choices(const Scene& scene);
 
 /// Applies the element choices to the scene.

@@ -71,6 +71,7 @@ sim::SolidRunState made_up_state() {
   s.increment = 3;
   s.cycle = 4.5;
   s.energy_last_cycle_mJ = {0.3};
+  s.widest_stick = {{0.2, 0.3, 0.01}};
   s.warnings = {{"edge", "contact pad", "The pressure rises.", 1.5}};
   s.counts = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   s.cutback_reasons = {"why"};
@@ -127,6 +128,7 @@ TEST(SolidArchive, EveryMemberCounts) {
       [](State& s) { s.solved.reset(); },
       [](State& s) { s.factors["press"] = 2.0; },
       [](State& s) { s.energy_last_cycle_mJ[0] = 1.0; },
+      [](State& s) { s.widest_stick[0].contact_mm = 1.0; },
       [](State& s) { s.solution.wear[0].pending_secondary[1] = 1.0; },
       [](State& s) { s.block_wear[0].law_volume = 1.0; },
       [](State& s) { s.points[0].primary[0][1] = 4; },

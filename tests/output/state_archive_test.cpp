@@ -45,17 +45,17 @@ TEST(StateArchive, InteriorsReadBack) {
 TEST(StateArchive, KeepsWhatWasSeen) {
   sim::State state;
   state.warnings = {{"resolution", "contact pad", "2 elements touch.", 4.0}};
-  state.watch = {{12.5, 0.12, 0.18, 0.005, 3, {10.0, 0.1, 6.5, 0.4, 0.02, true, "face", 2.5, 1e-4}}};
+  state.watch = {{12.5, {0.12, 0.18, 0.005}, 3, {10.0, 0.1, 6.5, 0.4, 0.02, true, "face", 2.5, 1e-4}}};
   const auto back = output::state_from_bytes(output::state_to_bytes(state));
   ASSERT_EQ(back.warnings.size(), 1u);
   EXPECT_EQ(back.warnings[0].kind, "resolution");
   EXPECT_EQ(back.warnings[0].severity, 4.0);
   ASSERT_EQ(back.watch.size(), 1u);
-  const auto& [force_most, stick, contact, facet, slipped_most, pressed] = back.watch[0];
+  const auto& [force_most, widest, slipped_most, pressed] = back.watch[0];
   EXPECT_EQ(force_most, 12.5);
-  EXPECT_EQ(stick, 0.12);
-  EXPECT_EQ(contact, 0.18);
-  EXPECT_EQ(facet, 0.005);
+  EXPECT_EQ(widest.stick_mm, 0.12);
+  EXPECT_EQ(widest.contact_mm, 0.18);
+  EXPECT_EQ(widest.element_mm, 0.005);
   EXPECT_EQ(slipped_most, 3);
   EXPECT_EQ(pressed.across, 6.5);
   EXPECT_EQ(pressed.length_mm, 0.4);

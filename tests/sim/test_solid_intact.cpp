@@ -64,6 +64,7 @@ TEST(SolidIntact, WhatCannotBe) {
       {[](State& s) { s.cycle = no_number; }, "its number of cycles is not a number"},
       {[](State& s) { s.factors.erase("slide"); }, "a history is at no factor"},
       {[](State& s) { s.energy_last_cycle_mJ.clear(); }, "the energy of a contact"},
+      {[](State& s) { s.widest_stick[0].stick_mm = no_number; }, "the stick zone of a contact"},
       {[](State& s) { s.counts.blocks = -1; }, "its counts are below zero"},
       {[](State& s) { s.retained += 1; }, "it was solved with other points"},
       {[](State& s) { s.solved.reset(); }, "it is under way and has not begun"},

@@ -1,5 +1,6 @@
 #pragma once
 #include "sim/problem/records.hpp"
+#include "sim/problem/watch.hpp"
 
 /// cereal functions for the records that states of every kind of run carry. A member that is added to one of them and
 /// not to its list here does not compile.
@@ -15,6 +16,12 @@ template <class Archive>
 void serialize(Archive& archive, Warning& w) {
   auto& [kind, about, text, severity] = w;
   archive(kind, about, text, severity);
+}
+
+template <class Archive>
+void serialize(Archive& archive, StickZone& z) {
+  auto& [stick, contact, element] = z;
+  archive(stick, contact, element);
 }
 
 }  // namespace reye::sim

@@ -71,7 +71,7 @@ void serialize(Archive& archive, Pressed& p) {
 
 template <class Archive>
 void serialize(Archive& archive, ContactWatch& w) {
-  archive(w.force_most, w.stick_mm, w.contact_mm, w.facet_mm, w.slipped_most, w.pressed);
+  archive(w.force_most, w.widest, w.slipped_most, w.pressed);
 }
 
 template <class Archive>

@@ -10,17 +10,13 @@
 /// a pressed one (results/partial_slip_life). The final stick zone then ends at C' instead of C = stick over contact
 /// half width,
 ///     edge_ratio Q / mu P = 1 - C'^2,   Q / mu P = 1 - C^2,
-/// and the largest depth of the end, a^2 / 2R [arccosh(X / C) - X sqrt(X^2 - C^2)] at X^2 = (1 + C^2) / 2, is that of
-/// C'.
+/// and the largest depth of the end is that of C' (`sim/measure/stick_zone`).
 namespace reye::sim {
 
 inline constexpr double edge_ratio = 1.13;  ///< for quads at nu = 0.3; 1.08 at nu = 0, 1.22 at 0.45
 
 /// Stick over contact half width of a worn Hertz contact on elements of first order; zero where sticking ends.
 double receded(double stick_share);
-
-/// Largest depth that such a contact wears in the end, over a^2 / 2R.
-double limit_depth(double stick_share);
 
 /// Path of slip per secondary node of every contact.
 std::vector<std::vector<double>> slip_paths(const State& state);

@@ -17,12 +17,17 @@ struct Pressed {
   double facets_mm = 0.0;  ///< sagitta of the facets of both sides, where nothing has worn yet
 };
 
+/// What stuck through a block of a contact that wears.
+struct StickZone {
+  double stick_mm = 0.0;    ///< width that stuck; 0: none
+  double contact_mm = 0.0;  ///< width under pressure
+  double element_mm = 0.0;  ///< longest of its elements
+};
+
 /// Observations of one contact at ends of increments.
 struct ContactWatch {
   double force_most = 0.0;  ///< largest normal force since the start; 0: it never closed
-  double stick_mm = 0.0;    ///< largest width of its stick zone over a block that wears
-  double contact_mm = 0.0;  ///< width under pressure then
-  double facet_mm = 0.0;    ///< longest of its facets then
+  StickZone widest;         ///< of the block whose stick zone was widest
   int slipped_most = 0;     ///< most nodes that slipped at one end of an increment of a step that wears
   Pressed pressed;          ///< of the present block
 };

@@ -52,6 +52,12 @@ void check_numbers(const SolidProblem& problem, const SolidRunState& state) {
   require(at_all_histories(problem, state.factors), "a history is at no factor");
   require(state.energy_last_cycle_mJ.size() == problem.contacts.size() && finite(state.energy_last_cycle_mJ),
           "the energy of a contact is not a number");
+  const auto known = [](const StickZone& z) {
+    return finite(z.stick_mm) && finite(z.contact_mm) && finite(z.element_mm);
+  };
+  require(state.widest_stick.size() == problem.contacts.size() &&
+              std::all_of(state.widest_stick.begin(), state.widest_stick.end(), known),
+          "the stick zone of a contact is not a number");
   const auto& c = state.counts;
   require(c.blocks >= 0 && c.increments >= 0 && c.newton_iterations >= 0 && c.factorisations >= 0 && c.cutbacks >= 0 &&
               c.cycles_solved >= 0 && c.equilibrium_iterations >= 0 && state.retained >= 0 && finite(state.balance),

@@ -14,6 +14,7 @@
 #include "sim/solid/solid_plan.hpp"
 #include "sim/solid/solid_recording.hpp"
 #include "sim/solid/solid_reshape.hpp"
+#include "sim/solid/solid_stick_edge.hpp"
 
 namespace reye::sim {
 
@@ -166,6 +167,7 @@ class March {
     interrupted_ = outcome.interrupted;
     if (!failure_.empty() || interrupted_) return false;
     finish_block(step, before.cycle);
+    if (step.wear && step.cycles > 0.0) warn_of_stick_edge(problem_, player_->system(), state_, observer_);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
     const double share = pending_share(player_->system(), state_);

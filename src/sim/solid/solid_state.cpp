@@ -27,6 +27,7 @@ SolidRunState initial_solid_state(const SolidProblem& problem) {
   state.touchable = touchable_nodes(problem, state.meshes);
   for (const auto& [name, corners] : problem.scene.histories) state.factors[name] = 0.0;
   state.energy_last_cycle_mJ.assign(problem.contacts.size(), 0.0);
+  state.widest_stick.resize(problem.contacts.size());
   return state;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/problem/watch.hpp"
 #include "sim/solid/solid_assembly.hpp"
 
 namespace reye::sim {
@@ -35,6 +36,7 @@ struct SolidRunState {
   std::vector<double> energy_last_cycle_mJ;  ///< dissipated in a cycle of the last block, per contact
   std::vector<std::vector<char>> slid;       ///< per contact: secondary points that slid in the last block
   std::map<std::string, double> life_cycles, life_error, limit_measure, limit_rate;  ///< as in State
+  std::vector<StickZone> widest_stick;                                               ///< per contact
   std::vector<Warning> warnings;                                                     ///< found in the run
   Counts counts;
   std::vector<std::string> cutback_reasons;

@@ -63,10 +63,8 @@ double elements_across(const SolidProblem& problem, const solver::SolidSystem& s
                        const solver::SolidSolution& solution, std::size_t c) {
   const WholePatch patch = whole_patch(problem, system, solution, c);
   if (patch.x.empty()) return 0.0;
-  const double half = patch.half_widths()[1];
-  double size = 0.0;
-  for (const double area : patch.area_mm2) size = std::max(size, area);
-  return size > 0.0 ? half / std::sqrt(size) : 0.0;
+  const double size = patch.element();
+  return size > 0.0 ? patch.half_widths()[1] / size : 0.0;
 }
 
 void warn_resolution(const SolidProblem& problem, const solver::SolidSystem& system,

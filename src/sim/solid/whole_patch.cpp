@@ -71,6 +71,10 @@ double WholePatch::stick_area() const {
   return sum;
 }
 
+double WholePatch::element() const {
+  return area_mm2.empty() ? 0.0 : std::sqrt(*std::max_element(area_mm2.begin(), area_mm2.end()));
+}
+
 std::array<double, 2> WholePatch::half_widths() const {
   const double whole = area();
   if (!(whole > 0.0)) return {0.0, 0.0};
@@ -85,18 +89,28 @@ std::array<double, 2> WholePatch::half_widths() const {
 }
 
 WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
-                       const solver::SolidSolution& solution, std::size_t c) {
+                       const solver::SolidSolution& solution, std::size_t c, const std::vector<char>& slid) {
   WholePatch patch;
   const auto& setup = system.contacts[c];
   for (int j = 0; j < setup.count(); ++j) {
     if (solution.state.status[c][j] == SkinStatus::open) continue;
     patch.x.push_back(setup.secondary.skin.x[j]);
     patch.area_mm2.push_back(solution.place[c].covered[j]);
-    patch.sticks.push_back(solution.state.status[c][j] == SkinStatus::stick && setup.options.friction > 0.0);
+    patch.sticks.push_back(!slid[j]);
   }
   for (const auto& plane : planes_of(problem, problem.contacts[c].secondary.body))
     if (reaches(patch, plane)) mirror(patch, plane);
   return patch;
+}
+
+WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
+                       const solver::SolidSolution& solution, std::size_t c) {
+  const auto& status = solution.state.status[c];
+  const bool rubs = system.contacts[c].options.friction > 0.0;
+  std::vector<char> slid(status.size());
+  std::transform(status.begin(), status.end(), slid.begin(),
+                 [rubs](SkinStatus s) { return !(rubs && s == SkinStatus::stick); });
+  return whole_patch(problem, system, solution, c, slid);
 }
 
 }  // namespace reye::sim

@@ -14,6 +14,8 @@ struct WholePatch {
 
   double area() const;
   double stick_area() const;
+  /// Side of a square of the area of its largest point [mm].
+  double element() const;
   /// Half widths of the ellipse with the same second moments of area, the larger first; zero where there is no patch.
   std::array<double, 2> half_widths() const;
 };
@@ -22,5 +24,9 @@ struct WholePatch {
 /// reaches.
 WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
                        const solver::SolidSolution& solution, std::size_t contact);
+
+/// Of these points all stick that have not `slid`.
+WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
+                       const solver::SolidSolution& solution, std::size_t contact, const std::vector<char>& slid);
 
 }  // namespace reye::sim
