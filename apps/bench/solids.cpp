@@ -164,13 +164,13 @@ void worn_balls(benchmark::State& run) {
   support::SlipLimitCase c;
   c.q = 0.01 * static_cast<double>(run.range(0));
   c.elements = static_cast<double>(run.range(1));
-  if (c.q > 0.5) {
-    c.fine = 1.4;
-    c.layer = 0.25;
-  }
+  const bool near_full_slip = c.q > 0.5;
+  c.fine = near_full_slip ? 1.35 : 1.2;
+  c.layer = near_full_slip ? 0.25 : 1.0;
   c.way = 3.0;
   c.jump = 1.0;
   c.increments = 2;
+  c.implicit_wear = false;
   const double exact = c.mindlin().stick_radius();
   for (auto _ : run) {
     const auto worn = support::play_slip_limit(c);
@@ -232,8 +232,7 @@ BENCHMARK(reported<two_balls>)
     ->Unit(benchmark::kSecond);
 BENCHMARK(reported<worn_balls>)
     ->Name("worn_balls")
-    ->Args({50, 8})
-    ->Args({75, 8})
+    ->ArgsProduct({{50, 75}, {8, 12, 16, 24}})
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 

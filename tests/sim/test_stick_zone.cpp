@@ -20,8 +20,8 @@ TEST(StickZone, LimitDepths) {
   EXPECT_NEAR(sim::limit_depth_of_balls(std::cbrt(0.9)), 2.0 * 0.005579, 2e-6);
 }
 
-// A stick zone must be compared with the widest that was seen, and what it loses be told from the bound on.
-TEST(StickZone, LossIsTold) {
+// A stick zone must be compared with the widest that was seen, and what it loses be reported from the bound on.
+TEST(StickZone, LossIsReported) {
   sim::StickZone widest;
   const auto after = [&](double stick) {
     return sim::receding_stick("contact pad", {stick, 10.0, 0.5}, widest, 2.0, 7.0, sim::limit_depth_of_balls);
@@ -40,15 +40,15 @@ TEST(StickZone, LossIsTold) {
 }
 
 // A contact that sticks as a whole has no edge to lose, and one without a stick zone none to resolve.
-TEST(StickZone, WithoutAnEdgeNothingIsTold) {
+TEST(StickZone, WithoutAnEdgeNothingIsSaid) {
   sim::StickZone whole{10.0, 10.0, 0.5};
   EXPECT_FALSE(sim::receding_stick("", {2.0, 10.0, 0.5}, whole, 2.0, 1.0, sim::limit_depth_of_balls));
   EXPECT_FALSE(sim::unresolved_stick("", whole, sim::limit_depth_of_balls));
   EXPECT_FALSE(sim::unresolved_stick("", {}, sim::limit_depth_of_balls));
 }
 
-// An edge that is known to one element must be told while the depth hangs on it, with a size that would do.
-TEST(StickZone, CoarseEdgeIsTold) {
+// An edge that is known to one element must be reported while the depth hangs on it, with a size that would do.
+TEST(StickZone, CoarseEdgeIsReported) {
   const auto warning = sim::unresolved_stick("", half, sim::limit_depth_of_balls);
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->kind, "stick_elements");

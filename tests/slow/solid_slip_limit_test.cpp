@@ -58,3 +58,15 @@ TEST(SolidSlipLimit, PartialSlipWearsUntilNothingSlips) {
       EXPECT_LE(worn.wear_depth_mm[j], 1e-3 * depth) << worn.x_mm[j].transpose();
     }
 }
+
+TEST(SolidSlipLimit, ARecedingEdgeIsReported) {
+  // Near full slip cubes, stiff in shear, lose the edge of stick: a run must say so, and by how much the depth is too
+  // large in the end. At q = 0.85 a stick radius of 0.53 a ends at 0.85 of it.
+  support::SlipLimitCase c{
+      .q = 0.85, .elements = 8.0, .fine = 1.4, .way = 3.0, .jump = 1.0, .increments = 2, .implicit_wear = false};
+  const auto run = support::play_slip_limit(c);
+  ASSERT_EQ(run.played.summary.status, sim::RunStatus::done) << run.played.summary.reason;
+  const auto& warnings = run.played.summary.warnings;
+  EXPECT_LT(run.stick_radius, 0.9 * c.mindlin().stick_radius());
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const auto& w) { return w.kind == "stick_zone"; }));
+}

@@ -14,7 +14,7 @@ support::SlipLimitCase two_cycles(double elements) {
   return {.elements = elements, .way = 0.1, .jump = 1.0, .increments = 2};
 }
 
-long told(const sim::SolidSummary& summary, const std::string& kind) {
+long count_of(const sim::SolidSummary& summary, const std::string& kind) {
   return std::count_if(summary.warnings.begin(), summary.warnings.end(),
                        [&](const sim::Warning& w) { return w.kind == kind; });
 }
@@ -22,12 +22,12 @@ long told(const sim::SolidSummary& summary, const std::string& kind) {
 }  // namespace
 
 // An edge is known to one element: a run whose depth in the end hangs on it must say so, with the width that stuck.
-TEST(SolidStickEdge, FewElementsAreToldOf) {
+TEST(SolidStickEdge, FewElementsAreReported) {
   const auto c = two_cycles(4.0);
   const auto run = support::play_slip_limit(c);
   ASSERT_EQ(run.played.summary.status, sim::RunStatus::done) << run.played.summary.reason;
-  EXPECT_EQ(told(run.played.summary, "stick_elements"), 1);
-  EXPECT_EQ(told(run.played.summary, "stick_zone"), 0);
+  EXPECT_EQ(count_of(run.played.summary, "stick_elements"), 1);
+  EXPECT_EQ(count_of(run.played.summary, "stick_zone"), 0);
 }
 
 // A motion that is prescribed may slide a body as a whole and keeps no width of a stick zone: nothing is to be said.
@@ -42,7 +42,7 @@ TEST(SolidStickEdge, MotionsKeepNoWidth) {
         }
   const auto run = support::play(problem);
   ASSERT_EQ(run.summary.status, sim::RunStatus::done) << run.summary.reason;
-  EXPECT_EQ(told(run.summary, "stick_elements"), 0);
+  EXPECT_EQ(count_of(run.summary, "stick_elements"), 0);
 }
 
 }  // namespace reye::verification

@@ -83,9 +83,8 @@ void warn_of_stick_edge(const Problem& problem, const solver::System& system,
       const std::string about = "contact " + o.name;
       const StickZone now = stick_zone(system.contacts[c], contact, slip_before[c]);
       StickZone& widest = state.watch[c].widest;
-      for (const auto& warning :
-           {receding_stick(about, now, widest, most_lost, state.cycle, limit_depth_of_cylinders),
-            unresolved_stick(about, widest, limit_depth_of_cylinders)})
+      for (const auto& warning : {receding_stick(about, now, widest, most_lost, state.cycle, limit_depth_of_cylinders),
+                                  unresolved_stick(about, widest, limit_depth_of_cylinders)})
         if (warning) warn(state, observer, *warning);
     }
     if (system.contacts[c].secondary.order != 1) continue;

@@ -5,7 +5,7 @@
 #include "sim/problem/records.hpp"
 #include "sim/problem/watch.hpp"
 
-/// What the width of a stick zone tells of the end of a wear life. Under forces of one amplitude a stick zone keeps its
+/// What the width of a stick zone says of the end of a wear life. Under forces of one amplitude a stick zone keeps its
 /// width while the annulus around it wears until it carries nothing (Ciavarella and Hills); its largest depth then is
 /// that of the punch that is left, and falls fast with the width.
 namespace reye::sim {
