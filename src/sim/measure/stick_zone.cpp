@@ -1,11 +1,11 @@
 #include "sim/measure/stick_zone.hpp"
 
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "base/formatted.hpp"
+#include "fit/least_value.hpp"
 
 namespace reye::sim {
 
@@ -28,13 +28,12 @@ double limit_depth_of_cylinders(double C) {
 }
 
 double limit_depth_of_balls(double C) {
-  constexpr int half_precision = 26;
   const double approach = 4.0 / (3.0 * C) + 2.0 / 3.0 * C * C;
-  const auto height = [&](double x) {
+  const auto lowered = [&](double x) {
     const double above = approach - x * x;
     return 2.0 / std::numbers::pi * (above * std::asin(C / x) + C * std::sqrt(x * x - C * C)) - above;
   };
-  return -boost::math::tools::brent_find_minima(height, C, std::sqrt(approach), half_precision).second;
+  return -fit::least_value(lowered, C, std::sqrt(approach));
 }
 
 std::optional<Warning> receding_stick(const std::string& about, const StickZone& now, StickZone& widest,
