@@ -21,7 +21,7 @@ long count_of(const sim::SolidSummary& summary, const std::string& kind) {
 
 }  // namespace
 
-// An edge is known to one element: a run whose depth in the end hangs on it must say so, with the width that stuck.
+// An edge is known to one element: a run whose depth in the end hangs on it must say so.
 TEST(SolidStickEdge, FewElementsAreReported) {
   const auto c = two_cycles(4.0);
   const auto run = support::play_slip_limit(c);

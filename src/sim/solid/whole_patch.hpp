@@ -25,7 +25,7 @@ struct WholePatch {
 WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
                        const solver::SolidSolution& solution, std::size_t contact);
 
-/// Of these points all stick that have not `slid`.
+/// The patch where those of its points stick that have not `slid` (per secondary point).
 WholePatch whole_patch(const SolidProblem& problem, const solver::SolidSystem& system,
                        const solver::SolidSolution& solution, std::size_t contact, const std::vector<char>& slid);
 
