@@ -40,7 +40,7 @@ struct SlipLimit {
 /// At the edge of stick pressure and shear are singular, in the ratio mu where nothing slips any more. Cubes of eight
 /// nodes are stiffer in shear than in pressure where tractions change from node to node (compliances 0.7 to 0.9 of
 /// those of pressure at wavelengths of two to four elements, results/solid_slip_limit): the edge takes too much shear,
-/// slips and recedes, at q = 0.75 by a quarter of the radius on twelve elements. A first layer of a quarter of their
+/// slips and recedes, at q = 0.75 to 0.93 of the radius on twelve elements. A first layer of a quarter of their
 /// width leaves 0.96 to 0.99; what recedes beyond that, an element at q = 0.75 on 24, has a cause not yet found.
 struct SlipLimitCase {
   double q = 0.5;
