@@ -171,6 +171,7 @@ void worn_balls(benchmark::State& run) {
   c.jump = 1.0;
   c.increments = 2;
   c.implicit_wear = false;
+  c.R_mm = 200.0;  // where the normals of X differ by 0.1 % from those of half-spaces
   const double exact = c.mindlin().stick_radius();
   for (auto _ : run) {
     const auto worn = support::play_slip_limit(c);

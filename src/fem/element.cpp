@@ -58,9 +58,9 @@ double positive(double det, int cell) {
 template <int n>
 StrainPoint<n> strain_point(const Nodes<n>& X, CellKind kind, const RulePoint& point, Analysis analysis, int cell) {
   const auto dN_dxi = point.dN_dxi.topRows<n>();
-  const Eigen::Matrix2d J = dN_dxi.transpose() * X;  // row i: dX/dxi_i
+  const Eigen::Matrix2d J = dN_dxi.transpose().lazyProduct(X);  // row i: dX/dxi_i
   const double det = positive(J.determinant(), cell);
-  const Nodes<n> dN = dN_dxi * J.inverse().transpose();
+  const Nodes<n> dN = dN_dxi.lazyProduct(Eigen::Matrix2d(J.inverse().transpose()));
   const double r = point.N.head<n>().dot(X.col(0));
   StrainPoint<n> p;
   p.B.setZero();
@@ -79,7 +79,7 @@ std::vector<VolumePoint> volume_points_of(const Mesh& mesh, int cell, Analysis a
   std::vector<VolumePoint> points;
   for (const CellPoint& at : volume_rule(mesh.kind)) {
     const NodeValues N = shape_functions(mesh.kind, at.xi);
-    const Eigen::Matrix2d J = shape_gradients(mesh.kind, at.xi).topRows<n>().transpose() * X;
+    const Eigen::Matrix2d J = shape_gradients(mesh.kind, at.xi).topRows<n>().transpose().lazyProduct(X);
     const double det = positive(J.determinant(), cell);
     points.push_back({N, at.weight * det * base::out_of_plane(analysis, N.head<n>().dot(X.col(0)))});
   }

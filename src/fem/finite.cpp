@@ -42,7 +42,7 @@ void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const
         mesh, solid, u, before.F0, [&](int) { fe.setZero(); },
         [&](const auto& p, int, int number) {
           const auto s = stress_at<Strain>(solid, bar, p.x, state_of(before.history, number));
-          fe.noalias() += p.dx.template topRows<Strain::stresses>().transpose() * (p.volume * s);
+          fe += p.dx.template topRows<Strain::stresses>().transpose().lazyProduct(p.volume * s);
         },
         [&](int cell, const auto&) { add_force(mesh, cell, fe, f); });
   });
@@ -55,10 +55,10 @@ template <class Strain, int n, class Sample>
 void add_point(const Solid& solid, bool bar, const Sample& p, const PlasticState& before,
                Eigen::Matrix<double, 2 * n, 1>& fe, Eigen::Matrix<double, 2 * n, 2 * n>& Ke) {
   const auto slope = slope_at<Strain>(solid, bar, p.x, before);
-  const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * (slope.D * p.dx);
+  const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * slope.D.lazyProduct(p.dx);
   const auto work = p.dx.template topRows<Strain::stresses>().transpose();
-  fe.noalias() += work * (p.volume * slope.s);
-  Ke.noalias() += work * ds;
+  fe += work.lazyProduct(p.volume * slope.s);
+  Ke += work.lazyProduct(ds);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ void tangent_of(const std::vector<char>& wanted, const Mesh& mesh, const Solid& 
       PlasticState after = old;
       const auto s = stress_at<Strain>(solid, bar, p.x, old, may_yield ? &after : nullptr);
       yields[now] |= after.accumulated > old.accumulated;
-      if (!wanted[now]) fe.noalias() += p.dx.template topRows<Strain::stresses>().transpose() * (p.volume * s);
+      if (!wanted[now]) fe += p.dx.template topRows<Strain::stresses>().transpose().lazyProduct(p.volume * s);
     };
     for_each_cell<Strain, n>(mesh, solid, u, before.F0, begin, point, [&](int cell, const auto&) {
       add_force(mesh, cell, fe, f);

@@ -16,8 +16,8 @@ template <int n>
 Eigen::Matrix<double, 2 * n, 2 * n> cell_stiffness(const CellStrains<n>& s, const Eigen::Matrix4d& C) {
   Eigen::Matrix<double, 2 * n, 2 * n> Ke = Eigen::Matrix<double, 2 * n, 2 * n>::Zero();
   for (int g = 0; g < s.count; ++g) {
-    const Eigen::Matrix<double, 4, 2 * n> CB = C * s.points[g].B;
-    Ke.noalias() += s.points[g].volume * (s.points[g].B.transpose() * CB);
+    const Eigen::Matrix<double, 4, 2 * n> CB = C.lazyProduct(s.points[g].B);
+    Ke += s.points[g].volume * s.points[g].B.transpose().lazyProduct(CB);
   }
   return Ke;
 }
@@ -44,7 +44,7 @@ PointStress point_stress_of(const Mesh& mesh, int cell, const Eigen::Matrix4d& C
   for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a) ue.template segment<2>(2 * a) = u[mesh.cells[cell][a]];
   PointStress result;
   for (int g = 0; g < s.count; ++g) {
-    const Eigen::Vector4d strain = s.points[g].B * ue;
+    const Eigen::Vector4d strain = s.points[g].B.lazyProduct(ue);
     result.stress.col(g) = C * strain;
     result.volume[g] = s.points[g].volume;
   }

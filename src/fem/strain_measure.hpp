@@ -59,7 +59,7 @@ struct SmallStrain {
     for (s.count = 0; s.count < strains.count; ++s.count) {
       auto& p = s.points[s.count];
       p.dx = strains.points[s.count].B;
-      p.x = p.dx * state.u;
+      p.x = p.dx.lazyProduct(state.u);
       p.volume = strains.points[s.count].volume;
     }
     return s;
@@ -134,10 +134,10 @@ struct FiniteStrain {
   static double gradient(int cell, Analysis analysis, const CellState<n>& state, const RulePoint& point,
                          Eigen::Matrix<double, 5, 2 * n>& G) {
     const auto dN_dxi = point.dN_dxi.template topRows<n>();
-    const Eigen::Matrix2d J = dN_dxi.transpose() * state.X;  // row i: dX/dxi_i
+    const Eigen::Matrix2d J = dN_dxi.transpose().lazyProduct(state.X);  // row i: dX/dxi_i
     const double det = J.determinant();
     if (!(det > 0.0)) throw base::MeshError("cell " + std::to_string(cell) + " has a Jacobian that is not positive");
-    const Eigen::Matrix<double, n, 2> dN = dN_dxi * J.inverse().transpose();
+    const Eigen::Matrix<double, n, 2> dN = dN_dxi.lazyProduct(Eigen::Matrix2d(J.inverse().transpose()));
     const double R = point.N.template head<n>().dot(state.X.col(0));
     G.setZero();
     for (int a = 0; a < n; ++a) {
@@ -154,7 +154,7 @@ struct FiniteStrain {
     auto& p = s.points[s.count++];
     Eigen::Matrix<double, 5, 2 * n> G;
     p.volume = gradient(cell, solid.analysis, state, point, G);
-    p.x << G * state.u, 0.0;
+    p.x << G.lazyProduct(state.u), 0.0;
     p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
   }
 
@@ -174,10 +174,10 @@ struct FiniteStrain {
       right.block<2, 2>(2, 2) = right.block<2, 2>(0, 0);
       right(4, 4) = F[4];
       auto& p = s.points[g];
-      p.x.template head<5>() = (right * p.x.template head<5>()).eval();
+      p.x.template head<5>() = right.lazyProduct(p.x.template head<5>()).eval();
       const auto start = material::without_unit(F);
       for (int i = 0; i < 5; ++i) p.x[i] += start[i];
-      p.dx.template topRows<5>() = (right * p.dx.template topRows<5>()).eval();
+      p.dx.template topRows<5>() = right.lazyProduct(p.dx.template topRows<5>()).eval();
       on_X += p.volume;
       p.volume /= content(analysis, F);
       unstressed += p.volume;
@@ -192,11 +192,11 @@ struct FiniteStrain {
     Eigen::Matrix<double, 5, 2 * n> G;
     gradient(cell, solid.analysis, state, centre_of_quad4(), G);
     material::Gradient<double> H;
-    Eigen::Map<Eigen::Matrix<double, 5, 1>>(H.data()) = G * state.u;
+    Eigen::Map<Eigen::Matrix<double, 5, 1>>(H.data()) = G.lazyProduct(state.u);
     const auto F = material::with_unit(H);
     Eigen::Matrix<double, 1, 5> cofactor;
     cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], material::plane_determinant(F);
-    const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor * G;
+    const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor.lazyProduct(G);
     for (int g = 0; g < s.count; ++g) {
       s.points[g].x[5] = growth * material::dilation(H) + (growth - 1.0);
       s.points[g].dx.row(5) = growth * dJ;

@@ -54,13 +54,13 @@ void set_gradients(const SolidElement<kind>& element, const mesh::SolidMesh& mes
   out.mean.setZero();
   out.sum = 0.0;
   for (int g = 0; g < Element::points; ++g) {
-    const base::Mat3 J = x * element.reference[g];
+    const base::Mat3 J = x.lazyProduct(element.reference[g]);
     const double det = J.determinant();
     if (!(det > 0.0))
       throw base::MeshError(
           "cell " + std::to_string(cell) +
           base::formatted(" at (%.6g, %.6g, %.6g) is folded over or flat", x(0, 0), x(1, 0), x(2, 0)));
-    out.at[g].noalias() = element.reference[g] * J.inverse();
+    out.at[g] = element.reference[g].lazyProduct(base::Mat3(J.inverse()));
     out.volume[g] = element.weight[g] * det;
     out.mean += out.volume[g] * out.at[g];
     out.sum += out.volume[g];
@@ -96,7 +96,8 @@ void set_stiffness(const CellGradients<kind>& cell, const CellModuli& C, typenam
       }
       base::Mat3 block = C.lambda * sum + C.mu * sum.transpose();
       block.diagonal().array() += C.mu * sum.trace();
-      if constexpr (Element::b_bar) block += (C.mean_bulk * cell.sum) * cell.mean.row(a).transpose() * cell.mean.row(b);
+      if constexpr (Element::b_bar)
+        block += (C.mean_bulk * cell.sum) * cell.mean.row(a).transpose().lazyProduct(cell.mean.row(b));
       K.template block<3, 3>(3 * a, 3 * b) = block;
     }
 }
@@ -107,9 +108,9 @@ Eigen::Matrix<double, 6, SolidElement<kind>::points> point_stress(const CellGrad
                                                                   const typename SolidElement<kind>::Corners& u) {
   using Element = SolidElement<kind>;
   Eigen::Matrix<double, 6, Element::points> stress;
-  const double mean = C.mean_bulk * base::Mat3(u * cell.mean).trace();
+  const double mean = C.mean_bulk * base::Mat3(u.lazyProduct(cell.mean)).trace();
   for (int g = 0; g < Element::points; ++g) {
-    const base::Mat3 H = u * cell.at[g];
+    const base::Mat3 H = u.lazyProduct(cell.at[g]);
     base::Mat3 s = C.mu * (H + H.transpose());
     s.diagonal().array() += C.lambda * H.trace() + mean;
     stress.col(g) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0);

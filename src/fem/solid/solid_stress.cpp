@@ -59,7 +59,8 @@ std::vector<SolidStress> nodal_stress(const mesh::SolidMesh& mesh, const materia
                      [&]<mesh::SolidKind kind>(const SolidElement<kind>&, int cell,
                                                const CellGradients<kind>& gradients, const auto& at_points) {
                        static const auto E = extrapolation<kind>();
-                       const Eigen::Matrix<double, 6, SolidElement<kind>::nodes> values = gradients.sum * at_points * E;
+                       const Eigen::Matrix<double, 6, SolidElement<kind>::nodes> values =
+                           gradients.sum * at_points.lazyProduct(E);
                        for (int a = 0; a < SolidElement<kind>::nodes; ++a) {
                          const int node = mesh.cells[cell][a];
                          Eigen::Map<Six>(sum[node].data()) += values.col(a);

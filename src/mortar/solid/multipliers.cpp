@@ -1,7 +1,6 @@
 #include "mortar/solid/multipliers.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 #include <span>
 
@@ -73,9 +72,13 @@ Small kept_space(const Small& G, const Multipliers& m, std::span<const int> kept
   for (std::size_t i = 0; i < kept.size(); ++i)
     for (Eigen::Index k = 0; k < G.rows(); ++k)
       functions.col(static_cast<Eigen::Index>(i)) += m.share[kept[i]][k] * G.row(k).transpose();
-  const Eigen::HouseholderQR<Small> qr(functions);
-  const Small Q = qr.householderQ() * Small::Identity(functions.rows(), functions.cols());
-  return Q.transpose();
+  for (Eigen::Index i = 0; i < functions.cols(); ++i) {
+    auto own = functions.col(i);
+    for (int pass = 0; pass < 2; ++pass)  // the second takes out what round-off left of the first
+      for (Eigen::Index k = 0; k < i; ++k) own -= functions.col(k).dot(own) * functions.col(k);
+    own.normalize();
+  }
+  return functions.transpose();
 }
 
 }  // namespace
