@@ -20,6 +20,10 @@ def main():
         rows.append([int(q) / 100.0, int(elements)] + [run[c] for c in COLUMNS])
         case = f"q{q}_{elements}"
         measured[f"{case}_stick_radius_in_elements"] = abs(run["stick_radius_error_in_elements"])
+        exact_in_elements = int(elements) * (1.0 - int(q) / 100.0) ** (1.0 / 3.0)
+        punch = (run["punch_radius_over_exact"] - 1.0) * exact_in_elements
+        measured[f"{case}_punch_radius_in_elements"] = abs(punch)
+        measured[f"{case}_edge_inside_nodes_in_elements"] = run["stick_radius_error_in_elements"] - punch
         for what in ("depth", "volume"):
             for radius in ("own", "punch"):
                 measured[f"{case}_{what}_{radius}_radius"] = run[f"{what}_over_limit_of_{radius}_radius"]
