@@ -34,7 +34,7 @@ CellMatrix laplacian(const mesh::Mesh& mesh, const mesh::Cell& cell) {
     Eigen::Matrix2d adjugate;
     adjugate << jacobian(1, 1), -jacobian(0, 1), -jacobian(1, 0), jacobian(0, 0);
     const fem::NodeGradients gradients = local * adjugate;  // times det
-    k += weight / det * gradients * gradients.transpose();
+    k += weight / det * gradients.lazyProduct(gradients.transpose());
   }
   return k;
 }

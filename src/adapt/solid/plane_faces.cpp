@@ -149,10 +149,11 @@ class PlaneFaces {
       double area = 0.0;
       for (const auto& [xi, weight] : mesh::area_rule(kind)) {
         const Eigen::MatrixX2d dN = mesh::shape_gradients(kind, xi).topRows(n);
-        const Eigen::Matrix<double, 3, 2> J = x * dN;
+        const Eigen::Matrix<double, 3, 2> J = x.lazyProduct(dN);
         const Eigen::Matrix2d metric = J.transpose() * J;
         const double dA = weight * std::sqrt(metric.determinant());
-        k += dA * dN * metric.inverse() * dN.transpose();
+        const Eigen::MatrixX2d raised = dN.lazyProduct(Eigen::Matrix2d(metric.inverse()));
+        k += dA * raised.lazyProduct(dN.transpose());
         area += dA;
       }
       add_element({facet.nodes.begin(), facet.nodes.begin() + n}, k / area);

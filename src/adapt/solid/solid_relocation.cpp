@@ -35,10 +35,10 @@ CellEnergy energy_of(const Points3& X, mesh::SolidKind kind, const mesh::SolidCe
   CellEnergy energy;
   for (const auto& [reference, weight] : rule) {
     const Eigen::Matrix<double, 8, 3> dN = reference.topRows<8>();
-    const base::Mat3 J = x * dN;
+    const base::Mat3 J = x.lazyProduct(dN);
     const double dV = weight * J.determinant();
-    const Eigen::Matrix<double, 8, 3> gradients = dN * J.inverse();
-    energy.k += dV * gradients * gradients.transpose();
+    const Eigen::Matrix<double, 8, 3> gradients = dN.lazyProduct(base::Mat3(J.inverse()));
+    energy.k += dV * gradients.lazyProduct(gradients.transpose());
     energy.volume += dV;
   }
   energy.k /= energy.volume;

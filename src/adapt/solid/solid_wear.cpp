@@ -19,7 +19,8 @@ double volume_of_corners(const mesh::Points3& X, mesh::SolidKind kind, const mes
   if (kind == mesh::SolidKind::hex8) {
     double sum = 0.0;
     for (const auto& [xi, weight] : mesh::volume_rule(kind))
-      sum += weight * base::Mat3(mesh::corners_of(X, kind, cell) * mesh::shape_gradients(kind, xi)).determinant();
+      sum += weight *
+             base::Mat3(mesh::corners_of(X, kind, cell).lazyProduct(mesh::shape_gradients(kind, xi))).determinant();
     return sum;
   }
   const Vec3& o = X[cell[0]];

@@ -75,7 +75,8 @@ void ElasticSolid::condense(const SolidInput& input, SolidMatrices& out) {
   if (!(condition < largest_condition))
     throw base::SolveError("the stiffness of body \"" + input.name +
                            "\" is singular to working precision; its supports may leave a motion almost free");
-  const Matrix Y = X * (pushed_ - mixed.transpose() * rows_.prescribed);
+  const Matrix left = pushed_ - mixed.transpose() * rows_.prescribed;
+  const Matrix Y = X * left;
   const Matrix mixed_X = mixed * X;
   const auto active = static_cast<Eigen::Index>(rows_.columns.active.size());
   active_f_ = Matrix(X.bottomRows(active)) * rows_.of_unknown.transpose();

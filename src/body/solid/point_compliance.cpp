@@ -17,7 +17,8 @@ PointCompliance::PointCompliance(Matrix R, Matrix M) : rows_(R.rows()), R_(std::
 
 Mat3 PointCompliance::of_point(Eigen::Index first_row) const {
   if (C_.size() > 0) return C_.block<3, 3>(first_row, first_row);
-  return R_.middleRows<3>(first_row) * M_ * R_.middleRows<3>(first_row).transpose();
+  const Eigen::Matrix<double, 3, 6> R = R_.middleRows<3>(first_row);
+  return R * Eigen::Matrix<double, 6, 6>(M_) * R.transpose();
 }
 
 Matrix PointCompliance::times(const Matrix& forces) const {
@@ -45,10 +46,13 @@ void PointCompliance::add(const Vector& force, Eigen::Ref<Vector> u) const {
 
 void PointCompliance::subtract_product(const SparseMatrix& motion, const SparseMatrix& force,
                                        Eigen::Ref<Matrix> A) const {
-  if (C_.size() > 0)
+  if (C_.size() > 0) {
     algebra::subtract_gathered_product(motion, C_, force, A);
-  else
-    A.noalias() -= (motion.transpose() * R_) * (M_ * (R_.transpose() * force));
+    return;
+  }
+  const Matrix moved = motion.transpose() * R_, on_body = R_.transpose() * force;
+  const Matrix motions = M_ * on_body;
+  A.noalias() -= moved * motions;
 }
 
 Matrix PointCompliance::dense() const {

@@ -33,7 +33,8 @@ class RigidSolid {
     const Modes all_left = free_modes(rows_, size_);
     const Matrix M = compliance(all_left);
     const Matrix moved = imposed();
-    RigidMotion z{M * R.transpose(), moved + M * (P_ - K_ * moved)};
+    const Matrix rest = P_ - K_ * moved;
+    RigidMotion z{M * R.transpose(), moved + M * rest};
     out_.modes = free_modes(held_rows(input_, places_, out_.centre, true), size_);
     out_.U = R * z.of_s;
     out_.A = R * out_.modes;
@@ -94,7 +95,8 @@ class RigidSolid {
       if (driven >= 0) values(static_cast<Eigen::Index>(k), driven) = 1.0;
     }
     const Matrix scaled = H_ * scale_.asDiagonal();
-    return scale_.asDiagonal() * (scaled.transpose() * normal_inverse(values));
+    const Matrix motions = scaled.transpose() * normal_inverse(values);
+    return scale_.asDiagonal() * motions;
   }
 
   /// (H H^T)^-1 of columns, rotations scaled.
@@ -110,19 +112,20 @@ class RigidSolid {
     if (pushed_.empty() || N.cols() == 0) return Matrix::Zero(6, 6);
     Matrix scaled = N;
     for (int k = 0; k < scaled.cols(); ++k) scaled.col(k) /= scaled.col(k).cwiseQuotient(scale_).norm();
-    const auto eigen = algebra::eigenpairs(scaled.transpose() * K_ * scaled);
+    const Matrix pushed = K_ * scaled;
+    const auto eigen = algebra::eigenpairs(scaled.transpose() * pushed);
     const double largest = eigen.values.cwiseAbs().maxCoeff();
     const Vector inverse = eigen.values.unaryExpr([&](double v) { return v > 1e-12 * largest ? 1.0 / v : 0.0; });
     const Matrix W = scaled * eigen.vectors;
-    return W * inverse.asDiagonal() * W.transpose();
+    const Matrix weighed = W * inverse.asDiagonal();
+    return weighed * W.transpose();
   }
 
   /// r = what held motions take, lambda H, and what acts on loaded ones, all about the supports' centres.
   void set_resultants(const Matrix& R, const RigidMotion& z) {
     const auto supports = static_cast<Eigen::Index>(places_.size());
-    const auto lambda_of = [&](const Matrix& rest) {
-      return Matrix(normal_inverse(H_ * scale_.cwiseAbs2().asDiagonal() * rest));
-    };
+    const Matrix weighed = H_ * scale_.cwiseAbs2().asDiagonal();
+    const auto lambda_of = [&](const Matrix& rest) { return normal_inverse(weighed * rest); };
     const Matrix of_f = lambda_of(K_ * z.of_f - R.transpose()), of_s = lambda_of(K_ * z.of_s - P_);
     out_.F = Matrix::Zero(6 * supports, R.rows());
     out_.G = Matrix::Zero(6 * supports, P_.cols());

@@ -1,10 +1,10 @@
 #include "body/solid/solid_place.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "algebra/decompose.hpp"
 #include "body/columns.hpp"
 #include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
@@ -63,7 +63,9 @@ std::vector<int> independent(const std::vector<SolidDemand>& demands) {
   return chosen;
 }
 
-Matrix dual_directions(const Matrix& d) { return d * Matrix(d.transpose() * d).inverse(); }
+Matrix dual_directions(const Matrix& d) {
+  return d.cols() == 0 ? d : Matrix(algebra::solve_symmetric(d.transpose() * d, d.transpose()).transpose());
+}
 
 Matrix orthogonal_directions(const Matrix& d) {
   const Matrix projector = Matrix::Identity(3, 3) - dual_directions(d) * d.transpose();
