@@ -18,7 +18,7 @@ endif()
 # fifth of the memory. The largest unit takes 2.5 GB.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(reye_options INTERFACE --param=ggc-min-heapsize=1048576)   # kB
-  # Two searches whose time grows faster than the function: half of what the mortar integrals took to compile, which run as fast.
+  # Two searches whose time grows faster than the function: a third of what the mortar integrals took to compile, which run as fast.
   target_compile_options(reye_options INTERFACE -fno-gcse-after-reload --param=sccvn-max-alias-queries-per-access=100)
 endif()
 
