@@ -3,8 +3,9 @@
 
 #include "base/linalg.hpp"
 
-/// Decompositions of small dense matrices by Eigen. They are compiled here alone, since each costs the compiler seconds
-/// in every file that names it. Loops over points that need one of a fixed size name Eigen's own.
+/// Decompositions of small dense matrices by LAPACK: Eigen's cost the compiler seconds in every file that names them.
+/// Loops over points that need one of a fixed size name Eigen's own. What is not finite in A comes out as values that
+/// are NaN.
 namespace reye::algebra {
 
 using base::Matrix;
@@ -26,15 +27,15 @@ SingularValues singular_values(const Matrix& A);
 /// Values and V alone; U would have as many rows as A.
 SingularValues right_singular_values(const Matrix& A);
 
-/// A^+ of Moore and Penrose, by a complete orthogonal decomposition.
+/// A^+ of Moore and Penrose, by a complete orthogonal decomposition (dgelsy).
 Matrix pseudo_inverse(const Matrix& A);
 
 /// Column by column the shortest x of all with the least |A x - b|; A may have no rows or no columns.
 Matrix least_squares(const Matrix& A, const Matrix& B);
-/// Least squares where pivots below `least` times the largest count as none.
+/// Least squares by the leading columns, with pivoting, whose condition number is below 1 / least.
 Matrix least_squares(const Matrix& A, const Matrix& B, double least);
 
-/// X of A X = B with a symmetric, definite or semidefinite A: LDL^T with pivoting.
+/// X of A X = B with a symmetric, definite or semidefinite A: LDL^T with pivoting (Eigen's).
 Matrix solve_symmetric(const Matrix& A, const Matrix& B);
 
 /// As many columns of A as it has rows (or all), each the longest of what is left beside those before it, and that

@@ -3,11 +3,12 @@
 #include <cmath>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 
 namespace reye::body {
 
 Translation::Translation(const Matrix& T) : T_(T) {
-  mean_ = algebra::pseudo_inverse(T.transpose() * T) * T.transpose();
+  mean_ = algebra::product_transposed(algebra::pseudo_inverse(algebra::transposed_product(T, T)), T);
 }
 
 Translation Translation::part(const std::vector<int>& columns) const { return Translation(T_(columns, Eigen::all)); }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "fit/quantiles.hpp"
 #include "fit/shape_test.hpp"
 
@@ -35,20 +36,22 @@ double far(const Belief& belief, double length_mm) {
 /// Of theta that a series alone gives.
 Matrix covariance_of(const Alone& one) {
   const Matrix inverse = algebra::pseudo_inverse(one.scores.information);
-  return inverse * variance_of(one.scores, one.belief) * inverse;
+  return algebra::product(algebra::product(inverse, variance_of(one.scores, one.belief)), inverse);
 }
 
 /// Probability that two series which agree differ as much, in the directions of theta that both determine.
 double agreement(const Alone& a, const Alone& b) {
   const Matrix &A = a.scores.information, &B = b.scores.information;
-  const Matrix both = A * algebra::pseudo_inverse(A + B) * B;  // the parallel sum
+  const Matrix both = algebra::product(algebra::product(A, algebra::pseudo_inverse(A + B)), B);  // the parallel sum
   const auto [values, U, V] = algebra::singular_values(both);
   Eigen::Index rank = 0;
   while (rank < values.size() && values[rank] > independent * (A + B).norm()) ++rank;
   if (rank == 0) return 1.0;
   const Matrix along = U.leftCols(rank).transpose();
-  const Vector apart = along * (a.at.theta - b.at.theta);
-  const Matrix covariance = along * (covariance_of(a) + covariance_of(b)) * along.transpose();
+  const Vector differ = a.at.theta - b.at.theta;
+  const Vector apart = along * differ;
+  const Matrix sum = covariance_of(a) + covariance_of(b);
+  const Matrix covariance = algebra::product_transposed(algebra::product(along, sum), along);
   const Vector weighted = algebra::solve_symmetric(covariance, apart);
   const double distance = apart.dot(weighted);
   int freedom = 0;

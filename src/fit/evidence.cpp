@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "fit/basis.hpp"
 
 namespace reye::fit {
@@ -31,10 +32,12 @@ Scores scores_of(const Record& record, const Matrix& columns, int asked) {
   const Matrix weighted = (record.blocks.count / record.variance).asDiagonal() * means;
   Matrix u = weighted.middleCols(own, asked);
   if (own > 0) {
-    const Matrix cross = means.leftCols(own).transpose() * weighted;
-    u -= weighted.leftCols(own) * algebra::least_squares(cross.leftCols(own), cross.middleCols(own, asked));
+    const Matrix cross = algebra::transposed_product(means.leftCols(own), weighted);
+    u -= algebra::product(weighted.leftCols(own),
+                          algebra::least_squares(cross.leftCols(own), cross.middleCols(own, asked)));
   }
-  return {u.transpose() * means.middleCols(own, asked), u.transpose() * means.rightCols(1), pairs_of(record.blocks, u)};
+  return {algebra::transposed_product(u, means.middleCols(own, asked)),
+          algebra::transposed_product(u, means.rightCols(1)), pairs_of(record.blocks, u)};
 }
 
 Belief belief_of(const Record& record, const Matrix& columns) {
@@ -62,7 +65,8 @@ Matrix taken_columns(const Record& record, const Model& model, const Unknowns& a
   const Matrix columns = columns_of(record, model, at);
   const Scores scores = scores_of(record, columns, record.shifts() + static_cast<int>(at.theta.size()));
   const Matrix inverse = algebra::pseudo_inverse(scores.information);
-  const Matrix covariance = inverse * variance_of(scores, belief_of(record, columns)) * inverse;
+  const Matrix covariance =
+      algebra::product(algebra::product(inverse, variance_of(scores, belief_of(record, columns))), inverse);
   const Matrix bends = bends_of(record, model, at, covariance.diagonal().cwiseSqrt().cwiseMin(longest));
   Matrix taken(columns.rows(), columns.cols() + bends.cols());
   taken << bends, columns;

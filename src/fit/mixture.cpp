@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "fit/quantiles.hpp"
 
 namespace reye::fit {
@@ -64,7 +65,7 @@ Mixture mixture_of(const std::vector<Scores>& scores, const std::vector<Belief>&
       const double over = chi[s][static_cast<std::size_t>(spread.at(k, 2 * s + 1) * draws)];
       variance += one.variance / over * variance_of(scores[s].pairs, one.noise);
     }
-    mixture.push_back(inverse * variance * inverse);
+    mixture.push_back(algebra::product(algebra::product(inverse, variance), inverse));
   }
   return mixture;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algebra/factor.hpp"
+#include "algebra/product.hpp"
 #include "fit/markov.hpp"
 
 namespace reye::fit {
@@ -55,11 +56,12 @@ std::vector<Noise> candidates(const Blocks& blocks, bool map) {
 Weighed weigh(const Blocks& blocks, bool map, const Noise& noise, const Matrix& columns) {
   if (noise.order < 0) {
     const double logs = static_cast<double>(columns.rows()) * std::log(noise.nugget) - blocks.count.array().log().sum();
-    return {columns.transpose() * (blocks.count / noise.nugget).asDiagonal() * columns, logs};
+    const Matrix weighted = (blocks.count / noise.nugget).asDiagonal() * columns;
+    return {algebra::transposed_product(columns, weighted), logs};
   }
   if (map) return weigh_map(blocks, noise, columns);
   const Whitened white = whiten_along(blocks, noise, columns);
-  return {white.columns.transpose() * white.columns, white.log_determinant};
+  return {algebra::transposed_product(white.columns, white.columns), white.log_determinant};
 }
 
 Eliminated eliminate(Matrix& gram, int count) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 
 namespace reye::adapt {
 
@@ -26,11 +27,12 @@ void add_direction(const Vec3& v, std::vector<Vec3>& directions) {
 /// which is zero in all of them is zero in d.
 Vec3 shortest(const Eigen::Matrix3Xd& rows, const Eigen::VectorXd& depths) {
   if (rows.cols() == 1) return -depths[0] / rows.col(0).squaredNorm() * rows.col(0);
-  const auto [lambda, vectors] = algebra::eigenpairs(rows.transpose() * rows);
+  const auto [lambda, vectors] = algebra::eigenpairs(algebra::transposed_product(rows, rows));
   Eigen::VectorXd shares = -(vectors.transpose() * depths);
   for (int k = 0; k < lambda.size(); ++k)
     shares[k] = lambda[k] > least_sine * least_sine * lambda[lambda.size() - 1] ? shares[k] / lambda[k] : 0.0;
-  return rows * (vectors * shares);
+  const Eigen::VectorXd weights = vectors * shares;
+  return rows * weights;
 }
 
 }  // namespace

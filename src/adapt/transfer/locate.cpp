@@ -90,18 +90,21 @@ std::optional<Vec2> inverse(mesh::CellKind kind, const NodePositions& X, const V
   const Eigen::RowVector2d origin = X.topRows<n>().colwise().mean();  // small numbers about it: round-off of the cell
   const Eigen::Matrix<double, n, 2> Y = X.topRows<n>().rowwise() - origin;
   const Vec2 q = p - origin.transpose();
+  const auto jacobian = [&] {  // dx_i / dxi_j
+    const Eigen::Matrix<double, n, 2> gradients = fem::shape_gradients(kind, xi).topRows<n>();
+    return Eigen::Matrix2d(Y.transpose().lazyProduct(gradients));
+  };
   double last = 0.0;
   for (int k = 0; k < most_steps; ++k) {
-    const Eigen::Matrix2d Jt =
-        (fem::shape_gradients(kind, xi).topRows<n>().transpose() * Y).transpose();  // dx_i / dxi_j
-    const Vec2 step = Jt.inverse() * (q - Y.transpose() * fem::shape_functions(kind, xi).head<n>());
+    const Eigen::Matrix<double, n, 1> N = fem::shape_functions(kind, xi).head<n>();
+    const Vec2 rest = q - Y.transpose().lazyProduct(N);
+    const Vec2 step = Eigen::Matrix2d(jacobian().inverse()) * rest;
     last = step.norm();
     if (!std::isfinite(last)) return std::nullopt;
     xi += last > 1.0 ? Vec2(step / last) : step;
     if (last <= end) break;
   }
-  const double det = (fem::shape_gradients(kind, xi).topRows<n>().transpose() * Y).determinant();
-  if (last > enough || !(det > 0.0)) return std::nullopt;
+  if (last > enough || !(jacobian().determinant() > 0.0)) return std::nullopt;
   return on_reference_cell(kind, xi);
 }
 

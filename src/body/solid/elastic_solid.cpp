@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algebra/close_system.hpp"
+#include "algebra/product.hpp"
 #include "base/errors.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
@@ -60,7 +61,7 @@ void ElasticSolid::set_driven(SolidMatrices& out) {
     if (rows_.loads[k].size() > 0)
       condensed_loads_.col(static_cast<Eigen::Index>(k)) = factor_->condense(rows_.loads[k]);
   pushed_ = condensed_loads_.topRows(rows_.columns.unknown()) + rows_.pushed;
-  out.B = rows_.modes.transpose() * rows_.pushed;
+  out.B = algebra::transposed_product(rows_.modes, rows_.pushed);
   for (size_t k = 0; k < rows_.loads.size(); ++k)
     if (rows_.loads[k].size() > 0)
       out.B.col(static_cast<Eigen::Index>(k)) +=
@@ -75,9 +76,9 @@ void ElasticSolid::condense(const SolidInput& input, SolidMatrices& out) {
   if (!(condition < largest_condition))
     throw base::SolveError("the stiffness of body \"" + input.name +
                            "\" is singular to working precision; its supports may leave a motion almost free");
-  const Matrix left = pushed_ - mixed.transpose() * rows_.prescribed;
-  const Matrix Y = X * left;
-  const Matrix mixed_X = mixed * X;
+  const Matrix left = pushed_ - algebra::transposed_product(mixed, rows_.prescribed);
+  const Matrix Y = algebra::product(X, left);
+  const Matrix mixed_X = algebra::product(mixed, X);
   const auto active = static_cast<Eigen::Index>(rows_.columns.active.size());
   active_f_ = Matrix(X.bottomRows(active)) * rows_.of_unknown.transpose();
   active_s_ = Y.bottomRows(active);
@@ -85,8 +86,8 @@ void ElasticSolid::condense(const SolidInput& input, SolidMatrices& out) {
   out.U = rows_.of_unknown * Y + rows_.of_prescribed * rows_.prescribed;
   out.A = rows_.of_unknown * rows_.modes;
   const Matrix of_f = mixed_X * rows_.of_unknown.transpose() - Matrix(rows_.of_prescribed.transpose());
-  const Matrix of_s =
-      mixed * Y + S.rightCols(prescribed) * rows_.prescribed - condensed_loads_.bottomRows(rows_.prescribed.rows());
+  const Matrix of_s = algebra::product(mixed, Y) + algebra::product(S.rightCols(prescribed), rows_.prescribed) -
+                      condensed_loads_.bottomRows(rows_.prescribed.rows());
   set_resultants(input, of_f, of_s, out);
   if (rows_.plain) {
     out.C = PointCompliance(std::move(X), rows_.of_unknown.rows());

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algebra/gathered_product.hpp"
+#include "algebra/product.hpp"
 #include "base/cores.hpp"
 
 namespace reye::body {
@@ -12,23 +13,25 @@ PointCompliance::PointCompliance(Matrix C, Eigen::Index rows) : rows_(rows), C_(
 }
 
 PointCompliance::PointCompliance(Matrix R, Matrix M) : rows_(R.rows()), R_(std::move(R)), M_(std::move(M)) {
-  if (rows_ > 0) largest_ = (R_ * M_).cwiseProduct(R_).rowwise().sum().maxCoeff();
+  if (rows_ > 0) largest_ = algebra::product(R_, M_).cwiseProduct(R_).rowwise().sum().maxCoeff();
 }
 
 Mat3 PointCompliance::of_point(Eigen::Index first_row) const {
   if (C_.size() > 0) return C_.block<3, 3>(first_row, first_row);
   const Eigen::Matrix<double, 3, 6> R = R_.middleRows<3>(first_row);
-  return R * Eigen::Matrix<double, 6, 6>(M_) * R.transpose();
+  const Eigen::Matrix<double, 3, 6> moved = R.lazyProduct(Eigen::Matrix<double, 6, 6>(M_));
+  return moved.lazyProduct(R.transpose());
 }
 
 Matrix PointCompliance::times(const Matrix& forces) const {
-  if (C_.size() > 0) return C_.topLeftCorner(rows_, rows_) * forces;
-  return R_ * (M_ * (R_.transpose() * forces));
+  if (C_.size() > 0) return algebra::product(C_.topLeftCorner(rows_, rows_), forces);
+  return algebra::product(R_, algebra::product(M_, algebra::transposed_product(R_, forces)));
 }
 
 void PointCompliance::add(const Vector& force, Eigen::Ref<Vector> u) const {
   if (C_.size() == 0) {
-    u.noalias() += R_ * (M_ * (R_.transpose() * force));
+    const Vector on_body = R_.transpose() * force, motion = M_ * on_body;
+    u.noalias() += R_ * motion;
     return;
   }
   constexpr int rows_at_once = 512;
@@ -51,12 +54,12 @@ void PointCompliance::subtract_product(const SparseMatrix& motion, const SparseM
     return;
   }
   const Matrix moved = motion.transpose() * R_, on_body = R_.transpose() * force;
-  const Matrix motions = M_ * on_body;
-  A.noalias() -= moved * motions;
+  algebra::add_product(-1.0, moved, algebra::product(M_, on_body), A);
 }
 
 Matrix PointCompliance::dense() const {
-  return C_.size() > 0 ? Matrix(C_.topLeftCorner(rows_, rows_)) : Matrix(R_ * M_ * R_.transpose());
+  return C_.size() > 0 ? Matrix(C_.topLeftCorner(rows_, rows_))
+                       : algebra::product_transposed(algebra::product(R_, M_), R_);
 }
 
 }  // namespace reye::body

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "body/solid/solid_matrices.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
@@ -34,11 +35,11 @@ class RigidSolid {
     const Matrix M = compliance(all_left);
     const Matrix moved = imposed();
     const Matrix rest = P_ - K_ * moved;
-    RigidMotion z{M * R.transpose(), moved + M * rest};
+    RigidMotion z{algebra::product_transposed(M, R), moved + algebra::product(M, rest)};
     out_.modes = free_modes(held_rows(input_, places_, out_.centre, true), size_);
-    out_.U = R * z.of_s;
-    out_.A = R * out_.modes;
-    out_.B = out_.modes.transpose() * P_;
+    out_.U = algebra::product(R, z.of_s);
+    out_.A = algebra::product(R, out_.modes);
+    out_.B = algebra::transposed_product(out_.modes, P_);
     set_resultants(R, z);
     out_.C = PointCompliance(R, M);
     return z;
@@ -95,7 +96,7 @@ class RigidSolid {
       if (driven >= 0) values(static_cast<Eigen::Index>(k), driven) = 1.0;
     }
     const Matrix scaled = H_ * scale_.asDiagonal();
-    const Matrix motions = scaled.transpose() * normal_inverse(values);
+    const Matrix motions = algebra::transposed_product(scaled, normal_inverse(values));
     return scale_.asDiagonal() * motions;
   }
 
@@ -103,7 +104,7 @@ class RigidSolid {
   Matrix normal_inverse(const Matrix& columns) const {
     if (rows_.empty()) return columns;
     const Matrix scaled = H_ * scale_.asDiagonal();
-    return algebra::solve_symmetric(scaled * scaled.transpose(), columns);
+    return algebra::solve_symmetric(algebra::product_transposed(scaled, scaled), columns);
   }
 
   /// The motion that springs allow: N (N^T K N)^+ N^T on the motions N that nothing holds. Motions without a spring
@@ -113,19 +114,19 @@ class RigidSolid {
     Matrix scaled = N;
     for (int k = 0; k < scaled.cols(); ++k) scaled.col(k) /= scaled.col(k).cwiseQuotient(scale_).norm();
     const Matrix pushed = K_ * scaled;
-    const auto eigen = algebra::eigenpairs(scaled.transpose() * pushed);
+    const auto eigen = algebra::eigenpairs(algebra::transposed_product(scaled, pushed));
     const double largest = eigen.values.cwiseAbs().maxCoeff();
     const Vector inverse = eigen.values.unaryExpr([&](double v) { return v > 1e-12 * largest ? 1.0 / v : 0.0; });
-    const Matrix W = scaled * eigen.vectors;
+    const Matrix W = algebra::product(scaled, eigen.vectors);
     const Matrix weighed = W * inverse.asDiagonal();
-    return weighed * W.transpose();
+    return algebra::product_transposed(weighed, W);
   }
 
   /// r = what held motions take, lambda H, and what acts on loaded ones, all about the supports' centres.
   void set_resultants(const Matrix& R, const RigidMotion& z) {
     const auto supports = static_cast<Eigen::Index>(places_.size());
     const Matrix weighed = H_ * scale_.cwiseAbs2().asDiagonal();
-    const auto lambda_of = [&](const Matrix& rest) { return normal_inverse(weighed * rest); };
+    const auto lambda_of = [&](const Matrix& rest) { return normal_inverse(algebra::product(weighed, rest)); };
     const Matrix of_f = lambda_of(K_ * z.of_f - R.transpose()), of_s = lambda_of(K_ * z.of_s - P_);
     out_.F = Matrix::Zero(6 * supports, R.rows());
     out_.G = Matrix::Zero(6 * supports, P_.cols());

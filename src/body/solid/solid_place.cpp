@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "body/columns.hpp"
 #include "mesh/solid/facet_control_points.hpp"
 #include "mesh/solid/solid_measure.hpp"
@@ -64,11 +65,12 @@ std::vector<int> independent(const std::vector<SolidDemand>& demands) {
 }
 
 Matrix dual_directions(const Matrix& d) {
-  return d.cols() == 0 ? d : Matrix(algebra::solve_symmetric(d.transpose() * d, d.transpose()).transpose());
+  return d.cols() == 0 ? d
+                       : Matrix(algebra::solve_symmetric(algebra::transposed_product(d, d), d.transpose()).transpose());
 }
 
 Matrix orthogonal_directions(const Matrix& d) {
-  const Matrix projector = Matrix::Identity(3, 3) - dual_directions(d) * d.transpose();
+  const Matrix projector = Matrix::Identity(3, 3) - algebra::product_transposed(dual_directions(d), d);
   std::vector<Vec3> basis;
   std::array<int, 3> axes{0, 1, 2};  // those that stick out most come first; equal ones in their order
   std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return projector(i, i) > projector(j, j) + 1e-12; });

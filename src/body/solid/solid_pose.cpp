@@ -21,12 +21,15 @@ Twist Twist::about(const Vec3& other) const { return {turn, at(other), other}; }
 
 Twist relative_twist(const SolidPose& own_old, const SolidPose& own, const SolidPose& other_old,
                      const SolidPose& other) {
-  const Mat3 R = (own.R * own_old.R.transpose()) * (other.R * other_old.R.transpose()).transpose();
+  const Mat3 own_turn = own.R * own_old.R.transpose(), other_turn = other.R * other_old.R.transpose();
+  const Mat3 R = own_turn * other_turn.transpose();
   Twist twist;
   twist.turn = base::rotation_vector(base::Turn(R));
   twist.origin = own.pivot();
   const Vec3 moved = carried_along(own_old, own, carried_along(other, other_old, twist.origin));
-  twist.way = base::turn_rate(twist.turn).inverse() * (moved - twist.origin);
+  const Mat3 of_way = base::turn_rate(twist.turn).inverse();
+  const Vec3 way = moved - twist.origin;
+  twist.way = of_way * way;
   return twist;
 }
 

@@ -1,6 +1,7 @@
 #include "cad/meshing/step_writing.hpp"
 
-#include <regex>
+#include <charconv>
+#include <string_view>
 
 #include "base/errors.hpp"
 #include "cad/meshing/kernel.hpp"
@@ -30,18 +31,22 @@ void replace_between(std::string& text, const std::string& begin, const std::str
 /// Names the products, which OpenCASCADE numbers: 1 for the whole file, 1.1, 1.2 ... for its faces where it has
 /// several.
 std::string with_names(const std::string& text, const std::vector<PlaneFace>& faces) {
-  static const std::regex product("'Open CASCADE STEP translator [0-9.]+ [0-9]+(\\.([0-9]+))?'");
+  constexpr std::string_view product = "'Open CASCADE STEP translator ";  // then a version, a space and the number
   std::string named;
-  auto from = text.cbegin();
-  for (std::sregex_iterator at(text.begin(), text.end(), product), end; at != end; ++at) {
-    const std::string number = (*at)[2].str();
-    const std::size_t k = number.empty() ? 0 : std::stoul(number) - 1;
-    const bool whole = number.empty() && faces.size() > 1;
-    named.append(from, (*at)[0].first);
+  std::size_t from = 0;
+  for (auto at = text.find(product); at != std::string::npos; at = text.find(product, from)) {
+    const auto space = text.find(' ', at + product.size()), end = text.find('\'', at + 1);
+    if (end == std::string::npos) throw base::MeshError("gmsh: a product of a STEP file without a name");
+    const auto point = text.find('.', space);
+    std::size_t face = 0;  // counted from 1
+    if (point < end) std::from_chars(text.data() + point + 1, text.data() + end, face);
+    const std::size_t k = face > 0 ? face - 1 : 0;
+    const bool whole = face == 0 && faces.size() > 1;
+    named.append(text, from, at - from);
     named += whole || k >= faces.size() ? "'worn shape'" : in_apostrophes(faces[k].name);
-    from = (*at)[0].second;
+    from = end + 1;
   }
-  return named.append(from, text.cend());
+  return named.append(text, from);
 }
 
 }  // namespace

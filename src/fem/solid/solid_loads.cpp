@@ -28,7 +28,7 @@ base::Vector body_load(const mesh::SolidMesh& mesh, const Vec3& force_N_per_mm3)
   for (const auto& cell : mesh.cells) {
     const auto x = mesh::corners_of(mesh.X, mesh.kind, cell);
     for (const auto& [xi, weight] : mesh::volume_rule(mesh.kind)) {
-      const double volume = weight * base::Mat3(x * mesh::shape_gradients(mesh.kind, xi)).determinant();
+      const double volume = weight * base::Mat3(x.lazyProduct(mesh::shape_gradients(mesh.kind, xi))).determinant();
       const auto N = mesh::shape_functions(mesh.kind, xi);
       for (int a = 0; a < mesh::solid_nodes(mesh.kind); ++a)
         f.segment<3>(3 * cell[a]) += volume * N[a] * force_N_per_mm3;

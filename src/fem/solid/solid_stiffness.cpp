@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algebra/product.hpp"
 #include "fem/solid/solid_element.hpp"
 #include "fem/solid/solid_pattern.hpp"
 
@@ -84,7 +85,7 @@ class Assembly {
 
  private:
   void add_special(const LocalDofs& local, const Local& Ke) {
-    const Local K = local.L.transpose() * (Ke * local.L);
+    const Local K = algebra::transposed_product(local.L, algebra::product(Ke, local.L));
     for (int j = 0; j < K.cols(); ++j)
       for (int i = 0; i <= j; ++i) {
         const auto [row, column] = std::minmax(local.dofs[i], local.dofs[j]);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <regex>
 
 #include "base/errors.hpp"
 #include "base/formatted.hpp"
@@ -17,6 +16,7 @@
 #include "output/export/worn_skins.hpp"
 #include "output/folder/text.hpp"
 #include "output/report/run_data.hpp"
+#include "scene/document.hpp"
 #include "scene/nearest.hpp"
 
 namespace reye::output {
@@ -69,15 +69,20 @@ std::string note_of(const Identity& run, const ExportedShape& shape) {
          "; reye " + version;
 }
 
-/// Whether the scene leaves all shapes as they were drawn: shape = "off" before its first table.
-bool keeps_shapes(const Identity& run) {
-  static const std::regex off("(^|\\n)[ \\t]*shape[ \\t]*=[ \\t]*[\"']off[\"']");
-  return std::regex_search(run.scene_text.substr(0, run.scene_text.find("\n[")), off);
+/// Whether the scene leaves all shapes as they were drawn.
+bool keeps_shapes(const std::string& dir, const Identity& run) {
+  try {
+    const scene::Node root = scene::parse(run.scene_text);
+    const scene::Node* shape = root.find("shape");
+    return shape && shape->text == "off";
+  } catch (const scene::SyntaxError& error) {
+    throw base::InputError({{"dir", dir, "its scene is no TOML any more: " + std::string(error.what())}});
+  }
 }
 
 /// Refuses, or warns of, a frame whose shapes lack wear that it counts.
 void judge(const ShapeWish& wish, const Identity& run, ExportedShape& shape) {
-  if (keeps_shapes(run))
+  if (keeps_shapes(wish.dir, run))
     throw base::InputError({{"dir", wish.dir,
                              "its scene has shape = \"off\": wear only opens the gaps, and the bodies keep the shape "
                              "that was drawn"}});

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra/factor.hpp"
+#include "algebra/product.hpp"
 
 namespace reye::sim {
 
@@ -92,7 +93,7 @@ base::Matrix damped_normal_matrix(const base::Matrix& B) {
   Vector diagonal = damping * B.colwise().squaredNorm().transpose();
   for (double& d : diagonal)
     if (d == 0.0) d = 1.0;
-  base::Matrix normal = B.transpose() * B;
+  base::Matrix normal = algebra::transposed_product(B, B);
   normal.diagonal() += diagonal;
   return normal;
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "base/errors.hpp"
 
 namespace reye::solver {
@@ -119,7 +120,8 @@ void add_free_motions(const SolidSystem& system, const Columns& columns, Matrix&
     const SparseMatrix motion = columns.motion.middleRows(begin, A.rows());
     const SparseMatrix force = columns.force.middleRows(begin, A.rows());
     const Matrix resultants = A.transpose() * force;
-    if (system.yields[b]) J.topLeftCorner(count, count).noalias() += motion.transpose() * system.relief[b] * resultants;
+    if (system.yields[b])
+      algebra::add_product(1.0, motion.transpose() * system.relief[b], resultants, J.topLeftCorner(count, count));
     if (system.turning[b]) continue;
     J.block(0, free, count, A.cols()).noalias() += motion.transpose() * A;
     J.block(free, 0, A.cols(), count) -= resultants;
@@ -201,7 +203,7 @@ ReducedStep solve_beside_neutral(const Matrix& J, const Vector& right, const Vec
     for (Eigen::Index k = 0; k < free; ++k) by_free.col(k) = factor.solve(of_free.col(k));
     z0 = factor.solve(right.head(count));
   }
-  stiffness -= resultants * by_free;
+  stiffness -= algebra::product(resultants, by_free);
   left -= resultants * z0;
   const auto [values, U, V] = algebra::singular_values(stiffness);
   ReducedStep step{Vector(), Vector::Zero(free)};

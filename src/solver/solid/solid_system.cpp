@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "mesh/solid/solid_measure.hpp"
 
 namespace reye::solver {
@@ -26,7 +27,7 @@ contact::HeldDirections held_directions(const body::SolidBody& body, int point, 
   const int row = 3 * point;
   if (compliance > 0.0) moves += body.C().of_point(row) / compliance;
   for (const Matrix* part : {&body.U(), &body.A()})
-    if (part->cols() > 0) moves += part->middleRows<3>(row) * part->middleRows<3>(row).transpose();
+    if (part->cols() > 0) moves += algebra::product_transposed(part->middleRows<3>(row), part->middleRows<3>(row));
   const auto [values, vectors] = algebra::eigenpairs(moves);
   contact::HeldDirections held;
   constexpr double none = 1e-10;
@@ -38,7 +39,7 @@ contact::HeldDirections held_directions(const body::SolidBody& body, int point, 
 Matrix relief_of(const body::SolidBody& body) {
   const Matrix& A = body.A();
   if (A.cols() == 0) return {};
-  return body.C().times(A * algebra::pseudo_inverse(A.transpose() * A));
+  return body.C().times(algebra::product(A, algebra::pseudo_inverse(algebra::transposed_product(A, A))));
 }
 
 std::vector<int> starts(const std::vector<body::SolidBody>& bodies, const auto& count) {
