@@ -88,7 +88,7 @@ TEST(Extend, UnderATolerance) {
   const auto told = place.run(controlled("600"), "o", true);
   ASSERT_EQ(told.code, 0) << told.err;
   const auto whole = place.summary("whole"), extended = place.summary("o");
-  EXPECT_EQ(extended.at("cycles"), 600.0);
+  EXPECT_EQ(extended.at("cycles").get<double>(), 600.0);
   EXPECT_LE(extended.at("estimated_error").at("cycle_jump").get<double>(), 0.02);
   for (const char* side : {"secondary", "primary"}) {
     const double a = whole.at("contacts").at("pad").at(side).at("max_depth_mm"),

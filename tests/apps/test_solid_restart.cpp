@@ -30,7 +30,7 @@ TEST(SolidRestart, SameBytesAsUnbroken) {
   const auto stopped = place.interrupted("broken", 2, SIGINT);
   EXPECT_EQ(stopped.code, 130) << stopped.err;
   EXPECT_TRUE(holds(stopped.err, "reye: interrupted"));
-  EXPECT_EQ(summary(place, "broken").at("status"), "interrupted");
+  EXPECT_EQ(summary(place, "broken").at("status").get<std::string>(), "interrupted");
   EXPECT_EQ(place.interrupted("broken", 8, SIGTERM, true).code, 130);
   EXPECT_EQ(place.interrupted("broken", 14, SIGKILL, true).code, 128 + SIGKILL);
   EXPECT_FALSE(test::fs::exists(place / "broken/summary.json"));
@@ -68,8 +68,8 @@ TEST(SolidRestart, KillsThroughRemeshes) {
   const auto told = place.run("whole");
   ASSERT_EQ(told.code, 0) << told.err;
   const auto end = summary(place, "whole");
-  EXPECT_EQ(end.at("counts").at("remeshes"), 4);
-  EXPECT_LE(end.at("contacts").at("pad").at("ledger_relative_error"), 1e-9);
+  EXPECT_EQ(end.at("counts").at("remeshes").get<int>(), 4);
+  EXPECT_LE(end.at("contacts").at("pad").at("ledger_relative_error").get<double>(), 1e-9);
   const auto rows = test::read(place / "whole/remesh.csv");
   EXPECT_EQ(test::lines(place / "whole/remesh.csv"), 1 + 4);
   EXPECT_TRUE(holds(rows, "rub,1,ball,")) << rows;

@@ -20,7 +20,7 @@ TEST_P(LikeTest, RunsInAMinute) {
   const auto told = place.reye({"run", "part/scene.toml", "--out", "out", "--threads", "1", "--quiet"});
   ASSERT_EQ(told.code, 0) << told.err;
   EXPECT_EQ(told.err, "");
-  const auto summary = nlohmann::json::parse(test::read(place / "out/summary.json"));
+  const auto summary = nlohmann::ordered_json::parse(test::read(place / "out/summary.json"));
   EXPECT_LT(summary["cpu_s"].get<double>(), 60.0);
   EXPECT_TRUE(summary["warnings"].empty());
   EXPECT_GT(summary["contacts"].front()["secondary"]["max_depth_mm"].get<double>(), 0.0);
