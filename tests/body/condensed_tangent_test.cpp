@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "algebra/decompose.hpp"
+#include "algebra/product.hpp"
 #include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
@@ -58,9 +59,9 @@ struct Dense {
     ii = all.topLeftCorner(n, n), ic = all.topRightCorner(n, m);
     ci = all.bottomLeftCorner(m, n), cc = all.bottomRightCorner(m, m);
   }
-  Matrix schur() const { return cc - ci * algebra::least_squares(ii, ic); }
+  Matrix schur() const { return cc - algebra::product(ci, algebra::least_squares(ii, ic)); }
   Vector condense(const Vector& r) const {
-    return r.tail(cc.rows()) - ci * algebra::least_squares(ii, r.head(ii.rows()));
+    return r.tail(cc.rows()) - algebra::product(ci, algebra::least_squares(ii, r.head(ii.rows())));
   }
   Vector recover(const Vector& r, const Vector& c) const {
     return algebra::least_squares(ii, r.head(ii.rows()) - ic * c);
