@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -19,10 +20,18 @@ constexpr int mode = RTLD_LAZY | RTLD_LOCAL;
 constexpr int mode = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;
 #endif
 
+/// A path with so many slashes more that it is as long as those of other installations. The loader keeps it, and what
+/// the libraries allocate while they are loaded lies behind it: gmsh and OpenCASCADE hash addresses, and the mesh of a
+/// solid would depend on where Reye is installed.
+std::string of_equal_length(std::string path) {
+  constexpr std::size_t length = 800;
+  return path.insert(path.rfind('/'), std::string(length - std::min(path.size(), length), '/'));
+}
+
 }  // namespace
 
 const void* kernel_symbol(const char* name) {
-  static void* const library = dlopen(beside_program("../lib/reye/libreye_gmsh.so").c_str(), mode);
+  static void* const library = dlopen(of_equal_length(beside_program("../lib/reye/libreye_gmsh.so")).c_str(), mode);
   static const std::string reason = library ? "" : dlerror();  // the system says it once
   if (!library) throw std::runtime_error("gmsh cannot be loaded: " + reason);
   const void* const found = dlsym(library, name);
