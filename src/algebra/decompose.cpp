@@ -3,6 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
 
 #include "algebra/blas.hpp"
 #include "base/errors.hpp"
@@ -47,10 +50,10 @@ SingularValues decomposed(Matrix A, bool with_U) {
 }  // namespace
 
 Eigenpairs eigenpairs(const Matrix& A) {
-  Eigenpairs out{Vector(A.rows()), A};
+  Eigenpairs out{Vector(A.rows()), A.selfadjointView<Eigen::Lower>()};
   const int n = static_cast<int>(A.rows());
   if (n == 0) return out;
-  if (!A.allFinite()) return {not_a_number(n, 1), not_a_number(n, n)};
+  if (!out.vectors.allFinite()) return {not_a_number(n, 1), not_a_number(n, n)};
   with_work_space("dsyev", [&](double* work, const int* size, int* info) {
     dsyev_("V", "L", &n, out.vectors.data(), &n, out.values.data(), work, size, info);
   });
@@ -89,6 +92,11 @@ LeadingColumns leading_columns(const Matrix& A) {
   const int m = static_cast<int>(A.rows()), n = static_cast<int>(A.cols()), count = std::min(m, n);
   if (count == 0) return {{}, Vector(0)};
   std::vector<int> order(static_cast<std::size_t>(n), 0);
+  if (!A.allFinite()) {
+    order.resize(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    return {std::move(order), not_a_number(count, 1)};
+  }
   Vector scales(count);
   with_work_space("dgeqp3", [&](double* work, const int* size, int* info) {
     dgeqp3_(&m, &n, R.data(), &m, order.data(), scales.data(), work, size, info);

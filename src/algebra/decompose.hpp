@@ -4,8 +4,8 @@
 #include "base/linalg.hpp"
 
 /// Decompositions of small dense matrices by LAPACK: Eigen's cost the compiler seconds in every file that names them.
-/// Loops over points that need one of a fixed size name Eigen's own. What is not finite in A comes out as values that
-/// are NaN.
+/// Loops over points that need one of a fixed size name Eigen's own. Where A or B is not finite, every value that comes
+/// out is NaN.
 namespace reye::algebra {
 
 using base::Matrix;

@@ -26,6 +26,8 @@ TEST(decompose, eigenpairs) {
   const Matrix whole = A.selfadjointView<Eigen::Lower>();
   EXPECT_LT((V * values.asDiagonal() * V.transpose() - whole).norm(), 1e-14 * whole.norm());
   EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+  A(0, 2) = std::nan("");
+  EXPECT_EQ(algebra::eigenpairs(A).values, values);
 }
 
 // Singular values must give the matrix back, descend, and show its rank; without U they are the same.
@@ -57,6 +59,27 @@ TEST(decompose, empty_matrices) {
   EXPECT_EQ(algebra::least_squares(Matrix(3, 0), Matrix::Ones(3, 2)).rows(), 0);
   EXPECT_EQ(algebra::least_squares(Matrix(0, 2), Matrix(0, 1)), Matrix::Zero(2, 1));
   EXPECT_EQ(algebra::pseudo_inverse(Matrix(3, 0)).cols(), 3);
+  EXPECT_EQ(algebra::eigenpairs(Matrix(0, 0)).values.size(), 0);
+  EXPECT_EQ(algebra::singular_values(Matrix(3, 0)).U, Matrix::Identity(3, 3));
+  EXPECT_EQ(algebra::right_singular_values(Matrix(0, 2)).V, Matrix::Identity(2, 2));
+  EXPECT_TRUE(algebra::leading_columns(Matrix(0, 2)).columns.empty());
+}
+
+// What is not finite must show in every value that comes out, and nothing must fail or run for ever.
+TEST(decompose, not_finite) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    Matrix A = dependent(), square = Matrix::Identity(3, 3);
+    A(1, 1) = square(1, 1) = bad;
+    const auto all_nan = [](const Matrix& values) { return values.size() > 0 && values.array().isNaN().all(); };
+    EXPECT_TRUE(all_nan(algebra::eigenpairs(square).values));
+    EXPECT_TRUE(all_nan(algebra::singular_values(A).values));
+    EXPECT_TRUE(all_nan(algebra::right_singular_values(A).V));
+    EXPECT_TRUE(all_nan(algebra::pseudo_inverse(A)));
+    EXPECT_TRUE(all_nan(algebra::least_squares(dependent(), Vector::Constant(4, bad))));
+    const auto [columns, lengths] = algebra::leading_columns(A);
+    EXPECT_EQ(columns, (std::vector<int>{0, 1, 2}));
+    EXPECT_TRUE(all_nan(lengths));
+  }
 }
 
 // What is nearly dependent must count as dependent where the threshold says so.

@@ -186,4 +186,5 @@ TEST(Codes, PartsMissing) {
   test::fs::copy_file(test::fs::path(REYE_COMMAND).replace_filename("reye-import"), importer);
   EXPECT_EQ(told().code, 1);
   EXPECT_TRUE(test::holds(told().err, "reye: gmsh cannot be loaded: ")) << told().err;
+  EXPECT_TRUE(test::holds(told().err, place / "lib/reye/libreye_gmsh.so: ")) << told().err;
 }

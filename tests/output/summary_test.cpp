@@ -134,5 +134,5 @@ TEST(Summary, ValuesReadBack) {
   EXPECT_EQ(json["status"].get<std::string>(), "interrupted");
   EXPECT_EQ(json["reason"].get<std::string>(), "stopped by the user");
   EXPECT_EQ(json["contacts"]["pad"]["normal_force_N_per_mm"].get<double>(), 0.1 + 0.2);
-  EXPECT_EQ(json["counts"]["increments"].get<int>(), 7250);
+  EXPECT_EQ(json["counts"]["increments"].get<double>(), 7250);
 }
