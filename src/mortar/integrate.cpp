@@ -1,6 +1,7 @@
 #include "mortar/integrate.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace reye::mortar {
 
@@ -91,6 +92,8 @@ void load(const Placement& p, const FacetRecord& record, FacetInput<T>& in, Make
   load_primary<T>(p, record, in, make, load_secondary<T>(p, record, in, make));
 }
 
+constexpr std::size_t bundle = 8;  ///< primary facets that are judged by one circle before each is by its own
+
 double plain_value(double x, int) { return x; }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && \
@@ -130,14 +133,25 @@ NormalStencil normal_stencil(const Surface& s, int node, int at_corner) {
 
 void Integrator::list_opposites(const Placement& p) {
   opposites_.clear();
+  bundles_.clear();
   for (const auto& facet : p.primary->facets) {
     if (!p.near(p.primary_near, facet)) continue;
     const Vec2 edge = p.xm[facet[1]] - p.xm[facet[0]];
-    opposites_.push_back({facet, p.xm[facet[0]] + 0.5 * edge, 0.5 * edge.norm() + sag(p.xm, facet)});
+    opposites_.push_back({facet, {p.xm[facet[0]] + 0.5 * edge, 0.5 * edge.norm() + sag(p.xm, facet)}});
+  }
+  for (std::size_t first = 0; first < opposites_.size(); first += bundle) {
+    const std::size_t end = std::min(first + bundle, opposites_.size());
+    Circle round{opposites_[first + (end - first) / 2].round.middle};
+    for (std::size_t i = first; i < end; ++i)
+      round.radius =
+          std::max(round.radius, (opposites_[i].round.middle - round.middle).norm() + opposites_[i].round.radius);
+    round.radius *= 1.0 + 1e-9;  // rounding leaves none out
+    bundles_.push_back(round);
   }
 }
 
-/// Finds the primary facets that may lie opposite: near, and not wholly on one side of the facet's two rays.
+/// Finds the primary facets that may lie opposite: near, and not wholly on one side of the facet's two rays. What holds
+/// for a circle round several facets holds for each.
 bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   record.facet = facet;
   record.count = mesh::node_count(mesh::kind_of(p.secondary->facets[facet]));
@@ -149,24 +163,25 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   const Vec2 x0 = plain(in.x[0]), x1 = plain(in.x[1]), n0 = plain(in.n[0]), n1 = plain(in.n[1]);
   const Vec2 middle = 0.5 * (x0 + x1);
   const double reach = p.search + 0.5 * (x1 - x0).norm() + sag(p.xs, p.secondary->facets[facet]);
+  const double length0 = n0.norm(), length1 = n1.norm();
+  const auto is_near = [&](const Circle& round) {
+    const double far = reach + round.radius;
+    return !((round.middle - middle).squaredNorm() > far * far);
+  };
+  const auto between_rays = [&](const Circle& round) {
+    return base::cross(n0, round.middle - x0) > -round.radius * length0 &&
+           base::cross(n1, round.middle - x1) < round.radius * length1;
+  };
   local_.resize(p.primary->X.size(), -1);
-  for (const auto& [opposite, centre, radius] : opposites_) {
-    const double far = reach + radius;
-    if ((centre - middle).squaredNorm() > far * far) continue;
-    const auto [a, b, c] = opposite;
-    if ((x1 - x0).dot(p.xm[b] - p.xm[a]) >= 0.0) continue;
-    if (base::cross(n0, p.xm[a] - x0) <= 0.0 || base::cross(n1, p.xm[b] - x1) >= 0.0) continue;
-    LineFacet pair{-1, -1, -1};
-    for (std::size_t e = 0; e < 3; ++e) {
-      const int node = opposite[e];
-      if (node < 0) continue;
-      if (local_[node] < 0) {
-        local_[node] = static_cast<int>(record.primaries.size());
-        record.primaries.push_back(node);
-      }
-      pair[e] = local_[node];
+  for (std::size_t k = 0; k < bundles_.size(); ++k) {
+    if (!is_near(bundles_[k]) || !between_rays(bundles_[k])) continue;
+    const std::size_t end = std::min((k + 1) * bundle, opposites_.size());
+    for (std::size_t i = k * bundle; i < end; ++i) {
+      const auto& [a, b, c] = opposites_[i].nodes;
+      if (!is_near(opposites_[i].round) || (x1 - x0).dot(p.xm[b] - p.xm[a]) >= 0.0) continue;
+      if (base::cross(n0, p.xm[a] - x0) <= 0.0 || base::cross(n1, p.xm[b] - x1) >= 0.0) continue;
+      add_pair(opposites_[i].nodes, record);
     }
-    record.pairs.push_back(pair);
   }
   for (int node : record.primaries) local_[node] = -1;
   if (record.pairs.empty()) return false;
@@ -174,20 +189,43 @@ bool Integrator::pair_up(const Placement& p, int facet, FacetRecord& record) {
   return true;
 }
 
+void Integrator::add_pair(const LineFacet& opposite, FacetRecord& record) {
+  LineFacet pair{-1, -1, -1};
+  for (std::size_t e = 0; e < 3; ++e) {
+    const int node = opposite[e];
+    if (node < 0) continue;
+    if (local_[node] < 0) {
+      local_[node] = static_cast<int>(record.primaries.size());
+      record.primaries.push_back(node);
+    }
+    pair[e] = local_[node];
+  }
+  record.pairs.push_back(pair);
+}
+
+FacetRecord& Integrator::next_record() {
+  if (spare_.empty()) return records_.emplace_back();
+  records_.push_back(std::move(spare_.back()));
+  spare_.pop_back();
+  return records_.back();
+}
+
 std::vector<FacetRecord>& Integrator::values(const Placement& p) {
-  records_.resize(p.secondary->facets.size());
   list_opposites(p);
-  used_ = 0;
+  std::move(records_.begin(), records_.end(), std::back_inserter(spare_));
+  records_.clear();
   for (int facet = 0; facet < p.secondary->facet_count(); ++facet) {
     if (!p.near(p.secondary_near, p.secondary->facets[facet])) continue;
-    FacetRecord& record = records_[used_];
-    if (!pair_up(p, facet, record)) continue;
-    integrate(plain_);
-    if (plain_.points.empty()) continue;
-    std::swap(record.value, plain_.out);
-    ++used_;
+    FacetRecord& record = next_record();
+    const bool faced = pair_up(p, facet, record);
+    if (faced) integrate(plain_);
+    if (faced && !plain_.points.empty()) {
+      std::swap(record.value, plain_.out);
+    } else {
+      spare_.push_back(std::move(record));
+      records_.pop_back();
+    }
   }
-  records_.resize(used_);
   return records_;
 }
 

@@ -76,22 +76,28 @@ class Integrator {
 
  private:
   static constexpr int width = 16;
-  /// A primary facet that takes part, and a circle round it.
-  struct Opposite {
-    LineFacet nodes;
+  /// A circle.
+  struct Circle {
     Vec2 middle;
     double radius = 0.0;
   };
+  /// A primary facet that takes part, and a circle round it.
+  struct Opposite {
+    LineFacet nodes;
+    Circle round;
+  };
   void list_opposites(const Placement& placement);
+  FacetRecord& next_record();
   bool pair_up(const Placement& placement, int facet, FacetRecord& record);
+  void add_pair(const LineFacet& opposite, FacetRecord& record);
   void store(FacetRecord& record, int from) const;
 
-  std::vector<FacetRecord> records_;
-  std::size_t used_ = 0;
+  std::vector<FacetRecord> records_, spare_;  ///< of the last call, and others that keep their memory
   Workspace<double> plain_;
   Workspace<base::Dual<width>> dual_;
   std::vector<Opposite> opposites_;
-  std::vector<int> local_;  ///< primary surface node -> local number, -1
+  std::vector<Circle> bundles_;  ///< round every `bundle` opposites, one after the other
+  std::vector<int> local_;       ///< primary surface node -> local number, -1
 };
 
 }  // namespace reye::mortar

@@ -24,6 +24,7 @@ struct Player {
   sim::State state{};
   sim::Observer observer{};
   std::function<void()> between{};  ///< after each block
+  bool shows = false;               ///< the end of each block
 
   explicit Player(const std::string& text) : problem(prepared(text)) {}
 
@@ -38,7 +39,7 @@ struct Player {
     for (const auto& step : problem.scene.steps) {
       const bool cycles = step.cycles > 0.0;
       for (double left = cycles ? step.cycles : 1.0; left > 0.0; left -= cycles ? step.jump : 1.0) {
-        const sim::BlockSpan span{&step, cycles ? step.jump : 1.0, cycles, left <= step.jump};
+        const sim::BlockSpan span{&step, cycles ? step.jump : 1.0, cycles, left <= step.jump, shows};
         auto outcome = sim::play_block(problem, state, cache, span, observer);
         EXPECT_EQ(outcome.failure, "");
         state = std::move(outcome.state);
@@ -235,4 +236,27 @@ TEST(Skips, LinearBodiesAreCondensedOnce) {
     p.cache.system = std::make_shared<const solver::System>(solver::make_system(std::move(bodies), usual.contacts));
     p.begin();
   }));
+}
+
+// Outlines that wait for enough wear to move must wear as those that move after every block, for a fraction of the
+// factorisations; and what is shown has moved.
+TEST(Skips, OutlinesWaitForWear) {
+  const std::string text = fretting({{"jump = 600", "jump = 60"}});
+  Player waits(text), moves(text);
+  moves.shows = true;
+  std::size_t waited = 0;
+  const auto waiting = [](const sim::State& state) {
+    const auto& pending = state.solution.contacts.at(0).pending_secondary;
+    return std::any_of(pending.begin(), pending.end(), [](double v) { return v > 0.0; });
+  };
+  waits.between = [&] { waited += waiting(waits.state); };
+  moves.between = [&] { EXPECT_FALSE(waiting(moves.state)); };
+  const auto &a = waits.play().solution.contacts.at(0), &b = moves.play().solution.contacts.at(0);
+  EXPECT_GE(waited, 20U);
+  EXPECT_FALSE(waiting(waits.state));
+  EXPECT_LT(waits.state.counts.factorisations, 0.4 * static_cast<double>(moves.state.counts.factorisations));
+  EXPECT_LT(apart(a.removed_secondary, b.removed_secondary), 1e-3);
+  EXPECT_LT(apart(a.removed_primary, b.removed_primary), 1e-3);
+  EXPECT_LT(apart(a.lambda, b.lambda), 2e-3);
+  EXPECT_NEAR(a.strip_secondary + a.strip_primary, a.law_volume, 1e-12 * a.law_volume);
 }

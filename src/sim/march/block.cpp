@@ -256,7 +256,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
 Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
   Outcome outcome{std::move(state), {}, false};
   if (problem.scene.shape && (span.step->wear || problem.scene.remesh.every_blocks > 0))
-    outcome = evolve_shape(problem, std::move(outcome.state), cache, span, observer);
+    outcome = wear_down(problem, std::move(outcome.state), cache, span, observer);
   if (!outcome.failure.empty()) return outcome;
   if (problem.scene.shape && span.step->wear) measure_depths(problem, outcome.state);
   renew_references(problem, outcome.state, cache, span, observer);

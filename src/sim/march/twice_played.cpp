@@ -22,11 +22,11 @@ bool ends_attempt(const Outcome& outcome, TwicePlayed& attempt) {
 void play_halves(const Problem& problem, State start, Cache& cache, BlockSpan span, const Observer& observer,
                  TwicePlayed& attempt) {
   BlockSpan first = span;
-  first.last = false;
+  first.last = first.level = false;
   Outcome outcome = play_increments(problem, std::move(start), cache, first, observer);
   if (ends_attempt(outcome, attempt)) return;
   span.ends = std::move(outcome.ends);
-  if (problem.scene.shape) outcome = evolve_shape(problem, std::move(outcome.state), cache, span, {});
+  if (problem.scene.shape) outcome = wear_down(problem, std::move(outcome.state), cache, first, {});
   if (ends_attempt(outcome, attempt)) return;
   attempt.half_way = outcome.state.solution.contacts;
   attempt.middle = limit_measures(problem, *system_of(problem, outcome.state, cache), outcome.state);

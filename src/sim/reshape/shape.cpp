@@ -18,6 +18,7 @@
 #include "sim/problem/timer.hpp"
 #include "sim/reshape/balance.hpp"
 #include "sim/reshape/gap.hpp"
+#include "sim/reshape/stay_in_gaps.hpp"
 
 namespace reye::sim {
 
@@ -196,6 +197,16 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
   Outcome outcome = settle_worn(problem, state, std::move(change), cache, span, observer);
   outcome.remesh_due = put_off;
   return outcome;
+}
+
+Outcome wear_down(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {
+  if (!may_stay_in_gaps(problem, state, *timed_system(problem, state, cache), span))
+    return evolve_shape(problem, std::move(state), cache, span, observer);
+  if (!span.extrapolated) return {std::move(state), {}, false};
+  State next = state;
+  const auto held = held_tractions(*timed_system(problem, state, cache), state);
+  const std::string failure = re_equilibrate(problem, next, cache, span, held);
+  return failure.empty() ? Outcome{std::move(next), {}, false} : Outcome{std::move(state), failure, false};
 }
 
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,

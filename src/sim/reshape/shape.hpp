@@ -15,6 +15,10 @@ namespace reye::sim {
 Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer,
                      const std::vector<RemeshReason>& asked = {});
 
+/// The end of a block: its wear stays in the gaps while it may (`may_stay_in_gaps`; extrapolated wear is then brought
+/// to equilibrium there), else the shapes move (`evolve_shape`).
+Outcome wear_down(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
+
 /// Remeshes where asked for and finds equilibrium; the state is unchanged where that fails.
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
                const Observer& observer);

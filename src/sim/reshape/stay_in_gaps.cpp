@@ -1,0 +1,59 @@
+#include "sim/reshape/stay_in_gaps.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+
+#include "sim/measure/zones.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// Waiting depth over facet length. With 0.02 one remesh of a ball and its cup changed the peak pressure by 10 %, with
+/// 0.01, as with 0, by 0.3 %.
+constexpr double most_waiting = 0.01;
+
+double shortest_facet_at(const mortar::Surface& surface, int node) {
+  double length = std::numeric_limits<double>::infinity();
+  for (const int facet : {surface.before[node], surface.after[node]}) {
+    if (facet < 0) continue;
+    const auto& [a, b, middle] = surface.facets[facet];
+    length = std::min(length, (surface.X[b] - surface.X[a]).norm());
+  }
+  return length;
+}
+
+bool shallow(const mortar::Surface& surface, const std::vector<double>& pending) {
+  for (int k = 0; k < surface.node_count(); ++k)
+    if (pending[k] > most_waiting * surface.area[k] * shortest_facet_at(surface, k)) return false;
+  return true;
+}
+
+bool linear(const body::Operator& body) { return !std::holds_alternative<body::NonlinearBody>(body); }
+
+bool remesh_due(const Problem& problem, const State& state) {
+  const auto& remesh = problem.scene.remesh;
+  if (remesh.every_blocks > 0) return true;
+  if (!remesh.automatic) return false;
+  for (int b = 0; b < problem.body_count(); ++b)
+    if (!problem.rigid[b] && !leaves_zone(problem, state, b, *state.shapes[b]).empty()) return true;
+  return false;
+}
+
+}  // namespace
+
+bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span) {
+  if (span.last || span.level) return false;
+  if (!std::all_of(system.bodies.begin(), system.bodies.end(), linear)) return false;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& options = problem.contacts[c].options;
+    const auto& contact = state.solution.contacts[c];
+    if (options.wear.wears() && !options.implicit_wear) return false;
+    if (!shallow(system.contacts[c].secondary, contact.pending_secondary)) return false;
+    if (!shallow(system.contacts[c].primary, contact.pending_primary)) return false;
+  }
+  return !remesh_due(problem, state);
+}
+
+}  // namespace reye::sim

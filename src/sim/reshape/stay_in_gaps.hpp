@@ -1,0 +1,19 @@
+#pragma once
+#include "sim/problem/problem.hpp"
+#include "sim/problem/span.hpp"
+#include "sim/problem/state.hpp"
+#include "solver/system.hpp"
+
+namespace reye::sim {
+
+/// Whether the wear of a block may stay in the gaps of its contacts, where Newton's equations have it anyway, in place
+/// of moving the outlines at once: a moved outline costs its body a factorisation, its contacts their integrals on X
+/// and an equilibrium. It may where
+///
+///     depth <= 0.01 of the shortest facet at the node, at every node of either side,
+///
+/// bodies are linear, wear was in the gap when pressures were found, the end of the block is not shown, and no remesh
+/// is due. `state`: at the end of the block, before its shapes move.
+bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span);
+
+}  // namespace reye::sim
