@@ -45,6 +45,8 @@ double equilibrate(Matrix& A, Vector& rows, Vector& columns) {
   return norm;
 }
 
+constexpr double worth_waking = 5e6;  ///< multiplications that take longer than to wake another thread, by far
+
 /// The factors of A, as LAPACK's dgetrf gives them, in panels of columns: what a panel leaves to do in the others is
 /// done side by side. Returns 0, or the number of the first pivot that is zero, counted from 1.
 int factorise_in_panels(Matrix& A, std::vector<int>& pivots) {
@@ -60,7 +62,7 @@ int factorise_in_panels(Matrix& A, std::vector<int>& pivots) {
     dgetrf_(&tall, &wide, panel, &n, pivots.data() + first, &info);
     if (info > 0 && zero_pivot == 0) zero_pivot = first + info;
     for (int k = first; k < end; ++k) pivots[static_cast<std::size_t>(k)] += first;
-    base::side_by_side((n + width - 1) / width, [&](int block) {
+    const auto finish = [&](int block) {
       const int from = block * width, count = std::min(width, n - from);
       if (from == first) return;
       double* columns = A.data() + static_cast<std::ptrdiff_t>(from) * n;
@@ -69,7 +71,12 @@ int factorise_in_panels(Matrix& A, std::vector<int>& pivots) {
       dtrsm_("L", "L", "N", "U", &wide, &count, &one, panel, &n, columns + first, &n);
       if (below > 0)
         dgemm_("N", "N", &below, &count, &wide, &minus, panel + wide, &n, columns + first, &n, &one, columns + end, &n);
-    });
+    };
+    const int blocks = (n + width - 1) / width;
+    if (static_cast<double>(below) * below * wide > worth_waking)
+      base::side_by_side(blocks, finish);
+    else
+      for (int block = 0; block < blocks; ++block) finish(block);
   }
   return zero_pivot;
 }

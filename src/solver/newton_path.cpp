@@ -27,7 +27,8 @@ constexpr double square = 10.0;  ///< factor of the squared imbalance that conta
 constexpr double coarse = 1e-3;  ///< residual that contact leaves at most; with more, bad factors c cost cut-backs
 constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
-    0.01;  ///< of the tolerances, for a step with a kept matrix: Newton's own step falls far below them
+    0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
+constexpr double on_chord = 0.03;  ///< with the kept matrix of linear bodies, whose steps gain a thousand
 
 }  // namespace
 
@@ -154,14 +155,20 @@ bool NewtonPath::may_keep_matrix() {
   return allowed || with_tangent;
 }
 
+/// The error, in tolerances, below which the equations hold.
+double NewtonPath::asked() const {
+  if (row_.changes > 0 || on_kept_tangent_) return on_kept;
+  if (!(on_chord_ && chord_)) return 1.0;
+  return increment_.nonlinear() ? on_kept : on_chord;
+}
+
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
 /// neighbours, so that a node it opens would stay in tension. A set that after the search still changes while its own
 /// equations hold far below the tolerances changes by round-off, as where nodes rest at the limit of friction: either
 /// status is right.
 bool NewtonPath::met() {
-  const double bound = row_.changes > 0 || (on_chord_ && chord_) || on_kept_tangent_ ? on_kept : 1.0;
   if (row_.changes > 0 && stage() < all_at_once) return false;
-  if (iteration_ == 0 || !(error() < bound)) return false;
+  if (iteration_ == 0 || !(error() < asked())) return false;
   if (late_) return true;
   if (increment_.decide(options_.max_iterations, attempt_.from, cycling_ ? Allowed::one : Allowed::all) == 0)
     return true;

@@ -32,6 +32,7 @@ class NewtonPath {
   bool astray();
   bool stands_still();
   bool may_keep_matrix();
+  double asked() const;
   bool met();
   bool settled_enough() const;
   void accept();

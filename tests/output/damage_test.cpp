@@ -27,7 +27,7 @@ void write_done(const std::string& dir) {
     writer.remesh(sample::remesh(100.0 * block));
     writer.frame(sample::frame(100.0 * block, 8));
   }
-  writer.finish(sample::summary());
+  writer.finish(sample::summary(reye::base::Analysis::plane_strain, 300.0));
 }
 
 /// What a report of the folder says: empty when it is made.
@@ -69,6 +69,18 @@ std::string altered(std::string text, std::mt19937& random) {
 }
 
 }  // namespace
+
+// A table of a run that is done must be refused where it is cut between two rows, too, and looks whole.
+TEST(Damage, CutBetweenRows) {
+  sample::TemporaryFolder dir;
+  write_done(dir.str());
+  for (const std::string file : {"history.csv", "surface_pad_secondary.csv"}) {
+    const std::string whole = read_text(dir / file);
+    atomic_write(dir / file, whole.substr(0, whole.find('\n', whole.size() / 2) + 1));
+    EXPECT_TRUE(holds(said(dir.str()), file + " is damaged: it ends at cycle ")) << said(dir.str());
+    atomic_write(dir / file, whole);
+  }
+}
 
 // A file that is missing from a run that is done, cut, or something else altogether must be named, each in a sentence.
 TEST(Damage, TheFileIsNamed) {

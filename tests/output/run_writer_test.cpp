@@ -34,7 +34,7 @@ TEST(RunWriter, ResumedRunEqualsUnbrokenRun) {
   RunWriter unbroken(whole.str(), sample::scene());
   unbroken.begin();
   play(unbroken, 0, 5);
-  unbroken.finish(sample::summary());
+  unbroken.finish(sample::summary(reye::base::Analysis::plane_strain, 400.0));
 
   RunWriter killed(broken.str(), sample::scene());
   killed.begin();
@@ -46,7 +46,7 @@ TEST(RunWriter, ResumedRunEqualsUnbrokenRun) {
   resumed.resume(at_checkpoint);
   EXPECT_EQ(resumed.counters(), at_checkpoint);
   play(resumed, 2, 5);
-  resumed.finish(sample::summary());
+  resumed.finish(sample::summary(reye::base::Analysis::plane_strain, 400.0));
   EXPECT_EQ(contents(whole.str()), contents(broken.str()));
 }
 
@@ -59,7 +59,7 @@ TEST(RunWriter, InMemoryTheTablesAreThoseOfAFolder) {
     writer->begin();
     play(*writer, 0, 4);
     writer->log("late");
-    writer->finish(sample::summary());
+    writer->finish(sample::summary(reye::base::Analysis::plane_strain, 300.0));
   }
   auto expected = contents(dir.str());
   std::erase_if(expected,

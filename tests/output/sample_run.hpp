@@ -154,10 +154,10 @@ inline sim::RemeshRecord remesh(double cycle) {
           .seconds = 0.1};
 }
 
-inline sim::Summary summary(Analysis analysis = Analysis::plane_strain) {
+inline sim::Summary summary(Analysis analysis = Analysis::plane_strain, double cycles = 18000.0) {
   sim::Summary s;
   s.title = scene().title;
-  s.cycles = 18000.0;
+  s.cycles = cycles;
   s.contacts.push_back({.name = "pad",
                         .peak_pressure_MPa = 102.3,
                         .contact_half_width_mm = 0.47,

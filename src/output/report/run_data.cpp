@@ -70,6 +70,15 @@ Table read_table(const std::string& file, const std::string& header, bool ended)
   return table;
 }
 
+void check_end(const Table& table, const std::string& file, const Json& summary) {
+  const auto cycles = summary.find("cycles");
+  if (cycles == summary.end() || !cycles->is_number()) return;
+  const auto& cycle = table.column("cycle");
+  const double end = cycles->get<double>(), last = cycle.empty() ? 0.0 : cycle.back();
+  if (!(std::abs(last - end) <= 1e-6 * std::max(1.0, end)))
+    damaged(file, "it ends at cycle " + number(last) + ", the run at cycle " + number(end));
+}
+
 Identity identity_in(const std::string& dir) {
   if (const auto identity = read_identity(dir)) return *identity;
   const auto marker = fs::path(dir) / ".reye.json";
@@ -149,12 +158,16 @@ RunData read_run(const std::string& dir) {
       run.history = read_table(file("history.csv"), history_header({}, run.identity.analysis), ended);
     else if (ended)
       damaged(file("history.csv"), "it is missing, though the run has ended");
+    if (done) check_end(run.history, file("history.csv"), run.summary);
     if (fs::exists(file("remesh.csv")))
       run.remeshes = read_table(file("remesh.csv"), remesh_header(run.identity.analysis), ended);
     for (const auto& [name, mu] : run.identity.friction) {
       ContactData contact{name, mu, {}};
       for (const auto side : {sim::Side::secondary, sim::Side::primary})
-        if (auto surface = read_surface(dir, name, side, done)) contact.sides.push_back(std::move(*surface));
+        if (auto surface = read_surface(dir, name, side, done)) {
+          if (done) check_end(surface->table, file(surface_file(name, side).c_str()), run.summary);
+          contact.sides.push_back(std::move(*surface));
+        }
       run.contacts.push_back(std::move(contact));
     }
   } catch (const base::InputError&) {

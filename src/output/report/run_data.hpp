@@ -62,6 +62,10 @@ struct RunData {
 /// writing, or was killed; with `ended` it is refused. Throws base::InputError with the file.
 Table read_table(const std::string& file, const std::string& header, bool ended);
 
+/// Refuses a table that ends at another cycle than its run, which is done: cut between two rows it looks whole.
+/// Throws base::InputError with the file.
+void check_end(const Table& table, const std::string& file, const nlohmann::ordered_json& summary);
+
 /// The summary; null where there is no such file. Throws base::InputError where it does not say how the run ended.
 nlohmann::ordered_json read_summary(const std::string& file);
 

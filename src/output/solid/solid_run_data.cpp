@@ -24,6 +24,8 @@ SolidRunData read_solid_run(const std::string& dir) {
           read_table(file("history.csv"), solid_history_header({data.inputs.contacts, data.inputs.supports}), ended);
     else if (ended)
       throw base::InputError({{"dir", "", file("history.csv") + " is missing, though the run has ended"}});
+    if (ended && data.run.summary["status"] == "done")
+      check_end(data.run.history, file("history.csv"), data.run.summary);
     if (fs::exists(file("remesh.csv")))
       data.run.remeshes = read_table(file("remesh.csv"), solid_remesh_header(), ended);
   } catch (const base::InputError&) {
