@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "sim/march/block.hpp"
 #include "verification/wear_scene.hpp"
@@ -259,4 +260,25 @@ TEST(Skips, OutlinesWaitForWear) {
   EXPECT_LT(apart(a.removed_primary, b.removed_primary), 1e-3);
   EXPECT_LT(apart(a.lambda, b.lambda), 2e-3);
   EXPECT_NEAR(a.strip_secondary + a.strip_primary, a.law_volume, 1e-12 * a.law_volume);
+}
+
+// A run that fails while wear waits must show its last good state worn as deep as its tables say.
+TEST(Skips, WornOutlineOfAFailedRun) {
+  const auto problem = prepared(fretting({{"jump = 600", "jump = 60"}}));
+  auto state = sim::initial_state(problem);
+  sim::Observer watch;
+  sim::Frame last;
+  watch.frame = [&](const sim::Frame& frame) { last = frame; };
+  bool failed = false;
+  watch.increment = [&](const sim::IncrementRecord& row) {
+    if (row.cycle > 500.0 && !std::exchange(failed, true)) throw base::SolveError("as if the solver had failed");
+  };
+  EXPECT_EQ(sim::run(problem, state, watch).status, sim::RunStatus::failed);
+  EXPECT_EQ(last.step, "last good state");
+  const auto& pending = state.solution.contacts.at(0).pending_secondary;
+  EXPECT_TRUE(std::any_of(pending.begin(), pending.end(), [](double v) { return v > 0.0; }));
+  const auto& face = last.surfaces.at(0);
+  const double deepest = *std::max_element(face.wear_depth_mm.begin(), face.wear_depth_mm.end());
+  EXPECT_GT(deepest, 0.0);
+  for (std::size_t i = 0; i < face.y_mm.size(); ++i) EXPECT_NEAR(-face.y_mm[i], face.wear_depth_mm[i], 1e-3 * deepest);
 }

@@ -24,6 +24,7 @@
 #include "sim/problem/rules.hpp"
 #include "sim/problem/span.hpp"
 #include "sim/problem/warnings.hpp"
+#include "sim/reshape/shape.hpp"
 
 namespace reye::sim {
 
@@ -207,8 +208,16 @@ class Runner {
     summary_.status = RunStatus::failed;
     summary_.reason = reason;
     if (observer_.log) observer_.log("failed: " + reason);
-    show("last good state");
+    show_last_good();
     return false;
+  }
+
+  /// Shows the state that a failed run ends with, worn; it stays what a run may resume from.
+  void show_last_good() {
+    if (!state_.approached || state_.shown) return;
+    State worn = worn_by_what_waits(p_, state_, cache_, p_.scene.steps.at(static_cast<std::size_t>(state_.step)));
+    show_frame(p_, worn, cache_, observer_, "last good state");
+    state_.shown = true;
   }
 
   void show(const std::string& step) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include "adapt/shape/triggers.hpp"
@@ -13,16 +12,11 @@
 #include "sim/reshape/equilibrate.hpp"
 #include "sim/reshape/remesh.hpp"
 #include "sim/reshape/shape.hpp"
+#include "sim/reshape/stay_in_gaps.hpp"
 
 namespace reye::sim {
 
 namespace {
-
-bool wear_waits(const State& state) {
-  const auto any = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) > 0.0; };
-  return std::any_of(state.solution.contacts.begin(), state.solution.contacts.end(),
-                     [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
-}
 
 /// The present positions of the nodes of a body.
 base::Points current_nodes(const Problem& problem, const State& state, const solver::System& system, int b) {

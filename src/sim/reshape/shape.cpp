@@ -209,6 +209,18 @@ Outcome wear_down(const Problem& problem, State state, Cache& cache, const Block
   return failure.empty() ? Outcome{std::move(next), {}, false} : Outcome{std::move(state), failure, false};
 }
 
+State worn_by_what_waits(const Problem& problem, const State& state, Cache& cache, const scene::Step& step) {
+  if (!problem.scene.shape || !wear_waits(state)) return state;
+  BlockSpan span;
+  span.step = &step;
+  span.remesh = false;
+  try {
+    return evolve_shape(problem, state, cache, span, {}).state;  // a failure leaves the state as it is
+  } catch (const base::SolveError&) {
+    return state;
+  }
+}
+
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
                const Observer& observer) {
   const auto start = std::chrono::steady_clock::now();

@@ -19,6 +19,10 @@ Outcome evolve_shape(const Problem& problem, State state, Cache& cache, const Bl
 /// to equilibrium there), else the shapes move (`evolve_shape`).
 Outcome wear_down(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer);
 
+/// The state with its outlines moved by the wear that waits in the gaps; as it is where they cannot be moved, or none
+/// waits.
+State worn_by_what_waits(const Problem& problem, const State& state, Cache& cache, const scene::Step& step);
+
 /// Remeshes where asked for and finds equilibrium; the state is unchanged where that fails.
 Outcome settle(const Problem& problem, State state, Change change, Cache& cache, const BlockSpan& span,
                const Observer& observer);

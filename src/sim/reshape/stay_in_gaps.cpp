@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <variant>
 
 #include "sim/measure/zones.hpp"
@@ -42,6 +43,12 @@ bool remesh_due(const Problem& problem, const State& state) {
 }
 
 }  // namespace
+
+bool wear_waits(const State& state) {
+  const auto any = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0) > 0.0; };
+  return std::any_of(state.solution.contacts.begin(), state.solution.contacts.end(),
+                     [&](const auto& c) { return any(c.pending_secondary) || any(c.pending_primary); });
+}
 
 bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span) {
   if (span.last || span.level) return false;

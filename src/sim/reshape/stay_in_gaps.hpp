@@ -6,6 +6,9 @@
 
 namespace reye::sim {
 
+/// Whether wear waits in a gap: the outlines have not moved by it yet.
+bool wear_waits(const State& state);
+
 /// Whether the wear of a block may stay in the gaps of its contacts, where Newton's equations have it anyway, in place
 /// of moving the outlines at once: a moved outline costs its body a factorisation, its contacts their integrals on X
 /// and an equilibrium. It may where
