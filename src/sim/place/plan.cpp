@@ -71,7 +71,8 @@ std::string solved_back_for(const Problem& p, int b) {
   const bool triggers = wears(p, b) && p.scene.remesh.automatic, estimate = p.kinematics[b].has_value();
   const auto& output = p.scene.output;
   std::string uses = output.frames.paraview ? "only for frames" : output.probes.empty() ? "never" : "only for probes";
-  if (triggers || estimate) uses += (uses == "never" ? " but, once a block, for " : " and, once a block, for ");
+  if (triggers || estimate)
+    uses += (uses == "never" ? " but, at most once a block, for " : " and, at most once a block, for ");
   if (triggers) uses += "the triggers of remeshing";
   if (estimate) uses += triggers ? " and the estimate of small strain" : "the estimate of small strain";
   return uses;
@@ -191,6 +192,9 @@ void tell_contact(const Problem& p, const contact::Setup& setup, Plan& plan) {
     plan.skipped.push_back("contact " + o.name + " does not wear: no shape step");
   else if (!p.scene.shape)
     plan.skipped.push_back("shape = \"off\": wear stays in the gap, no shape step");
+  else if (outlines_may_wait(p))
+    plan.skipped.push_back("contact " + o.name +
+                           ": no shape step until its wear is a hundredth of a facet deep, or is shown");
   if (o.wear.wears() && o.wear.primary == 0.0)
     plan.skipped.push_back("contact " + o.name + ": the primary side does not wear");
 }

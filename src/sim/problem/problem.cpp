@@ -25,4 +25,13 @@ Problem& Problem::operator=(const Problem&) = default;
 Problem& Problem::operator=(Problem&&) noexcept = default;
 Problem::~Problem() = default;
 
+bool outlines_may_wait(const Problem& problem) {
+  const auto explicit_wear = [](const PlacedContact& contact) {
+    return contact.options.wear.wears() && !contact.options.implicit_wear;
+  };
+  return problem.scene.remesh.every_blocks == 0 &&
+         std::none_of(problem.inputs.begin(), problem.inputs.end(), is_nonlinear) &&
+         std::none_of(problem.contacts.begin(), problem.contacts.end(), explicit_wear);
+}
+
 }  // namespace reye::sim

@@ -70,6 +70,10 @@ struct Problem {
 /// Finite strain or a material with history: not condensed once, but linearised in every iteration.
 bool is_nonlinear(const body::BodyInput& input);
 
+/// Whether the outlines of worn bodies may wait until one shape step serves several blocks: bodies are linear, wear is
+/// in the gap when pressures are found, and the scene does not remesh by blocks.
+bool outlines_may_wait(const Problem& problem);
+
 /// Largest estimated error of the bodies whose small strain was chosen; empty where there is none.
 std::optional<double> chosen_small_error(const Problem& problem);
 

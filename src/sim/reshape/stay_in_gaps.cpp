@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <variant>
 
 #include "sim/measure/zones.hpp"
 
@@ -31,12 +30,9 @@ bool shallow(const mortar::Surface& surface, const std::vector<double>& pending)
   return true;
 }
 
-bool linear(const body::Operator& body) { return !std::holds_alternative<body::NonlinearBody>(body); }
-
-bool remesh_due(const Problem& problem, const State& state) {
-  const auto& remesh = problem.scene.remesh;
-  if (remesh.every_blocks > 0) return true;
-  if (!remesh.automatic) return false;
+/// Whether a contact has come to the end of its fine zone, so that a body is to be remeshed.
+bool leaves_a_zone(const Problem& problem, const State& state) {
+  if (!problem.scene.remesh.automatic) return false;
   for (int b = 0; b < problem.body_count(); ++b)
     if (!problem.rigid[b] && !leaves_zone(problem, state, b, *state.shapes[b]).empty()) return true;
   return false;
@@ -51,16 +47,13 @@ bool wear_waits(const State& state) {
 }
 
 bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span) {
-  if (span.last || span.level) return false;
-  if (!std::all_of(system.bodies.begin(), system.bodies.end(), linear)) return false;
+  if (span.last || span.level || !outlines_may_wait(problem)) return false;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-    const auto& options = problem.contacts[c].options;
     const auto& contact = state.solution.contacts[c];
-    if (options.wear.wears() && !options.implicit_wear) return false;
     if (!shallow(system.contacts[c].secondary, contact.pending_secondary)) return false;
     if (!shallow(system.contacts[c].primary, contact.pending_primary)) return false;
   }
-  return !remesh_due(problem, state);
+  return !leaves_a_zone(problem, state);
 }
 
 }  // namespace reye::sim

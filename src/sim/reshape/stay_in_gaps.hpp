@@ -15,9 +15,8 @@ bool wear_waits(const State& state);
 ///
 ///     depth <= 0.01 of the shortest facet at the node, at every node of either side,
 ///
-/// bodies are linear, wear was in the gap when pressures were found, the end of the block is not shown, no contact
-/// leaves its fine zone, and the scene does not remesh by blocks. `state`: at the end of the block, before its shapes
-/// move.
+/// they may wait at all (`outlines_may_wait`), the end of the block is not shown, and no contact leaves its fine zone.
+/// `state`: at the end of the block, before its shapes move.
 bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span);
 
 }  // namespace reye::sim
