@@ -131,6 +131,7 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   outcome = level(problem, std::move(outcome), cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   span.remesh = !span.last;
+  span.moves = true;  // it is shown, or a remesh is due
   return end_block(problem, std::move(outcome.state), cache, span, observer);
 }
 
@@ -166,7 +167,10 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, const 
   trial.too_long = trial.error > error_allowed(problem, *span.step, start, start.step_cycles + span.jump);
   if (trial.too_long) return;
   extrapolate_trial(problem, *system(), start, span.level, attempt, trial);
-  trial.outcome = shaped(problem, std::move(attempt.halves), cache, span, block.jump, trial.later.observer(observer));
+  BlockSpan end = span;
+  end.moves = attempt.remesh_due;
+  trial.outcome =
+      shaped(problem, std::move(attempt.halves), cache, std::move(end), block.jump, trial.later.observer(observer));
   trial.outcome.middle = std::move(attempt.middle);
 }
 

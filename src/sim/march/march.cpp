@@ -214,10 +214,11 @@ class Runner {
 
   /// Shows the state that a failed run ends with, worn; it stays what a run may resume from.
   void show_last_good() {
-    if (!state_.approached || state_.shown) return;
+    if (!state_.approached || state_.shown || !observer_.frame) return;
     State worn = worn_by_what_waits(p_, state_, cache_, p_.scene.steps.at(static_cast<std::size_t>(state_.step)));
     show_frame(p_, worn, cache_, observer_, "last good state");
-    state_.shown = true;
+    state_.shown = worn.shown;
+    state_.warnings = std::move(worn.warnings);
   }
 
   void show(const std::string& step) {

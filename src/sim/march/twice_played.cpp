@@ -28,6 +28,7 @@ void play_halves(const Problem& problem, State start, Cache& cache, BlockSpan sp
   span.ends = std::move(outcome.ends);
   if (problem.scene.shape) outcome = wear_down(problem, std::move(outcome.state), cache, first, {});
   if (ends_attempt(outcome, attempt)) return;
+  attempt.remesh_due = outcome.remesh_due;
   attempt.half_way = outcome.state.solution.contacts;
   attempt.middle = limit_measures(problem, *system_of(problem, outcome.state, cache), outcome.state);
   outcome.state.step_cycles += span.jump;

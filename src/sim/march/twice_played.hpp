@@ -18,6 +18,7 @@ struct TwicePlayed {
   std::map<std::string, double> middle;  ///< measures of the limits after the first half
   std::string failure;
   bool interrupted = false;
+  bool remesh_due = false;  ///< a trigger fired after the first half, and was put off
   Counts counts;
 };
 

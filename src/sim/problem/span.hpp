@@ -14,6 +14,7 @@ struct BlockSpan {
   bool cycles = false;
   bool last = false;   ///< no block of the step comes after it
   bool level = false;  ///< its end is shown: under a tolerance levelling cycles are its last part
+  bool moves = false;  ///< its outlines move, however little has worn
   bool remesh = true;  ///< false: poor elements wait for the end of the block
   bool extrapolated =
       false;  ///< its wear was corrected, but not the pressures, which therefore do not fit the new shape

@@ -218,6 +218,8 @@ State worn_by_what_waits(const Problem& problem, const State& state, Cache& cach
     return evolve_shape(problem, state, cache, span, {}).state;  // a failure leaves the state as it is
   } catch (const base::SolveError&) {
     return state;
+  } catch (const base::MeshError&) {
+    return state;
   }
 }
 

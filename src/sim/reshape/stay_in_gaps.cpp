@@ -47,7 +47,7 @@ bool wear_waits(const State& state) {
 }
 
 bool may_stay_in_gaps(const Problem& problem, const State& state, const solver::System& system, const BlockSpan& span) {
-  if (span.last || span.level || !outlines_may_wait(problem)) return false;
+  if (span.last || span.level || span.moves || !outlines_may_wait(problem)) return false;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& contact = state.solution.contacts[c];
     if (!shallow(system.contacts[c].secondary, contact.pending_secondary)) return false;
