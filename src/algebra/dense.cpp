@@ -130,6 +130,18 @@ Vector DenseFactor::solve(const Vector& b, const char* trans) const {
   return x;
 }
 
+Matrix DenseFactor::solve_columns(Matrix B) const {
+  const int n = static_cast<int>(LU_.rows()), count = static_cast<int>(B.cols());
+  if (B.rows() != n) throw SolveError("dense solve: sizes do not match");
+  if (n == 0 || count == 0) return B;
+  B.array().colwise() *= rows_.array();
+  int info = 0;
+  dgetrs_("N", &n, &count, LU_.data(), &n, pivots_.data(), B.data(), &n, &info);
+  B.array().colwise() *= columns_.array();
+  if (!B.allFinite()) throw SolveError("dense solve: the solution is not finite");
+  return B;
+}
+
 DenseCholesky::DenseCholesky(Matrix A) : L_(std::move(A)) {
   single_thread();
   const int n = static_cast<int>(L_.rows());

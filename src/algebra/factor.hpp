@@ -91,6 +91,7 @@ class DenseFactor {
 
   /// x of A x = b, or of A^T x = b. Throws base::SolveError when x is not finite.
   Vector solve(const Vector& b) const { return solve(b, "N"); }
+  Matrix solve_columns(Matrix B) const;  ///< A^-1 B
   Vector solve_transposed(const Vector& b) const { return solve(b, "T"); }
 
  private:

@@ -73,12 +73,22 @@ void CondensedTangent::forget() {
   wait_ = 4;
 }
 
-void CondensedTangent::make(const NonlinearEquations& of, const Interior& before, const Vector& v,
-                            const Vector& load_factors, Tangent tangent) {
+void CondensedTangent::measure(const NonlinearEquations& of, const Interior& before, const Vector& v,
+                               const Vector& load_factors) {
+  at_.v = v;
+  at_.u = of.displacement(v);
+  at_.load_factors = load_factors;
+  of.named([&] { fem::internal_force(of.mesh(), of.solid, at_.u, {before.history, before.F0}, f, &at_.yields); });
+  at_.unbalanced = of.unbalanced(f, at_.u, load_factors);
+  if (at_.B.size() == 0 || of.turns()) at_.B = of.expansion(v);
+  r = at_.B.transpose() * at_.unbalanced;
+}
+
+void CondensedTangent::make(const NonlinearEquations& of, const Interior& before, Tangent tangent) {
   ++made_;
   divided_ = false;  // also where what follows throws
-  divided_ = divides(of) && make_rest(of, before, v, load_factors, tangent);
-  if (!divided_) make_whole(of, before, v, load_factors, tangent);
+  divided_ = divides(of) && make_rest(of, before, tangent);
+  if (!divided_) make_whole(of, before, tangent);
 }
 
 bool CondensedTangent::divides(const NonlinearEquations& of) const {
@@ -87,28 +97,26 @@ bool CondensedTangent::divides(const NonlinearEquations& of) const {
   return !follows && made_ > whole_until_;
 }
 
-void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v,
-                                  const Vector& load_factors, Tangent tangent) {
-  const Vector u = of.displacement(v);
+void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& before, Tangent tangent) {
+  const auto& [v, u, load_factors, unbalanced, B, yields] = at_;
   if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
-  of.named([&] { fem::tangent(of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K); });
+  of.named([&] { fem::tangent(of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, whole_.K); });
   of.subtract_load_tangent(u, load_factors, whole_.K);
-  const SparseMatrix B = of.expansion(v);
-  const Vector unbalanced = of.unbalanced(f, u, load_factors);
   whole_.reduced = B.transpose() * SparseMatrix(whole_.K * B);
   add_to_diagonal(of.turning(unbalanced, v), whole_.reduced);
-  r = B.transpose() * unbalanced;
   of.named([&] { whole_.condensation.factorise(whole_.reduced, of.columns.retained, of.symmetric(), tangent); });
   changing = 1.0;
 }
 
 /// The cells that have changed: those that yield, or have turned or stretched since their tangent was kept.
-CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of, const Vector& u, const Flags& yields) {
-  Flags marked = yields;
+CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of) {
+  Flags marked = at_.yields;
   const auto& mesh = of.mesh();
   if (of.turns() && kept_at_.size() > 0) {
     const int corners = mesh::corners(mesh.kind);
-    const auto moved = [&](int node) -> base::Vec2 { return u.segment<2>(2 * node) - kept_at_.segment<2>(2 * node); };
+    const auto moved = [&](int node) -> base::Vec2 {
+      return at_.u.segment<2>(2 * node) - kept_at_.segment<2>(2 * node);
+    };
     for (std::size_t cell = 0; cell < marked.size(); ++cell)
       for (int a = 0; a < corners; ++a) {
         const int from = mesh.cells[cell][a], to = mesh.cells[cell][(a + 1) % corners];
@@ -120,9 +128,8 @@ CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of, 
   return marked;
 }
 
-/// Chooses the cells that change, and condenses the others at u. False where that would not pay.
-bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& before, const Vector& u,
-                              const SparseMatrix& B, Tangent tangent) {
+/// Chooses the cells that change, and condenses the others there. False where that would not pay.
+bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& before, Tangent tangent) {
   changing_.assign(last_.size(), 0);
   for (std::size_t cell = 0; cell < last_.size(); ++cell) changing_[cell] = made_ - last_[cell] < remembered;
   widen(of.mesh(), cells_of_, changing_);
@@ -130,7 +137,7 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
   if (static_cast<double>(count) > largest * static_cast<double>(changing_.size())) return false;
   changing = static_cast<double>(count) / static_cast<double>(changing_.size());
 
-  Flags kept(changing_.size()), yields;
+  Flags kept(changing_.size());
   std::transform(changing_.begin(), changing_.end(), kept.begin(), [](char c) { return !c; });
   std::vector<char> inside(static_cast<std::size_t>(of.columns.interior + of.columns.retained), 1);
   std::fill(inside.begin() + of.columns.interior, inside.end(), 0);
@@ -138,11 +145,9 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     for (const int cell : cells_of_[node])
       if (changing_[static_cast<std::size_t>(cell)])
         for (const Term& term : of.columns.terms[node]) inside[static_cast<std::size_t>(term.column)] = 0;
-  of.named([&] {
-    fem::tangent_of(kept, of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, f, whole_.K, yields);
-  });
+  of.named([&] { fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, of.pattern, whole_.K, kept); });
   try {
-    Superelement element(B.transpose() * SparseMatrix(whole_.K * B), inside, of.symmetric(), tangent);
+    Superelement element(at_.B.transpose() * SparseMatrix(whole_.K * at_.B), inside, of.symmetric(), tangent);
     std::vector<int> columns, place(inside.size(), -1);
     for (std::size_t c = 0; c < inside.size(); ++c) {
       if (inside[c]) continue;
@@ -159,10 +164,11 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     SparseMatrix stiffness(size, size);
     stiffness.setFromTriplets(entries.begin(), entries.end());
     fem::Pattern pattern(cells_of(of.mesh(), changing_));
-    SparseMatrix K = pattern.zero();
+    SparseMatrix K = pattern.zero(), own = chosen(at_.B, columns);
     rest_.emplace(Rest{std::move(element),
                        tangent,
                        std::move(columns),
+                       std::move(own),
                        std::move(pattern),
                        std::move(K),
                        std::move(stiffness),
@@ -171,66 +177,57 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
   } catch (const base::SolveError&) {
     return false;  // singular
   }
-  kept_at_ = u;
+  kept_at_ = at_.u;
   return true;
 }
 
-bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& before, const Vector& v,
-                                 const Vector& load_factors, Tangent tangent) {
-  const Vector u = of.displacement(v);
-  const SparseMatrix B = of.expansion(v);
-  const fem::GaussState state{before.history, before.F0};
-  Flags yields;
-  const auto make = [&] {
-    of.named([&] { fem::tangent_of(changing_, of.mesh(), of.solid, u, state, rest_->pattern, f, rest_->K, yields); });
-  };
-  const auto outside = [&](const Flags& marked) {
+bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& before, Tangent tangent) {
+  if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
+  const Flags marked = changed(of);
+  const auto outside = [&] {
     for (std::size_t cell = 0; cell < marked.size(); ++cell)
       if (marked[cell] && !changing_[cell]) return true;
     return false;
   };
-  if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
-  if (rest_)
-    make();
-  else
-    of.named([&] {
-      fem::tangent_of(Flags(last_.size(), 0), of.mesh(), of.solid, u, state, of.pattern, f, whole_.K, yields);
-    });
-  const Flags marked = changed(of, u, yields);
   const bool enough = rest_ && (rest_->kept_as == tangent || rest_->kept_as == Tangent::exact || !of.turns());
-  if (!enough || outside(marked)) {
+  if (!enough || outside()) {
     rest_.reset();
     wait_ = made_ - divided_at_ > 8 ? 4 : std::min(2 * wait_, longest_wait);
     divided_at_ = made_;
-    if (!divide(of, before, u, B, tangent)) {
+    if (!divide(of, before, tangent)) {
       rest_.reset();
       kept_at_.resize(0);
       whole_until_ = made_ + wait_;
       return false;
     }
-    make();
+  } else if (of.turns()) {
+    rest_->B = chosen(at_.B, rest_->columns);
   }
-  const SparseMatrix own = chosen(B, rest_->columns);
-  const Vector unbalanced = of.unbalanced(f, u, load_factors);
-  rest_->reduced = own.transpose() * SparseMatrix(rest_->K * own);
+  of.named([&] {
+    fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, rest_->pattern, rest_->K, changing_);
+  });
+  rest_->reduced = rest_->B.transpose() * SparseMatrix(rest_->K * rest_->B);
   rest_->reduced += rest_->kept_stiffness;
-  add_to_diagonal(of.turning(unbalanced, v)(rest_->columns), rest_->reduced);
-  r = B.transpose() * unbalanced;
+  add_to_diagonal(of.turning(at_.unbalanced, at_.v)(rest_->columns), rest_->reduced);
   of.named([&] { rest_->condensation.factorise(rest_->reduced, of.columns.retained, of.symmetric(), tangent); });
   return true;
 }
 
+/// Forces of the kept cells up to this size are round-off, as nearly all of them are at small strain: condensing them
+/// costs as much as a step, and changes nothing.
+double CondensedTangent::negligible() const { return 1e-12 * f.largest; }
+
 Vector CondensedTangent::condense(const Vector& all) const {
   if (!divided_) return whole_.condensation.condense(all);
   Vector loads = all;
-  rest_->kept.condense(loads);
+  rest_->kept.condense(loads, negligible());
   return rest_->condensation.condense(loads(rest_->columns));
 }
 
 Vector CondensedTangent::recover(const Vector& all, const Vector& retained) const {
   if (!divided_) return whole_.condensation.recover(all, retained);
   Vector loads = all, unknowns = Vector::Zero(all.size());
-  rest_->kept.condense(loads);
+  rest_->kept.condense(loads, negligible());
   unknowns(rest_->columns) = rest_->condensation.recover(loads(rest_->columns), retained);
   rest_->kept.recover(all, unknowns);
   return unknowns;

@@ -16,12 +16,14 @@ class CondensedTangent {
  public:
   explicit CondensedTangent(const NonlinearEquations& of);
 
-  /// At the unknowns v without translation; f and r are set as well. Throws base::SolveError.
-  void make(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
-            Tangent tangent);
+  /// Sets f and r at the unknowns v without translation; the tangent stays. Throws base::SolveError.
+  void measure(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors);
+  /// Makes the tangent where `measure` was called last. Throws base::SolveError.
+  void make(const NonlinearEquations& of, const Interior& before, Tangent tangent);
   /// Nothing is kept: what follows does not depend on states before it.
   void forget();
 
+  const Vector& displacement() const { return at_.u; }  ///< where `measure` was called last
   const Matrix& schur() const { return condensation().schur(); }
   /// r of all columns, condensed to the retained ones.
   Vector condense(const Vector& r) const;
@@ -29,7 +31,7 @@ class CondensedTangent {
   Vector recover(const Vector& r, const Vector& retained) const;
 
   fem::InternalForce f;
-  Vector r;             ///< [r_i; r_c] where `make` was called
+  Vector r;             ///< [r_i; r_c]
   double changing = 1;  ///< share of the cells whose tangent `make` made
 
  private:
@@ -43,21 +45,28 @@ class CondensedTangent {
     Superelement kept;
     Tangent kept_as;           ///< what `kept` was asked for
     std::vector<int> columns;  ///< of the body
+    base::SparseMatrix B;      ///< of these columns
     fem::Pattern pattern;
     base::SparseMatrix K, kept_stiffness, reduced;
     Condensation condensation;
   };
 
+  /// Where f and r were measured.
+  struct Place {
+    Vector v, u, load_factors, unbalanced;
+    base::SparseMatrix B;  ///< of v, or of any v where it does not depend on it
+    Flags yields;          ///< per cell
+  };
+
   bool divides(const NonlinearEquations& of) const;
-  void make_whole(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
-                  Tangent tangent);
-  bool make_rest(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors,
-                 Tangent tangent);
-  bool divide(const NonlinearEquations& of, const Interior& before, const Vector& u, const base::SparseMatrix& B,
-              Tangent tangent);
-  Flags changed(const NonlinearEquations& of, const Vector& u, const Flags& yields);
+  void make_whole(const NonlinearEquations& of, const Interior& before, Tangent tangent);
+  bool make_rest(const NonlinearEquations& of, const Interior& before, Tangent tangent);
+  bool divide(const NonlinearEquations& of, const Interior& before, Tangent tangent);
+  Flags changed(const NonlinearEquations& of);
+  double negligible() const;
   const Condensation& condensation() const { return divided_ ? rest_->condensation : whole_.condensation; }
 
+  Place at_;
   std::vector<std::vector<int>> cells_of_;  ///< per node
   Whole whole_;
   std::optional<Rest> rest_;

@@ -26,13 +26,13 @@ struct NonlinearBody::Linearised::Kept {
 struct NonlinearBody::Impl : NonlinearEquations {
   using NonlinearEquations::NonlinearEquations;
 
-  /// The unbalanced forces r = [r_i; r_c] of the tangent at u, condensed by it.
-  void condense(const Vector& u, Linearised& out) const {
+  /// The unbalanced forces r = [r_i; r_c] where they were measured, condensed by the tangent.
+  void condense(Linearised& out) const {
     const CondensedTangent& tangent = out.kept->tangent;
     out.r = tangent.condense(tangent.r);
     out.interior_residual = interior() > 0 ? tangent.r.head(interior()).cwiseAbs().maxCoeff() : 0.0;
     out.force_scale = tangent.f.largest;
-    out.deformation = u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
+    out.deformation = tangent.displacement().size() > 0 ? tangent.displacement().cwiseAbs().maxCoeff() : 0.0;
   }
 };
 
@@ -81,19 +81,20 @@ void NonlinearBody::linearise(const Interior& before, const TwoPart& y, const Tw
                               Linearised& out, Tangent tangent) const {
   if (!out.kept || out.kept->owner != impl_)
     out.kept = std::make_shared<Linearised::Kept>(Linearised::Kept{impl_, CondensedTangent(*impl_)});
-  const Vector v = impl_->deformation(y, q);
-  out.kept->tangent.make(*impl_, before, v, load_factors, tangent);
-  out.S = out.kept->tangent.schur();
-  impl_->condense(impl_->displacement(v), out);
+  out.kept->tangent.measure(*impl_, before, impl_->deformation(y, q), load_factors);
+  linearise_again(before, out, tangent);
+}
+
+void NonlinearBody::linearise_again(const Interior& before, Linearised& at, Tangent tangent) const {
+  at.kept->tangent.make(*impl_, before, tangent);
+  at.S = at.kept->tangent.schur();
+  impl_->condense(at);
 }
 
 void NonlinearBody::measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                             Linearised& at) const {
-  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
-  CondensedTangent& tangent = at.kept->tangent;
-  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, tangent.f); });
-  tangent.r = impl_->expansion(v).transpose() * impl_->unbalanced(tangent.f, u, load_factors);
-  impl_->condense(u, at);
+  at.kept->tangent.measure(*impl_, before, impl_->deformation(y, q), load_factors);
+  impl_->condense(at);
 }
 
 void NonlinearBody::forget(Linearised& at) {

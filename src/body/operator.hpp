@@ -243,6 +243,8 @@ class NonlinearBody {
   /// The symmetric part is factorised where it is definite, else the exact tangent.
   void linearise(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                  Linearised& out, Tangent tangent = Tangent::exact) const;
+  /// `linearise` at the state where `measure` was called last; `before` is the one of that call.
+  void linearise_again(const Interior& before, Linearised& at, Tangent tangent) const;
   /// r at another state, condensed by the tangent of `at`, for chord steps. Needs no factorisation.
   void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                Linearised& at) const;

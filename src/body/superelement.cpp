@@ -1,5 +1,8 @@
 #include "body/superelement.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace reye::body {
 
 using base::Vector;
@@ -36,7 +39,9 @@ Vector Superelement::loads_inside(const Vector& r) const {
   return own;
 }
 
-void Superelement::condense(Vector& r) const {
+void Superelement::condense(Vector& r, double negligible) const {
+  const auto small = [&](int column) { return std::abs(r[column]) <= negligible; };
+  if (std::all_of(inside_.begin(), inside_.end(), small)) return;
   const Vector condensed = condensation_.condense(loads_inside(r));
   for (std::size_t k = 0; k < shared_.size(); ++k) r[shared_[k]] += condensed[static_cast<Eigen::Index>(k)];
 }

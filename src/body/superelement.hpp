@@ -19,8 +19,9 @@ class Superelement {
 
   const std::vector<int>& shared() const { return shared_; }
   const base::Matrix& stiffness() const { return condensation_.schur(); }  ///< S
-  /// r_o - K_oi K_ii^-1 r_i in the shared columns of r; those inside stay.
-  void condense(base::Vector& r) const;
+  /// r_o - K_oi K_ii^-1 r_i in the shared columns of r; those inside stay. Nothing is done where no |r_i| is greater
+  /// than `negligible`.
+  void condense(base::Vector& r, double negligible = 0.0) const;
   /// Puts the solution for loads r, whose shared columns stand in u, into the columns inside.
   void recover(const base::Vector& r, base::Vector& u) const;
 

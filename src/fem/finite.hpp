@@ -41,18 +41,14 @@ struct InternalForce {
 /// f = sum int P : Grad v dV (finite) or int sigma : eps(v) dV (small), from the state before the increment; with F0, P
 /// on X is 1/det(F0) P(F) F0^T at F = (I + Grad u) F0.
 /// Throws base::SolveError naming cell, Gauss point and its place on X where the material cannot take the deformation.
+/// `yields`, if given: per cell, whether a Gauss point of it yields at u.
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
-                    InternalForce& f);
+                    InternalForce& f, std::vector<char>* yields = nullptr);
 
-/// f as `internal_force` gives it, and K = df/du, made by `pattern.zero()`; nothing is allocated.
+/// K = df/du, made by `pattern.zero()`, of all cells or of those with `wanted`, where the pattern may be that of a mesh
+/// of them alone; nothing is allocated. Errors as above.
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
-             const Pattern& pattern, InternalForce& f, base::SparseMatrix& K);
-
-/// f of all cells, and K of those with `wanted` alone, whose pattern may be that of a mesh of them alone. `yields`: per
-/// cell, whether a Gauss point of it yields at u.
-void tangent_of(const std::vector<char>& wanted, const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u,
-                const GaussState& before, const Pattern& pattern, InternalForce& f, base::SparseMatrix& K,
-                std::vector<char>& yields);
+             const Pattern& pattern, base::SparseMatrix& K, std::span<const char> wanted = {});
 
 /// History after the deformation u; errors as above.
 History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);

@@ -19,12 +19,8 @@ using Inputs = Eigen::Matrix<double, Strain::inputs, 1>;
 template <class Strain>
 using Stresses = Eigen::Matrix<double, Strain::stresses, 1>;
 
-/// Stress and its derivative by the inputs.
 template <class Strain>
-struct Slope {
-  Stresses<Strain> s;
-  Eigen::Matrix<double, Strain::stresses, Strain::inputs> D;
-};
+using Slope = Eigen::Matrix<double, Strain::stresses, Strain::inputs>;
 
 template <class Strain>
 std::array<double, Strain::inputs> as_array(const Inputs<Strain>& x) {
@@ -40,18 +36,17 @@ Stresses<Strain> stress_at(const Solid& solid, bool bar, const Inputs<Strain>& x
   return Eigen::Map<const Stresses<Strain>>(s.data());
 }
 
+/// The derivative of the stress by the inputs.
 template <class Strain>
 Slope<Strain> slope_at(const Solid& solid, bool bar, const Inputs<Strain>& x, const PlasticState& before) {
   constexpr int inputs = Strain::inputs;
   std::array<Dual<inputs>, inputs> variable;
   for (int j = 0; j < inputs; ++j) variable[j] = Dual<inputs>::variable(x[j], j);
   const auto s = Strain::stress(solid, bar, variable, before, nullptr);
-  Slope<Strain> slope;
-  for (int i = 0; i < Strain::stresses; ++i) {
-    slope.s[i] = s[i].v;
-    for (int j = 0; j < inputs; ++j) slope.D(i, j) = s[i].d[j];
-  }
-  return slope;
+  Slope<Strain> D;
+  for (int i = 0; i < Strain::stresses; ++i)
+    for (int j = 0; j < inputs; ++j) D(i, j) = s[i].d[j];
+  return D;
 }
 
 template <int n>
@@ -75,20 +70,20 @@ inline base::SolveError located(const Mesh& mesh, int cell, int point, const bas
   return base::SolveError(place + std::string(error.what()));
 }
 
-/// For every cell: begin(cell), then for each Gauss point point(sample, its number in the cell, its number in the
-/// mesh), then end(cell, samples).
+/// For every cell, or those with `wanted`: begin(cell), then for each Gauss point point(sample, its number in the cell,
+/// its number in the mesh), then end(cell, samples).
 template <class Strain, int n, class Begin, class Point, class End>
 void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, Begin begin,
-                   Point point, End end) {
-  const size_t per_cell = F0.empty() ? 0 : stiffness_rule(mesh.kind).size();
-  int number = 0;
+                   Point point, End end, std::span<const char> wanted = {}) {
+  const size_t in_cell = stiffness_rule(mesh.kind).size(), per_cell = F0.empty() ? 0 : in_cell;
   for (int cell = 0; cell < mesh.cell_count(); ++cell) {
+    if (!wanted.empty() && !wanted[cell]) continue;
     const auto samples = Strain::template samples<n>(mesh, cell, solid, cell_state<n>(mesh, cell, u),
                                                      F0.subspan(cell * per_cell, per_cell));
     begin(cell);
     for (int g = 0; g < samples.count; ++g) {
       try {
-        point(samples.points[g], g, number++);
+        point(samples.points[g], g, cell * static_cast<int>(in_cell) + g);
       } catch (const base::SolveError& error) {
         throw located(mesh, cell, g, error);
       }

@@ -54,9 +54,14 @@ void Condenser::turn(const System& system, const contact::Setup& setup, const Ve
     const int at = reduction.first(static_cast<int>(b)), column = window.first(static_cast<int>(b));
     if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
       At_(column + 2, column + 2) += rigid->geometric(q.segment(at, rigid->dofs()), turned_[b]);
-    else if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]))
-      At_.diagonal().segment(column, nonlinear->dofs()) +=
-          nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
+    const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[b]);
+    if (!nonlinear) continue;
+    const Vector diagonal = nonlinear->geometric(q.segment(at, nonlinear->dofs()), turned_[b]);
+    for (int k = 0; k < nonlinear->dofs(); ++k) {
+      if (diagonal[k] == 0.0) continue;
+      const int own = inside(window.index(at + k));  // a column of a support
+      At_(own, own) += diagonal[k];
+    }
   }
 }
 

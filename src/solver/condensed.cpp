@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "algebra/product.hpp"
+#include "base/errors.hpp"
+
 namespace reye::solver {
 
 Condensed::Condensed(std::shared_ptr<const Matrix> whole, std::shared_ptr<const algebra::Compliance> inverse,
@@ -14,12 +17,33 @@ Condensed::Condensed(std::shared_ptr<const Matrix> whole, std::shared_ptr<const 
     kept = std::move(condensed.S);
     G_ = std::move(condensed.G);
   } else {
-    const Matrix& S = *S_;
-    factor_ = algebra::DenseCholesky(S(far_, far_));
-    G_ = S(far_, near_);
-    kept = S(near_, near_) - factor_.condense(G_);
+    kept = by_cholesky();
+    if (kept.size() == 0) kept = by_lu();
   }
   S_ = std::make_shared<const Matrix>(std::move(kept));
+}
+
+/// S', or nothing where it cannot be found in this way.
+Matrix Condensed::by_cholesky() {
+  const Matrix& S = *S_;
+  if (S != S.transpose()) return {};
+  try {
+    factor_ = algebra::DenseCholesky(S(far_, far_));
+  } catch (const base::SolveError&) {
+    return {};
+  }
+  G_ = S(far_, near_);
+  return S(near_, near_) - factor_.condense(G_);
+}
+
+Matrix Condensed::by_lu() {
+  const Matrix& S = *S_;
+  Matrix S_ff = S(far_, far_);
+  general_.emplace();
+  general_->factor.factor(S_ff);
+  general_->S_nf = S(near_, far_);
+  G_ = general_->factor.solve_columns(S(far_, near_));
+  return S(near_, near_) - algebra::product(general_->S_nf, G_);
 }
 
 Condensed Condensed::part(std::vector<int> near, std::vector<int> far) const {
@@ -32,6 +56,11 @@ Condensed::Load Condensed::load(const Eigen::Ref<const Vector>& full) const {
   Load load{full(near_), Vector::Zero(static_cast<Eigen::Index>(far_.size()))};
   if (far_.empty()) return load;
   const Vector far = full(far_);
+  if (general_) {
+    load.own = general_->factor.solve(far);
+    load.near.noalias() -= general_->S_nf * load.own;
+    return load;
+  }
   load.near.noalias() -= G_.transpose() * far;
   load.own = inverse_ ? inverse_->moved(far, near_, far_, G_) : factor_.solve(far);
   return load;

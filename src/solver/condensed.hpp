@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "algebra/compliance.hpp"
@@ -10,13 +11,14 @@ namespace reye::solver {
 using base::Matrix;
 using base::Vector;
 
-/// A symmetric stiffness without its columns f, on which no contact acts, exactly:
-///   S' = S_nn - S_nf G,  f' = f_n - G^T f_f,  q_f = S_ff^-1 f_f - G q_n,  G = S_ff^-1 S_fn
+/// A stiffness without its columns f, on which no contact acts, exactly:
+///   S' = S_nn - S_nf G,  f' = f_n - S_nf S_ff^-1 f_f,  q_f = S_ff^-1 f_f - G q_n,  G = S_ff^-1 S_fn
+/// by Cholesky where S is symmetric and S_ff definite, where S_nf S_ff^-1 is G^T; else by LU.
 class Condensed {
  public:
   Condensed() = default;
   /// `near` and `far`: columns n and f of S. `inverse`: the inverse to use in place of S where choices follow one
-  /// another, or null. Where no column is left out both are shared. Throws base::SolveError when S_ff is not definite.
+  /// another, or null. Where no column is left out both are shared. Throws base::SolveError when S_ff is singular.
   Condensed(std::shared_ptr<const Matrix> S, std::shared_ptr<const algebra::Compliance> inverse, std::vector<int> near,
             std::vector<int> far);
   /// A choice of the columns kept.
@@ -39,11 +41,20 @@ class Condensed {
   Vector expand(const Eigen::Ref<const Vector>& near, const Vector& own) const;
 
  private:
+  Matrix by_cholesky();
+  Matrix by_lu();
+
   std::vector<int> near_, far_;
   std::shared_ptr<const Matrix> S_ = std::make_shared<const Matrix>();
   Matrix G_;
   std::shared_ptr<const algebra::Compliance> inverse_;
   algebra::DenseCholesky factor_;  ///< of S_ff, where there is no inverse
+  /// Where S is not symmetric, or S_ff not definite.
+  struct General {
+    algebra::DenseFactor factor;  ///< of S_ff
+    Matrix S_nf;
+  };
+  std::optional<General> general_;
 };
 
 }  // namespace reye::solver

@@ -1,5 +1,6 @@
 #include "solver/contacts_in_reach.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/formatted.hpp"
@@ -11,7 +12,17 @@ namespace reye::solver {
 namespace {
 
 constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
+constexpr Reach::Margin wide_margin{.nodes = 24, .active_per_node = 4};
 constexpr double worth_narrowing = 0.9;  ///< of the nodes in reach; condensing costs a fifth of a matrix
+
+/// Of linear bodies columns out of reach are condensed out; of others a wide reach costs a few integrals, and to find
+/// after an increment that contact has outrun it costs several tangents.
+Reach::Margin margin(const System& system) {
+  return std::any_of(system.bodies.begin(), system.bodies.end(),
+                     [](const auto& b) { return std::holds_alternative<body::LinearBody>(b); })
+             ? reach_margin
+             : wide_margin;
+}
 
 /// Nodes just out of reach move with their neighbour in reach. Otherwise a slide of more than a facet in one increment
 /// would reverse the facet at the rim, and with it the averaged normal beside it.
@@ -29,7 +40,7 @@ bool ContactsInReach::choose(const System& system, const SolverState& before, bo
   if (chosen_ && !everything) return false;
   limited_ = limited;
   take(system,
-       everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, reach_margin));
+       everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, margin(system)));
   chosen_ = !(reach_ == Reach::all(system)) || !limited;
   return true;
 }
@@ -75,7 +86,7 @@ void ContactsInReach::take(const System& system, Reach reach) {
 
 /// Round the contact that was found among all nodes, or all nodes.
 Reach ContactsInReach::reach_round_faces(const System& system) const {
-  Reach reach = Reach::round_contact(system, faces_, reach_margin);
+  Reach reach = Reach::round_contact(system, faces_, margin(system));
   return enclosed_by(reach) ? reach : Reach::all(system);
 }
 
@@ -88,7 +99,7 @@ void ContactsInReach::change(const System& system, Reach reach, const Reduction:
 
 bool ContactsInReach::narrow(const System& system, const Reduction::Loads& loads, base::TwoPart& q) {
   if (chosen_) return false;
-  Reach reach = Reach::round_contact(system, faces_, reach_margin);
+  Reach reach = Reach::round_contact(system, faces_, margin(system));
   if (reach.nodes() > worth_narrowing * reach_.nodes()) return false;
   change(system, std::move(reach), loads, q);
   return true;

@@ -86,6 +86,7 @@ base::TwoPart Increment::begin(const System& system, const SolverState& before, 
       q.low[reduction().index(column)] = 0.0;
     }
   nonlinear_.linearise(q, lambda_, tangent);
+  window_.tangents_changed();
   return q;
 }
 
@@ -107,11 +108,10 @@ bool Increment::narrow(const System& system, const Controls& controls, base::Two
   return true;
 }
 
-bool Increment::follow(const System& system, const Controls& controls, base::TwoPart& q) {
-  if (nonlinear()) return false;
+void Increment::follow(const System& system, const Controls& controls, base::TwoPart& q) {
   contacts_.follow(system, loads_, q);
+  nonlinear_.columns_changed(q);
   change_columns(system, controls);
-  return true;
 }
 
 void Increment::widen(const System& system, const Controls& controls, base::TwoPart& q) {
@@ -224,7 +224,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
   auto& faces = contacts_.faces();
   if (!chord) {
     const auto& derivatives = condenser_.linearise(faces, lambda_);
-    window_.choose(system, reduction(),
+    window_.choose(system, reduction(), nonlinear_,
                    contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
   }
   if (!chord) turn_window(system, q);
@@ -246,8 +246,7 @@ Vector Increment::step(const System& system, const Controls& controls, const bas
         condenser_.add_body(window_.first(body),
                             rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
       else
-        condenser_.add_body(window_.first(body),
-                            nonlinear_.tangent(body) ? *nonlinear_.tangent(body) : window_.stiffness(body));
+        condenser_.add_body(window_.first(body), window_.stiffness(body));
       if (reduction().turning(body))
         window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
     }
@@ -275,7 +274,8 @@ std::string Increment::renew(base::TwoPart& q) { return nonlinear_.renew(q, lamb
 
 std::string Increment::linearise(const base::TwoPart& q, body::Tangent tangent) {
   try {
-    nonlinear_.linearise(q, lambda_, tangent);
+    nonlinear_.linearise_again(q, lambda_, tangent);
+    window_.tangents_changed();
     return {};
   } catch (const base::SolveError& error) {
     return error.what();

@@ -42,8 +42,8 @@ class Increment {
   /// Returns to all nodes.
   void widen(const System& system, const Controls& controls, base::TwoPart& q);
   /// After `accept` has found that contact outran its reach: chooses the reach round that contact, or all nodes, and
-  /// Newton continues from there. False: not possible with nonlinear bodies.
-  bool follow(const System& system, const Controls& controls, base::TwoPart& q);
+  /// Newton continues from there. Nonlinear bodies have just been measured at q.
+  void follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
   /// One semi-smooth Newton step about (q, lambda), or a chord step with the last matrix. Returns dq and updates

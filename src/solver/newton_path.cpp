@@ -196,11 +196,10 @@ void NewtonPath::accept() {
   }
   narrowing_ = false;
   matrices_.forget();
+  tangents_.forget();  // contact's matrix, which goes with a kept tangent, is of other columns
   on_chord_ = false;
-  if (increment_.follow(system_, controls_, q_)) return;
-  increment_.choose_reach(system_, before_, true, options_.limit_reach);
-  result_ = NewtonPath(increment_, options_, system_, before_, controls_, attempt_).follow(false);
-  ended_ = true;
+  increment_.follow(system_, controls_, q_);
+  if (increment_.nonlinear()) since_ = -1;  // the residual is still that of the bodies
 }
 
 /// Contact has settled on the linearised bodies, or cannot: the bodies are moved to the state in which it left them.

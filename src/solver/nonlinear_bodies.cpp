@@ -59,6 +59,14 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
   anchor_lambda_ = lambda;
 }
 
+void NonlinearBodies::linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
+  for_each([&](std::size_t b, const body::NonlinearBody& own) {
+    own.linearise_again(before_->interiors[b], linearised_[b], tangent);
+  });
+  anchor_ = q;
+  anchor_lambda_ = lambda;
+}
+
 void NonlinearBodies::measure(const base::TwoPart& q, const Multipliers& lambda) {
   for_each([&](std::size_t b, const body::NonlinearBody& own) {
     own.measure(before_->interiors[b], interior_[b], part(own, b, q), controls_->load_factors[b], linearised_[b]);

@@ -23,10 +23,15 @@ class NonlinearBodies {
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress cannot be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
+  /// The tangent at q where `renew` has measured. Errors as above.
+  void linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
   /// Moves the interiors after the change of q since the anchor and measures the imbalance there; where that fails, or
   /// the imbalance is far larger, half the step is tried, and so on. The tangent stays. Returns why no step succeeds,
   /// or nothing.
   std::string renew(base::TwoPart& q, Multipliers& lambda);
+
+  /// The anchor is q from now on, which the bodies have been measured at: it has other columns than then.
+  void columns_changed(const base::TwoPart& q) { anchor_ = q; }
 
   /// S of a body; null when it is not nonlinear.
   const Matrix* tangent(int body) const;

@@ -117,18 +117,21 @@ bool Reach::holds(const Reach& smaller) const {
   return inside(secondary, smaller.secondary) && inside(primary, smaller.primary);
 }
 
-std::vector<char> Reach::columns_out(const System& system) const {
+std::vector<char> Reach::columns_out(const System& system, Bodies of) const {
   std::vector<char> far(system.dofs, 0), near(system.dofs, 0);
   const Vector at_rest = Vector::Zero(system.dofs);
   const auto mark = [&](const std::vector<contact::SurfaceNode>& nodes, const std::vector<char>& in_reach) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const int body = nodes[k].body;
-      const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
-      if (!linear) continue;
-      const auto p = linear->position(nodes[k].contact_node, at_rest);
-      const int free = linear->freedom(nodes[k].contact_node).free;
-      for (int t = p.count - free; t < p.count; ++t)
-        (in_reach[k] ? near : far)[system.offset[body] + p.terms[t].column] = 1;
+      const auto mark_own = [&](const auto& own) {
+        const auto p = own.position(nodes[k].contact_node, at_rest);
+        const int free = own.freedom(nodes[k].contact_node).free;
+        for (int t = p.count - free; t < p.count; ++t)
+          (in_reach[k] ? near : far)[system.offset[body] + p.terms[t].column] = 1;
+      };
+      if (const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body])) mark_own(*linear);
+      if (of == Bodies::linear) continue;
+      if (const auto* nonlinear = std::get_if<body::NonlinearBody>(&system.bodies[body])) mark_own(*nonlinear);
     }
   };
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {

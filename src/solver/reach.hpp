@@ -31,8 +31,9 @@ struct Reach {
   Reach widened(const System& system, int nodes) const;
   int nodes() const;                       ///< number of those that may touch
   bool holds(const Reach& smaller) const;  ///< whether all nodes of another reach are of this one
-  /// Per global column: whether it moves nothing but nodes of linear bodies out of reach.
-  std::vector<char> columns_out(const System& system) const;
+  enum class Bodies { linear, deformable };
+  /// Per global column: whether it moves nothing but nodes of these bodies out of reach.
+  std::vector<char> columns_out(const System& system, Bodies of) const;
 
   /// No node at the rim of the reach is active or met, and none beyond it is overlapped, in a contact integrated on all
   /// of its nodes.

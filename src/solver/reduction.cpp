@@ -5,7 +5,7 @@
 namespace reye::solver {
 
 Reduction::Reduction(const System& system, const Reach& reach, bool moving) : offset_(system.offset) {
-  const auto out = reach.columns_out(system);
+  const auto out = reach.columns_out(system, Reach::Bodies::linear);
   parts_.resize(system.bodies.size());
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int n = body::dofs(system.bodies[b]);

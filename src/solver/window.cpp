@@ -1,29 +1,64 @@
 #include "solver/window.hpp"
 
+#include <algorithm>
+#include <memory>
+
 namespace reye::solver {
 
-constexpr int spare = 1;  ///< nodes beyond what is needed, for a contact that grows: a new choice costs half a matrix
+namespace {
 
-void Window::choose(const System& system, const Reduction& reduction, const Reach& needed) {
-  if (chosen_ && reach_.holds(needed)) return;
+constexpr int spare = 1;  ///< nodes beyond what is needed, for a contact that grows: a new choice costs half a matrix
+/// Share of the columns of a nonlinear body from which on it pays to condense them out of each of its tangents.
+constexpr double worth_condensing = 0.5;
+
+void keep_where_few_are_out(const System& system, const NonlinearBodies& nonlinear, std::vector<char>& out) {
+  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
+    if (!nonlinear.tangent(static_cast<int>(b))) continue;
+    const auto first = out.begin() + system.offset[b], last = first + body::dofs(system.bodies[b]);
+    if (static_cast<double>(std::count(first, last, 1)) < worth_condensing * static_cast<double>(last - first))
+      std::fill(first, last, 0);
+  }
+}
+
+}  // namespace
+
+void Window::choose(const System& system, const Reduction& reduction, const NonlinearBodies& nonlinear,
+                    const Reach& needed) {
+  if (chosen_ && reach_.holds(needed)) {
+    if (!renewed_) renew(system, nonlinear);
+    return;
+  }
   chosen_ = true;
   reach_ = needed.widened(system, spare);
-  const auto out = reach_.columns_out(system);
+  auto out = reach_.columns_out(system, Reach::Bodies::deformable);
+  keep_where_few_are_out(system, nonlinear, out);
   columns_ = {};
+  split_.clear();
   first_reduced_.clear();
   parts_.assign(system.bodies.size(), {});
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     const int body = static_cast<int>(b), from = reduction.first(body);
     const int to = b + 1 < system.bodies.size() ? reduction.first(body + 1) : reduction.size();
     first_reduced_.push_back(from);
-    auto [near, far] = columns_.add(to - from, [&](int i) { return out[reduction.column(i)]; });
+    split_.push_back(columns_.add(to - from, [&](int i) { return out[reduction.column(i)]; }));
     if (reduction.stiffness(body).size() == 0) continue;
+    const auto& [near, far] = split_.back();
     if (const auto* turning = reduction.turning(body)) {
       parts_[b].whole = *turning;
       parts_[b].turning = turning->part(near);
     }
-    static_cast<Condensed&>(parts_[b]) = reduction.part(body, std::move(near), std::move(far));
+    static_cast<Condensed&>(parts_[b]) = reduction.part(body, near, far);
   }
+  renew(system, nonlinear);
+}
+
+/// Condenses nonlinear bodies by their present tangents.
+void Window::renew(const System& system, const NonlinearBodies& nonlinear) {
+  renewed_ = true;
+  for (std::size_t b = 0; b < system.bodies.size(); ++b)
+    if (const auto* S = nonlinear.tangent(static_cast<int>(b)))
+      static_cast<Condensed&>(parts_[b]) =
+          Condensed(std::make_shared<const Matrix>(*S), nullptr, split_[b].near, split_[b].far);
 }
 
 void Window::turn(int body, const Vector& q, const Vector& forces, const Vector& rate) {

@@ -167,7 +167,8 @@ TEST_P(nonlinear_body, condensed_step_equals_full_step) {
   const fem::Pattern pattern(mesh_);
   auto sparse = pattern.zero();
   fem::InternalForce f;
-  fem::tangent(mesh_, solid(), B * unknowns(), s_.before.history, pattern, f, sparse);
+  fem::internal_force(mesh_, solid(), B * unknowns(), s_.before.history, f);
+  fem::tangent(mesh_, solid(), B * unknowns(), s_.before.history, pattern, sparse);
   f.total -= 0.7 * loads(B * unknowns());
   if (input_.kinematics == Kinematics::finite)
     fem::FollowerPressure(mesh_, input_.analysis, input_.boundary_loads[0])

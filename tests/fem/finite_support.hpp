@@ -94,7 +94,8 @@ inline std::vector<double> newton(const Mesh& mesh, const fem::Solid& solid, con
   fem::InternalForce internal;
   std::vector<double> table;
   for (int iteration = 0; iteration < 25; ++iteration) {
-    fem::tangent(mesh, solid, u, fem::virgin(mesh, solid), pattern, internal, K);
+    fem::internal_force(mesh, solid, u, fem::virgin(mesh, solid), internal);
+    fem::tangent(mesh, solid, u, fem::virgin(mesh, solid), pattern, K);
     Vector r = internal.total - f;
     for (int node : held) r.segment<2>(2 * node).setZero();
     table.push_back(r.norm() / internal.largest);

@@ -37,9 +37,7 @@ TEST_P(solid, tangent_is_the_derivative) {
   });
   const fem::Pattern pattern(mesh);
   auto K = pattern.zero();
-  fem::InternalForce f;
-  fem::tangent(mesh, of(), u, fem::virgin(mesh, of()), pattern, f, K);
-  EXPECT_LT((f.total - force(mesh, u)).norm(), 1e-13 * f.total.norm());
+  fem::tangent(mesh, of(), u, fem::virgin(mesh, of()), pattern, K);
   const Vector exact = K * along;
   const auto error = [&](double h) {
     return ((force(mesh, u + h * along) - force(mesh, u - h * along)) / (2 * h) - exact).norm() / exact.norm();

@@ -47,8 +47,7 @@ class prestrain : public testing::TestWithParam<Case> {
   base::SparseMatrix tangent(const Mesh& mesh, const Vector& u, const GaussState& before) const {
     const fem::Pattern pattern(mesh);
     auto K = pattern.zero();
-    fem::InternalForce f;
-    fem::tangent(mesh, of(), u, before, pattern, f, K);
+    fem::tangent(mesh, of(), u, before, pattern, K);
     return K;
   }
 };

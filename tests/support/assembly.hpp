@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 
+#include "material/parameters.hpp"
 #include "solver/newton.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
@@ -51,7 +52,7 @@ inline solver::System system_of(Assembly a) {
     shapes.push_back(body::make_shape(a.meshes[b]));
     if (a.is_rigid(b))
       bodies.emplace_back(body::RigidBody(shapes[b], a.inputs[b]));
-    else if (a.inputs[b].kinematics == base::Kinematics::finite)
+    else if (a.inputs[b].kinematics == base::Kinematics::finite || material::has_history(a.inputs[b].material))
       bodies.emplace_back(body::NonlinearBody(shapes[b], a.inputs[b]));
     else
       bodies.emplace_back(body::LinearBody(shapes[b], a.inputs[b]));
