@@ -17,23 +17,23 @@ Condensed::Condensed(std::shared_ptr<const Matrix> whole, std::shared_ptr<const 
     kept = std::move(condensed.S);
     G_ = std::move(condensed.G);
   } else {
-    kept = by_cholesky();
-    if (kept.size() == 0) kept = by_lu();
+    auto definite = by_cholesky();
+    kept = definite ? std::move(*definite) : by_lu();
   }
   S_ = std::make_shared<const Matrix>(std::move(kept));
 }
 
 /// S', or nothing where it cannot be found in this way.
-Matrix Condensed::by_cholesky() {
+std::optional<Matrix> Condensed::by_cholesky() {
   const Matrix& S = *S_;
-  if (S != S.transpose()) return {};
+  if (S != S.transpose()) return std::nullopt;
   try {
     factor_ = algebra::DenseCholesky(S(far_, far_));
   } catch (const base::SolveError&) {
-    return {};
+    return std::nullopt;
   }
   G_ = S(far_, near_);
-  return S(near_, near_) - factor_.condense(G_);
+  return Matrix(S(near_, near_) - factor_.condense(G_));
 }
 
 Matrix Condensed::by_lu() {

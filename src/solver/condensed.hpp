@@ -41,7 +41,7 @@ class Condensed {
   Vector expand(const Eigen::Ref<const Vector>& near, const Vector& own) const;
 
  private:
-  Matrix by_cholesky();
+  std::optional<Matrix> by_cholesky();
   Matrix by_lu();
 
   std::vector<int> near_, far_;

@@ -41,11 +41,14 @@ void Increment::forget() {
 
 void Increment::remember(const SolverState& before, const SolverState& accepted) {
   last_step_ = accepted.q.high - before.q.high;
+  followed_ = false;
   nonlinear_.remember(accepted);
 }
 
 void Increment::choose_reach(const System& system, const SolverState& before, bool everything, bool limited) {
-  if (contacts_.choose(system, before, everything, limited)) window_.forget();
+  if (!contacts_.choose(system, before, everything, limited)) return;
+  window_.forget();
+  followed_ = false;
 }
 
 /// dq that the guess, or else the last increment, lets expect.
@@ -110,6 +113,7 @@ bool Increment::narrow(const System& system, const Controls& controls, base::Two
 
 void Increment::follow(const System& system, const Controls& controls, base::TwoPart& q) {
   contacts_.follow(system, loads_, q);
+  followed_ = true;
   nonlinear_.columns_changed(q);
   change_columns(system, controls);
 }

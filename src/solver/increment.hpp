@@ -49,6 +49,9 @@ class Increment {
   /// One semi-smooth Newton step about (q, lambda), or a chord step with the last matrix. Returns dq and updates
   /// lambda. Throws base::SolveError when the matrix is singular.
   Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
+  /// Whether `follow` has moved the reach since it was chosen: a start from the accepted state may need the one before.
+  bool followed() const { return followed_; }
+
   /// Moves nonlinear bodies to the state in which contact left them, with their present tangent. Returns why this
   /// fails, or nothing.
   std::string renew(base::TwoPart& q);
@@ -90,6 +93,7 @@ class Increment {
 
   ContactsInReach contacts_;
   Window window_;
+  bool followed_ = false;
   Vector last_step_;  ///< dq of the last accepted increment
   NonlinearBodies nonlinear_;
   Multipliers lambda_;

@@ -68,7 +68,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   int solves = 0, matrices = 0, tangents = 0;
   for (const auto& attempt : attempts) {
     // The previous start, or the prediction that it came from, may have moved the reach away from contact.
-    if (attempt.from == Start::sheared || (ahead && attempt.from == Start::sticking))
+    if (attempt.from == Start::sheared || (ahead && attempt.from == Start::sticking) || increment_.followed())
       increment_.choose_reach(system, before, true, options_.limit_reach);
     SolveResult found =
         NewtonPath(increment_, options_, system, before, controls, attempt).follow(options_.limit_reach);
@@ -83,7 +83,10 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   result.report.solves = solves;
   result.report.matrices = matrices;
   result.report.tangents = tangents;
-  if (result.report.converged) increment_.remember(before, result.state);
+  if (result.report.converged)
+    increment_.remember(before, result.state);
+  else if (increment_.followed())
+    increment_.choose_reach(system, before, true, options_.limit_reach);
   return result;
 }
 

@@ -21,10 +21,11 @@ constexpr int settling = 5;              ///< iterations that follow the last ch
 constexpr int symmetric_ones = 3;        ///< tangents of an increment that are symmetric parts; later ones are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
-constexpr int standing = 3;      ///< such renewals in a row, with contact not settled, after which it never will be
-constexpr double beside = 0.3;   ///< share of the imbalance that contact may leave to the next renewal
-constexpr double square = 10.0;  ///< factor of the squared imbalance that contact may leave to a new tangent
-constexpr double coarse = 1e-3;  ///< residual that contact leaves at most; with more, bad factors c cost cut-backs
+constexpr int standing = 3;       ///< such renewals in a row, with contact not settled, after which it never will be
+constexpr double beside = 0.3;    ///< share of the imbalance that contact may leave to the next renewal
+constexpr double square = 10.0;   ///< factor of the squared imbalance that contact may leave to a new tangent
+constexpr double coarse = 1e-3;   ///< residual that contact leaves at most; with more, bad factors c cost cut-backs
+constexpr int most_follows = 10;  ///< times in a path that another reach is chosen round the contact that was found
 constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
@@ -198,8 +199,16 @@ void NewtonPath::accept() {
   matrices_.forget();
   tangents_.forget();  // contact's matrix, which goes with a kept tangent, is of other columns
   on_chord_ = false;
+  if (++follows_ > most_follows)
+    return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, true));
   increment_.follow(system_, controls_, q_);
-  if (increment_.nonlinear()) since_ = -1;  // the residual is still that of the bodies
+  if (!increment_.nonlinear()) return;
+  since_ = -1;                                       // the residual is still that of the bodies
+  least_ = std::numeric_limits<double>::infinity();  // what has converged was not yet the whole contact
+  watch_ = {};
+  late_ = false;
+  settled_ = true;
+  still_ = 0;
 }
 
 /// Contact has settled on the linearised bodies, or cannot: the bodies are moved to the state in which it left them.

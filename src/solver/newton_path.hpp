@@ -66,7 +66,7 @@ class NewtonPath {
   int since_ = 0;             ///< iterations on the tangents that bodies have
   int last_ = 0, limit_ = 0;  ///< iterations at most; of them on one tangent
   int few_ = 0;               ///< iterations in a row in which a few nodes change
-  int renewals_ = 0;
+  int renewals_ = 0, follows_ = 0;
   int kept_nearest_ = 0;        ///< times that a node was kept in contact though all opened
   bool settled_ = true;         ///< before the last renewal contact had settled
   double renewed_force_ = 0.0;  ///< imbalance after the last renewal

@@ -15,8 +15,9 @@ void keep_where_few_are_out(const System& system, const NonlinearBodies& nonline
   for (std::size_t b = 0; b < system.bodies.size(); ++b) {
     if (!nonlinear.tangent(static_cast<int>(b))) continue;
     const auto first = out.begin() + system.offset[b], last = first + body::dofs(system.bodies[b]);
-    if (static_cast<double>(std::count(first, last, 1)) < worth_condensing * static_cast<double>(last - first))
-      std::fill(first, last, 0);
+    const auto count = std::count(first, last, 1);
+    const bool few = static_cast<double>(count) < worth_condensing * static_cast<double>(last - first);
+    if (few || count == last - first) std::fill(first, last, 0);
   }
 }
 
@@ -28,7 +29,7 @@ void Window::choose(const System& system, const Reduction& reduction, const Nonl
     if (!renewed_) renew(system, nonlinear);
     return;
   }
-  chosen_ = true;
+  chosen_ = renewed_ = false;  // also where what follows throws
   reach_ = needed.widened(system, spare);
   auto out = reach_.columns_out(system, Reach::Bodies::deformable);
   keep_where_few_are_out(system, nonlinear, out);
@@ -50,15 +51,16 @@ void Window::choose(const System& system, const Reduction& reduction, const Nonl
     static_cast<Condensed&>(parts_[b]) = reduction.part(body, near, far);
   }
   renew(system, nonlinear);
+  chosen_ = true;
 }
 
 /// Condenses nonlinear bodies by their present tangents.
 void Window::renew(const System& system, const NonlinearBodies& nonlinear) {
-  renewed_ = true;
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* S = nonlinear.tangent(static_cast<int>(b)))
       static_cast<Condensed&>(parts_[b]) =
           Condensed(std::make_shared<const Matrix>(*S), nullptr, split_[b].near, split_[b].far);
+  renewed_ = true;
 }
 
 void Window::turn(int body, const Vector& q, const Vector& forces, const Vector& rate) {

@@ -240,6 +240,32 @@ TEST(Jump, BlockError) {
   EXPECT_EQ(sim::block_error(0.01, false), 0.0125);
 }
 
+// After a cycle that was played by itself a first cycle must not hold the next block back, and a refused block not be
+// tried again in more cycles than it had come down to.
+TEST(Jump, AfterOneCycle) {
+  EXPECT_EQ(sim::after_one_cycle(10.0, true), 10.0);
+  EXPECT_EQ(sim::after_one_cycle(3.0, true), 4.0);
+  EXPECT_EQ(sim::after_one_cycle(2.6, false), 2.6);
+  EXPECT_EQ(sim::after_one_cycle(1.0, false), 4.0);
+  EXPECT_EQ(sim::after_one_cycle(0.5, false), 2.0);
+}
+
+// Where a tolerance is too tight for blocks of a few cycles, the next cycle must be played by itself instead of shorter
+// blocks, each three times.
+TEST(Jump, ShortBlocksAreNotTriedOneAfterAnother) {
+  const auto r =
+      recorded(test::problem_of(test::with(test::block_scene, {{"jump = 10", "jump = { tolerance = 1e-5, first = 5 }"},
+                                                               {"3.0e-5", "3.0e-2"},
+                                                               {"2.0e-5", "2.0e-2"}}) +
+                                test::few_frames));
+  std::vector<std::string> refused_at;
+  for (const auto& line : r.log)
+    if (line.find("refused: estimated error") != line.npos)
+      refused_at.push_back(line.substr(0, line.find(", block of")));
+  EXPECT_GT(refused_at.size(), 3u);
+  EXPECT_EQ(std::adjacent_find(refused_at.begin(), refused_at.end()), refused_at.end());
+}
+
 // The next block must grow with what is worn where the error is as aimed at, shrink in proportion to an error above it,
 // and never by leaps.
 TEST(Jump, NextJump) {

@@ -215,10 +215,11 @@ TEST(condensation, reach_goes_ahead_of_a_long_slide) {
 TEST(condensation, nonlinear_body_slides_past_the_rim_of_the_reach) {
   const material::HenckyJ2 soft{2000.0, 0.25, material::LinearHardening{4.0, 20.0}};
   for (const auto kinematics : {base::Kinematics::small, base::Kinematics::finite})
-    for (const bool chords : {true, false})
-      expect_same_slide(
-          {0.0, 0.07, 0.5, 0.6}, [](std::size_t) { return 0.0; }, [](std::size_t, const Steps&) {},
-          support::made_of(soft, kinematics), chords);
+    for (const double continues : {0.0, 1.0})
+      for (const bool chords : {true, false})
+        expect_same_slide(
+            {0.0, 0.07, 0.5, 0.6, 1.2}, [&](std::size_t k) { return k > 1 ? continues : 0.0; },
+            [](std::size_t, const Steps&) {}, support::made_of(soft, kinematics), chords);
 }
 
 /// Largest force of a support on one of the bodies, and the sum over all of them.

@@ -208,7 +208,7 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
   span.jump = std::min(unjumped, span.jump);
   Outcome outcome = play_block(problem, state, cache, span, observer);
   if (outcome.failure.empty() && !outcome.interrupted) {
-    outcome.state.jump = most_growth * span.jump;
+    outcome.state.jump = after_one_cycle(tried, state.step_cycles == 0.0);
     outcome.state.jump_rate = 0.0;
     const double after = removed(outcome.state);
     if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
@@ -238,6 +238,10 @@ double shortened(bool too_long, double allowed, double error) {
   return too_long ? std::clamp(aim * allowed / error, most_cut, 0.7) : most_cut;
 }
 
+double after_one_cycle(double tried, bool first) {
+  return !first && tried > unjumped ? tried : std::max(most_growth * std::min(unjumped, tried), tried);
+}
+
 double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
   const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
   const double steeper =
@@ -260,7 +264,7 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
       return std::move(trial.outcome);
     }
     refuse_trial(problem, trial, observer, start, span);
-    if (trial.too_long && start.step_cycles == 0.0) break;
+    if (trial.too_long && (start.step_cycles == 0.0 || span.jump < fewest_tried)) break;
   }
   return play_one_cycle(problem, start, cache, span, observer);
 }

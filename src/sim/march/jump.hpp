@@ -10,6 +10,9 @@ namespace reye::sim {
 
 inline constexpr double unjumped = 1.0;     ///< cycles of a block without a jump: it is played once and has no error
 inline constexpr double most_growth = 4.0;  ///< of the cycles from one block to the next
+/// Cycles of a block that is tried once more after a refusal: one of fewer is played three times, which costs more than
+/// its cycles by themselves, and they have no error.
+inline constexpr double fewest_tried = 3.0;
 /// Share of a block's cycles that level it: more than its extrapolation leaves uneven.
 inline constexpr double levelling = 0.2;
 
@@ -23,6 +26,10 @@ double allowed(const std::vector<scene::Limit>& limits, const std::map<std::stri
 /// edge of the stick zone recedes from node to node, and halves keep more of the error than half: a share is added.
 double block_error(double difference, bool slips_throughout);
 
+/// Cycles to try after a block of one cycle, which the one that was `tried` before it has come down to. `first`: it is
+/// the first one of its step, unlike all later ones.
+double after_one_cycle(double tried, bool first);
+
 /// The factor by which the cycles of a block are cut that has failed, or had an error beyond the one that is allowed.
 double shortened(bool too_long, double allowed, double error);
 
@@ -34,7 +41,8 @@ double next_jump(double jump, double share, double error, double tolerance, doub
 
 /// One block of at most `span.jump` cycles, played once as a whole and once in two halves with the same increments.
 /// Where the two are too far apart for the step's tolerance, or one fails, fewer cycles are tried; at the start of a
-/// step the first cycle is then played by itself, since it starts from a state unlike that of all later ones. The end
+/// step the first cycle is then played by itself, since it starts from a state unlike that of all later ones; so is a
+/// cycle where fewer than `fewest_tried` are left. The end
 /// is the extrapolated one (`correction`); where it is shown, or a body is to be remeshed, short cycles that level it
 /// follow as part of the block. `State::jump_error` becomes the larger of this block's error and the remainder of
 /// earlier ones, which fades as the worn volume grows.

@@ -176,7 +176,7 @@ SolidOutcome play_one_solid_cycle(SolidPlayer& player, const SolidRunState& stat
   span.jump = std::min(unjumped, span.jump);
   SolidOutcome outcome = player.play(state, span, observer);
   if (outcome.failure.empty() && !outcome.interrupted) {
-    outcome.state.jump = most_growth * span.jump;
+    outcome.state.jump = after_one_cycle(tried, state.step_cycles == 0.0);
     outcome.state.jump_rate = 0.0;
     const double after = removed_volume(outcome.state);
     if (state.jump_error && after > 0.0) outcome.state.jump_error = removed_volume(state) / after * *state.jump_error;
@@ -241,7 +241,7 @@ SolidOutcome play_controlled_block(const SolidProblem& problem, SolidPlayer& pla
     const double permitted = allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
     span.jump = std::max(unjumped, shortened(trial.too_long, permitted, trial.error) * span.jump);
     span.last = span.level = false;
-    if (trial.too_long && start.step_cycles == 0.0) break;
+    if (trial.too_long && (start.step_cycles == 0.0 || span.jump < fewest_tried)) break;
   }
   SolidObserver without_states = observer;  // none of them is at the end of a block
   without_states.state = {};
