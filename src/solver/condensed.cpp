@@ -17,27 +17,38 @@ Condensed::Condensed(std::shared_ptr<const Matrix> whole, std::shared_ptr<const 
     kept = std::move(condensed.S);
     G_ = std::move(condensed.G);
   } else {
-    auto definite = by_cholesky();
-    kept = definite ? std::move(*definite) : by_lu();
+    kept = by_cholesky(*S_);
   }
   S_ = std::make_shared<const Matrix>(std::move(kept));
 }
 
-/// S', or nothing where it cannot be found in this way.
-std::optional<Matrix> Condensed::by_cholesky() {
-  const Matrix& S = *S_;
-  if (S != S.transpose()) return std::nullopt;
-  try {
-    factor_ = algebra::DenseCholesky(S(far_, far_));
-  } catch (const base::SolveError&) {
-    return std::nullopt;
+Condensed Condensed::tangent(const Matrix& S, std::vector<int> near, std::vector<int> far) {
+  Condensed result;
+  result.near_ = std::move(near);
+  result.far_ = std::move(far);
+  if (result.far_.empty()) {
+    result.S_ = std::make_shared<const Matrix>(S);
+    return result;
   }
-  G_ = S(far_, near_);
-  return Matrix(S(near_, near_) - factor_.condense(G_));
+  std::optional<Matrix> kept;
+  if (S == S.transpose()) {
+    try {
+      kept = result.by_cholesky(S);
+    } catch (const base::SolveError&) {  // not definite, as where a material softens
+    }
+  }
+  if (!kept) kept = result.by_lu(S);
+  result.S_ = std::make_shared<const Matrix>(std::move(*kept));
+  return result;
 }
 
-Matrix Condensed::by_lu() {
-  const Matrix& S = *S_;
+Matrix Condensed::by_cholesky(const Matrix& S) {
+  factor_ = algebra::DenseCholesky(S(far_, far_));
+  G_ = S(far_, near_);
+  return S(near_, near_) - factor_.condense(G_);
+}
+
+Matrix Condensed::by_lu(const Matrix& S) {
   Matrix S_ff = S(far_, far_);
   general_.emplace();
   general_->factor.factor(S_ff);

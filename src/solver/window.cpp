@@ -58,8 +58,7 @@ void Window::choose(const System& system, const Reduction& reduction, const Nonl
 void Window::renew(const System& system, const NonlinearBodies& nonlinear) {
   for (std::size_t b = 0; b < system.bodies.size(); ++b)
     if (const auto* S = nonlinear.tangent(static_cast<int>(b)))
-      static_cast<Condensed&>(parts_[b]) =
-          Condensed(std::make_shared<const Matrix>(*S), nullptr, split_[b].near, split_[b].far);
+      static_cast<Condensed&>(parts_[b]) = Condensed::tangent(*S, split_[b].near, split_[b].far);
   renewed_ = true;
 }
 

@@ -26,6 +26,8 @@ struct Law {
   /// Where these are set, a coefficient is its number above, the unit of the formula, times the formula.
   Formula secondary_formula{}, primary_formula{};
 
+  /// Whether its rate at a point depends on what has happened there before, as where a coating is worn through.
+  bool has_memory() const { return threshold > 0.0 || secondary_formula || primary_formula; }
   bool wears() const { return kind != LawKind::none && (secondary > 0.0 || primary > 0.0); }
 };
 

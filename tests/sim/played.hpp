@@ -1,6 +1,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -47,5 +48,15 @@ inline Kinds kinds_of(const std::vector<sim::Warning>& warnings) {
 }
 
 inline double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); }
+
+/// Volumes that the secondary side of the first contact has lost.
+inline std::vector<double> removed(const Played& r) { return r.state.solution.contacts[0].removed_secondary; }
+
+/// int |w - w_0| over the worn area.
+inline double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double d = 0.0;
+  for (std::size_t j = 0; j < a.size(); ++j) d += std::abs(a[j] - b[j]);
+  return d / sum(b);
+}
 
 }  // namespace reye::test

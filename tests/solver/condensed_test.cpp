@@ -79,7 +79,8 @@ TEST(condensed, no_inverse_of_a_free_motion) {
   EXPECT_THROW(reye::algebra::Compliance(S, {3, 4}), reye::base::SolveError);
 }
 
-// Tangents of nonlinear bodies need be neither symmetric nor definite, and must be condensed as exactly.
+// Tangents of nonlinear bodies need be neither symmetric nor definite, and must be condensed as exactly; a linear body
+// whose stiffness is not definite must be refused.
 TEST(condensed, where_not_symmetric_or_not_definite) {
   Matrix unsymmetric = stiffness(9), indefinite = stiffness(9);
   for (int i = 0; i < 9; ++i) unsymmetric(i, (i + 4) % 9) += 0.4;
@@ -88,14 +89,16 @@ TEST(condensed, where_not_symmetric_or_not_definite) {
   f << 1, -2, 3, 0.5, -1, 4, 2, -3, 1;
   for (const Matrix& S : {unsymmetric, indefinite}) {
     const Vector q = reye::algebra::least_squares(S, f);
-    const reye::solver::Condensed once(shared(S), nullptr, near, far);
+    const auto once = reye::solver::Condensed::tangent(S, near, far);
     const auto [kept, own] = once.load(f);
     EXPECT_LT((once.expand(reye::algebra::least_squares(once.stiffness(), kept), own) - q).norm(), 1e-14 * q.norm());
   }
+  EXPECT_THROW(reye::solver::Condensed(shared(indefinite), nullptr, near, far), reye::base::SolveError);
   Matrix singular = stiffness(9);
   singular.row(6) = singular.row(7);
   singular.col(6) = singular.col(7);
   EXPECT_THROW(reye::solver::Condensed(shared(singular), nullptr, near, far), reye::base::SolveError);
+  EXPECT_THROW(reye::solver::Condensed::tangent(singular, near, far), reye::base::SolveError);
 }
 
 // With nothing to condense everything must pass as it is.

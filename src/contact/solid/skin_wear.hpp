@@ -64,6 +64,8 @@ struct SkinWearing {
   double jump = 1.0;        ///< cycles that the increment stands for
   double duration_s = 0.0;  ///< of the increment in each of them
   double cycle = 0.0;       ///< before the block
+  /// Volumes per point that gaps see beside what has been removed; empty: there are none.
+  std::vector<double> ahead_secondary{}, ahead_primary{};
 };
 
 /// Volumes that a sliding point removes from both sides in an increment, and how they change with its traction z and

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/problem/block_wear.hpp"
 #include "sim/problem/records.hpp"
 #include "sim/problem/watch.hpp"
 
@@ -22,6 +23,24 @@ template <class Archive>
 void serialize(Archive& archive, StickZone& z) {
   auto& [stick, contact, element] = z;
   archive(stick, contact, element);
+}
+
+template <class Archive>
+void serialize(Archive& archive, WornUntil& w) {
+  auto& [progress, volumes] = w;
+  archive(progress, volumes);
+}
+
+template <class Archive>
+void serialize(Archive& archive, CourseOfWear& w) {
+  auto& [cycles, until] = w;
+  archive(cycles, until);
+}
+
+template <class Archive, class Contact>
+void serialize(Archive& archive, BlockWear<Contact>& w) {
+  auto& [cycles, contacts, measures, course] = w;
+  archive(cycles, contacts, measures, course);
 }
 
 }  // namespace reye::sim

@@ -5,13 +5,12 @@
 #include <tuple>
 
 #include "base/formatted.hpp"
+#include "sim/march/seen_in_gaps.hpp"
 #include "sim/march/watch_contacts.hpp"
 #include "sim/measure/bond_traction.hpp"
 #include "sim/measure/figures.hpp"
 #include "sim/measure/frame.hpp"
 #include "sim/measure/nodal_depth.hpp"
-#include "sim/measure/shared_wear.hpp"
-#include "sim/measure/thickness.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/rules.hpp"
@@ -54,6 +53,8 @@ struct Playing {
   double last_length = 0.0;
   int newton = 0;
   std::vector<double> ends{};  ///< of the increments played so far
+  Volumes at_start{};          ///< volumes removed; empty: the course is not noted
+  CourseOfWear worn{};
 };
 
 /// The addition to the message of an increment that fails while a drawn overlap is let in.
@@ -68,34 +69,13 @@ void note_cutback(State& state, const std::string& where, const Observer& observ
   if (observer.log) observer.log("cut back: " + where);
 }
 
-/// Gives each contact what the others have worn and dissipated at its nodes.
-void pass_on_others(solver::Controls& controls, const Problem& problem, const State& state) {
-  auto left = left_by_others(problem, state);
-  for (std::size_t c = 0; c < left.size(); ++c) {
-    controls.contacts[c].waiting_secondary = std::move(left[c].waiting_secondary);
-    controls.contacts[c].waiting_primary = std::move(left[c].waiting_primary);
-    controls.contacts[c].energy_elsewhere = std::move(left[c].energy);
-  }
-}
-
-void set_thickness(solver::Controls& controls, const Problem& problem, const State& state,
-                   const solver::System& system) {
-  for (std::size_t c = 0; c < controls.contacts.size(); ++c) {
-    if (!controls.contacts[c].wear) continue;
-    auto thickness = layer_thickness(problem, state, system, static_cast<int>(c));
-    controls.contacts[c].thickness_secondary = std::move(thickness.secondary);
-    controls.contacts[c].thickness_primary = std::move(thickness.primary);
-  }
-}
-
 /// What is prescribed, loaded and asked of the contacts in the increment from progress `from` to `to`.
 solver::Controls asked(const Problem& problem, const State& state, const solver::System& system, const Playing& block,
                        const std::map<std::string, double>& factors, double from, double to) {
   const auto& span = block.span;
   auto controls = controls_at(problem, system, factors, *span.step, from, to, to > from ? span.jump : 1.0);
-  set_cycle(controls, problem, state.cycle);
-  pass_on_others(controls, problem, state);
-  set_thickness(controls, problem, state, system);
+  set_cycle(controls, problem, span.continued ? span.continued->cycle : state.cycle);
+  set_seen_in_gaps(controls, problem, state, system, span, to);
   count_from_renewal(controls, problem, system, state);
   const double last = block.last_length;
   if (last > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last;
@@ -113,6 +93,7 @@ void accept(const Problem& problem, State& state, const solver::System& system, 
   state.factors = factors;
   block.last_length = to - from;
   if (to > from) block.ends.push_back(to);
+  if (!block.at_start.empty()) block.worn.note(to, removed_volumes(state.solution.contacts), block.at_start);
   block.newton = result.report.solves;
   watch_contacts(problem, state, system, span.step->wear);
   watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
@@ -221,6 +202,10 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
   const auto& output = problem.scene.output;
   Playing block{span, observer, state.factors,
                 history_due(output.history_every_blocks, state.step_blocks + 1, span.last)};
+  if (under_tolerance(*span.step)) {
+    block.at_start = removed_volumes(state.solution.contacts);
+    block.worn.cycles = span.jump;
+  }
   cache.newton.reset();
   begin_watch(problem, state);
   const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
@@ -250,7 +235,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     state.cycle += span.jump;
     ++state.counts.cycles_solved;
   }
-  return {std::move(state), {}, false, {}, std::move(block.ends)};
+  return {std::move(state), {}, false, {}, std::move(block.ends), std::move(block.worn)};
 }
 
 Outcome end_block(const Problem& problem, State state, Cache& cache, const BlockSpan& span, const Observer& observer) {

@@ -101,6 +101,7 @@ class Runner {
     state_.step_cycles = 0.0;
     state_.step_blocks = 0;
     state_.block_cycles = 0.0;
+    state_.last_wear = {};
   }
 
   Outcome play(const BlockSpan& span, const State& from, const Observer& observer) {

@@ -4,18 +4,23 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/march/jump_rule.hpp"
 #include "sim/measure/limits.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/ending.hpp"
 #include "sim/problem/rules.hpp"
+#include "sim/problem/two_step.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr double plays_of_block = 3.0;  ///< once as a whole, once in two halves
-constexpr double plays_of_levelling = 4.0;
-constexpr double growth = 4.0;      ///< of a block over the one before it, at most
+/// Blocks under a tolerance that are played as a whole and in two halves, and those that continue one another.
+struct Blocks {
+  double plays, levelling;  ///< of one block, and more where its end is shown
+  double growth;            ///< of a block over the one before it, at most
+};
+constexpr Blocks in_halves{3.0, 4.0, most_growth}, continued{1.0, 0.0, usual_ratio};
 constexpr long telling_blocks = 3;  ///< blocks after which the length of the next one says something
 
 /// Where a run stands in its cycles.
@@ -44,8 +49,8 @@ Work fixed_blocks(double left, double jump, double increments) {
   return {blocks, blocks, blocks * increments};
 }
 
-Work controlled_blocks(const scene::FrameRules& frames, const scene::Step& step, Place& at, double until,
-                       double increments) {
+Work controlled_blocks(const scene::FrameRules& frames, const scene::Step& step, const Blocks& blocks, Place& at,
+                       double until, double increments) {
   Work work;
   while (at.done < until * (1.0 - 1e-9)) {
     const double left = until - at.done;
@@ -58,11 +63,12 @@ Work controlled_blocks(const scene::FrameRules& frames, const scene::Step& step,
                                              .last = last,
                                              .share_before = at.done / step.cycles,
                                              .share = (at.done + cycles) / step.cycles});
-    const double plays = plays_of_block + (levelled ? plays_of_levelling : 0.0);
+    const Blocks& way = at.done > 0.0 ? blocks : in_halves;
+    const double plays = way.plays + (levelled ? way.levelling : 0.0);
     work += {1.0, plays, plays * increments};
     at.done += cycles;
     at.cycle += cycles;
-    at.jump = std::max(at.jump, std::min(growth * at.jump, at.share * at.cycle));
+    at.jump = std::max(at.jump, std::min(blocks.growth * at.jump, at.share * at.cycle));
   }
   return work;
 }
@@ -93,7 +99,8 @@ Work work_left(const Problem& problem, const State& state) {
       work += {1.0, 0.0, increments};
     } else if (under_tolerance(step)) {
       if (at.jump == 0.0) at.jump = step.jump;
-      work += controlled_blocks(scene.output.frames, step, at, until, increments);
+      const auto& blocks = may_continue(problem.contacts) ? continued : in_halves;
+      work += controlled_blocks(scene.output.frames, step, blocks, at, until, increments);
     } else {
       const bool cut = present && state.block_cycles > 0.0;
       work += fixed_blocks(until - at.done, cut ? state.block_cycles : step.jump, increments);

@@ -128,6 +128,31 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
   return difference;
 }
 
+double continued_difference(const solver::System& system, const State& start, const TwoStep& formula,
+                            const State& end) {
+  double difference = 0.0;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto &was = start.solution.contacts[c], &now = end.solution.contacts[c];
+    const auto& growth = start.last_wear.contacts[c];
+    ContinuedSide secondary(formula, growth.removed_secondary, was.removed_secondary, now.removed_secondary),
+        primary(formula, growth.removed_primary, was.removed_primary, now.removed_primary);
+    const auto before = slipped(start, c);
+    for (std::size_t j = 0; j < before.size(); ++j) {
+      const bool slips = now.slip[j] > was.slip[j];
+      secondary.passed[j] |= static_cast<bool>(before[j]) != slips;
+      if (!secondary.passed[j]) continue;
+      for (const auto& [l, M] : now.reference[j].M) primary.passed[l] = 1;
+    }
+    difference = std::max(
+        {difference,
+         difference_of(setup.secondary, trust(setup.secondary, secondary.passed), secondary.once,
+                       now.removed_secondary),
+         difference_of(setup.primary, trust(setup.primary, primary.passed), primary.once, now.removed_primary)});
+  }
+  return difference;
+}
+
 bool slips_throughout(const State& start, const State& end) {
   for (std::size_t c = 0; c < end.solution.contacts.size(); ++c) {
     const auto &before = start.solution.contacts[c], &after = end.solution.contacts[c];

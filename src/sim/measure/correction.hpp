@@ -1,6 +1,7 @@
 #pragma once
 #include "sim/measure/side_correction.hpp"
 #include "sim/problem/state.hpp"
+#include "sim/problem/two_step.hpp"
 
 /// The correction of a block's wear, from playing it once as a whole and once in two halves.
 namespace reye::sim {
@@ -20,6 +21,10 @@ std::vector<double> trust(const mortar::Surface& surface, const std::vector<char
 /// V_j, V the volumes removed since the start, and the difference of the largest depths over the largest depth; the
 /// largest of all. The share `settled` of the correction by `extrapolate` is not counted.
 double wear_difference(const solver::System& system, const Twice& twice, const State& halves);
+
+/// Error of the end of a block that the two-step formula has continued from `start`: as `wear_difference`, by what two
+/// halves of it would differ from it as a whole.
+double continued_difference(const solver::System& system, const State& start, const TwoStep& formula, const State& end);
 
 /// Whether no contact that slipped in a block has a node under pressure that did not.
 bool slips_throughout(const State& start, const State& end);

@@ -46,4 +46,14 @@ IncrementRecord wear_of(const Problem& problem, const solver::System& system, co
   return r;
 }
 
+void add_wear(IncrementRecord& row, double share, const IncrementRecord& before, const IncrementRecord& after) {
+  const auto add = [share](auto& to, const auto& from, const auto& end) {
+    to.depth_max_secondary_mm += share * (end.depth_max_secondary_mm - from.depth_max_secondary_mm);
+    to.depth_max_primary_mm += share * (end.depth_max_primary_mm - from.depth_max_primary_mm);
+    to.energy_mJ += share * (end.energy_mJ - from.energy_mJ);
+  };
+  add(row, before, after);
+  for (std::size_t c = 0; c < row.contacts.size(); ++c) add(row.contacts[c], before.contacts[c], after.contacts[c]);
+}
+
 }  // namespace reye::sim

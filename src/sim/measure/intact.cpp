@@ -7,6 +7,7 @@
 #include "fem/element.hpp"
 #include "mesh/quality.hpp"
 #include "sim/problem/finite.hpp"
+#include "sim/problem/intact_wear.hpp"
 
 namespace reye::sim {
 
@@ -222,6 +223,7 @@ void check_state(const Problem& problem, const State& state, Cache& cache) {
   const auto kept = system_of(problem, state, cache);
   const auto& system = *kept;
   if (state.approached) check_solution(problem, state, system);
+  check_last_wear(state.last_wear, state.solution.contacts);
   for (const auto& [progress, guess] : state.recall.played) {
     require(counted(progress.first, 1.0) && counted(progress.second, 1.0), "an increment was played at no progress");
     check_guess(guess, system, state.solution.interiors);

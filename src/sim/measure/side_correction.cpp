@@ -21,6 +21,21 @@ std::vector<double> SidePlays::worn() const {
   return w;
 }
 
+/// Growth of a rate from block to block beyond which wear begins at a point.
+constexpr double beginning = 2.0;
+
+ContinuedSide::ContinuedSide(const TwoStep& formula, const std::vector<double>& growth,
+                             const std::vector<double>& start, const std::vector<double>& end)
+    : once(end), passed(end.size(), 0) {
+  for (std::size_t j = 0; j < end.size(); ++j) {
+    const double now = end[j] - start[j];
+    // Where wear begins, its rate at the end serves for the block: what is too much there is lacking beside.
+    once[j] -= growth[j] > 0.0 ? formula.two_halves_apart(growth[j], now) : now;
+    const bool begins = now > beginning * formula.ratio * growth[j];
+    passed[j] = begins || (growth[j] > 0.0) != (now > formula.start() * growth[j]);
+  }
+}
+
 std::vector<double> side_correction(const std::vector<double>& trusted, const std::vector<double>& once,
                                     const std::vector<double>& halves, const std::vector<double>& worn,
                                     const std::vector<double>& available) {

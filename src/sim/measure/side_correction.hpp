@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/problem/two_step.hpp"
+
 /// The correction of the wear of one side of a contact, from playing a block once as a whole and once in two halves:
 /// arrays over points, whatever the dimension.
 namespace reye::sim {
@@ -21,6 +23,15 @@ struct SidePlays {
   std::vector<char> passed() const;
   /// What both halves wore.
   std::vector<double> worn() const;
+};
+
+/// One side's removed volumes in a block that the two-step formula has continued. `growth`: in the block before.
+struct ContinuedSide {
+  std::vector<double> once;  ///< at its end, less what two halves would differ from it as a whole by
+  std::vector<char> passed;  ///< whether a point wore in one of both blocks and not in the other
+
+  ContinuedSide(const TwoStep& formula, const std::vector<double>& growth, const std::vector<double>& start,
+                const std::vector<double>& end);
 };
 
 /// From 0 to 1 how far a point is from those where something passed: `facets` lists the points of each facet.

@@ -35,6 +35,8 @@ bool finite(const Eigen::DenseBase<Values>& values) {
 inline bool finite(const std::optional<double>& value) { return !value || std::isfinite(*value); }
 inline bool finite(const std::pair<int, double>& share) { return std::isfinite(share.second); }
 inline bool finite(const contact::MortarRow& row);
+template <class T>
+bool finite(const std::vector<T>& list);
 template <class T, std::size_t N>
 bool finite(const std::array<T, N>& list) {
   return std::all_of(list.begin(), list.end(), [](const auto& v) { return finite(v); });

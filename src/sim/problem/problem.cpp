@@ -25,13 +25,15 @@ Problem& Problem::operator=(const Problem&) = default;
 Problem& Problem::operator=(Problem&&) noexcept = default;
 Problem::~Problem() = default;
 
-bool outlines_may_wait(const Problem& problem) {
-  const auto explicit_wear = [](const PlacedContact& contact) {
+bool wear_is_in_gaps(const Problem& problem) {
+  return std::none_of(problem.contacts.begin(), problem.contacts.end(), [](const PlacedContact& contact) {
     return contact.options.wear.wears() && !contact.options.implicit_wear;
-  };
-  return problem.scene.remesh.every_blocks == 0 &&
-         std::none_of(problem.inputs.begin(), problem.inputs.end(), is_nonlinear) &&
-         std::none_of(problem.contacts.begin(), problem.contacts.end(), explicit_wear);
+  });
+}
+
+bool outlines_may_wait(const Problem& problem) {
+  return problem.scene.remesh.every_blocks == 0 && wear_is_in_gaps(problem) &&
+         std::none_of(problem.inputs.begin(), problem.inputs.end(), is_nonlinear);
 }
 
 }  // namespace reye::sim

@@ -70,6 +70,9 @@ struct Problem {
 /// Finite strain or a material with history: not condensed once, but linearised in every iteration.
 bool is_nonlinear(const body::BodyInput& input);
 
+/// Whether wear is in the gap when pressures are found: that of every contact is implicit.
+bool wear_is_in_gaps(const Problem& problem);
+
 /// Whether the outlines of worn bodies may wait until one shape step serves several blocks: bodies are linear, wear is
 /// in the gap when pressures are found, and the scene does not remesh by blocks.
 bool outlines_may_wait(const Problem& problem);

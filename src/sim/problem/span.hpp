@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct BlockSpan {
   bool remesh = true;  ///< false: poor elements wait for the end of the block
   bool extrapolated =
       false;  ///< its wear was corrected, but not the pressures, which therefore do not fit the new shape
+  std::optional<Continued> continued{};
   std::vector<double> ends{};      ///< of its increments, by progress; empty: as the step has them
   double increments_of_run = 0.0;  ///< those solved before it and those that are left, by an estimate; 0: not asked for
 };
@@ -29,6 +31,7 @@ struct Outcome {
   bool interrupted = false;
   std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
   std::vector<double> ends{};              ///< of the increments that were played, by progress
+  CourseOfWear worn{};                     ///< by the increments of a step under a tolerance
   bool remesh_due = false;                 ///< a trigger fired, and the span has put it off
 };
 

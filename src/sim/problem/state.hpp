@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/problem/block_wear.hpp"
 #include "sim/problem/problem.hpp"
 #include "sim/problem/recall.hpp"
 #include "sim/problem/records.hpp"
@@ -34,8 +35,9 @@ struct State {
   double jump = 0.0;          ///< cycles that the next block is tried with under a tolerance; 0: the first
   double jump_rate = 0.0;     ///< error of the last block under a tolerance over its share of all wear; 0: none
   double block_cycles = 0.0;  ///< where a fixed jump was too long in this step, the cycles that worked; 0: none was
-  std::optional<double> jump_error;       ///< error of the blocks under a tolerance, as far as known
-  std::map<std::string, double> factors;  ///< of every history
+  BlockWear<contact::ContactState> last_wear;  ///< of the last block under a tolerance in this step
+  std::optional<double> jump_error;            ///< error of the blocks under a tolerance, as far as known
+  std::map<std::string, double> factors;       ///< of every history
   std::vector<body::ShapePtr> shapes;
   solver::SolverState solution;
   Recall recall;

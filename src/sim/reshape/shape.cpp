@@ -234,6 +234,7 @@ Outcome settle(const Problem& problem, State state, Change change, Cache& cache,
     const std::string failure = remesh_bodies(problem, state, change, cache, records);
     if (!failure.empty()) return {std::move(state), failure, false};
     next.recall = {};
+    next.last_wear = {};  // it is of other nodes
   }
   if (next.shapes == state.shapes) return {std::move(state), {}, false};
   next.shown = false;

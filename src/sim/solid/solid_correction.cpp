@@ -118,6 +118,27 @@ double skin_wear_difference(const solver::SolidSystem& system, const SolidTwice&
   return difference;
 }
 
+double continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start, const TwoStep& formula,
+                                 const SolidRunState& end) {
+  const auto slid = slid_between(start.solution.wear, end.solution.wear);
+  double difference = 0.0;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
+    const auto& setup = system.contacts[c];
+    const auto &was = start.solution.wear[c], &now = end.solution.wear[c], &growth = start.last_wear.contacts[c];
+    ContinuedSide secondary(formula, growth.removed_secondary, was.removed_secondary, now.removed_secondary);
+    const ContinuedSide primary(formula, growth.removed_primary, was.removed_primary, now.removed_primary);
+    for (std::size_t j = 0; j < secondary.passed.size(); ++j) secondary.passed[j] |= start.slid[c][j] != slid[c][j];
+    const auto of_side = [](const contact::SkinSide& side, const ContinuedSide& continued,
+                            const std::vector<double>& end_of_it) {
+      return side_difference(point_areas(side), trust_in(side, continued.passed), continued.once, end_of_it,
+                             deepest_of(side, continued.once), deepest_of(side, end_of_it));
+    };
+    difference = std::max({difference, of_side(setup.secondary, secondary, now.removed_secondary),
+                           of_side(setup.primary, primary, now.removed_primary)});
+  }
+  return difference;
+}
+
 bool slides_throughout(const SolidRunState& start, const SolidRunState& end) {
   const auto slid = slid_between(start.solution.wear, end.solution.wear);
   for (std::size_t c = 0; c < slid.size(); ++c) {

@@ -1,4 +1,5 @@
 #pragma once
+#include "sim/problem/two_step.hpp"
 #include "sim/solid/solid_state.hpp"
 
 /// The correction of a block's wear, from playing it once as a whole and once in two halves; as `measure/correction`
@@ -19,6 +20,10 @@ std::vector<std::vector<char>> slid_between(const std::vector<contact::SkinWear>
 
 /// Error of the end of a block that was played twice: per contact and side that wears, the larger of `side_difference`.
 double skin_wear_difference(const solver::SolidSystem& system, const SolidTwice& twice, const SolidRunState& halves);
+
+/// Error of the end of a block that the two-step formula has continued from `start` (`continued_difference`).
+double continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start, const TwoStep& formula,
+                                 const SolidRunState& end);
 
 /// Whether no contact that slid in a block has a point under pressure that did not.
 bool slides_throughout(const SolidRunState& start, const SolidRunState& end);

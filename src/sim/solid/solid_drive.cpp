@@ -29,6 +29,20 @@ Points3 imposed(const SolidProblem& problem, const contact::SkinSetup& setup, co
   return slip;
 }
 
+/// Adds what contacts are expected to wear from progress `to` on, where the play is continued: they see it already. Not
+/// where points have come to them, since the block is then repeated.
+void see_ahead(const SolidCycles& cycles, const std::vector<contact::SkinWear>& wear, double to,
+               solver::SolidTarget& target) {
+  if (!cycles.continued) return;
+  const auto& expected = *cycles.continued->expected;
+  auto ahead = expected.after(to, cycles.jump / expected.cycles);
+  if (!same_sizes(ahead, removed_volumes(wear))) return;
+  for (std::size_t c = 0; c < ahead.size(); ++c) {
+    target.wear[c].ahead_secondary = std::move(ahead[c][0]);
+    target.wear[c].ahead_primary = std::move(ahead[c][1]);
+  }
+}
+
 }  // namespace
 
 solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSystem& system,
@@ -47,8 +61,9 @@ solver::SolidTarget target_at(const SolidProblem& problem, const solver::SolidSy
     target.wear.push_back({.on = step.wear && setup.options.wear.wears(),
                            .jump = cycles.jump,
                            .duration_s = (to - from) * step.period_s,
-                           .cycle = cycles.cycle});
+                           .cycle = cycles.continued ? cycles.continued->cycle : cycles.cycle});
   }
+  see_ahead(cycles, state.wear, to, target);
   return target;
 }
 

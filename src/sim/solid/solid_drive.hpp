@@ -10,6 +10,7 @@ namespace reye::sim {
 /// The cycles that a block stands for: `cycle` before it, `jump` of them.
 struct SolidCycles {
   double cycle = 0.0, jump = 1.0;
+  std::optional<Continued> continued{};
 };
 
 /// What an increment asks for at the given factors; `from`, `to`: its part of the step's play.

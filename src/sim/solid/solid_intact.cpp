@@ -4,6 +4,7 @@
 
 #include "scene/check.hpp"
 #include "sim/problem/finite.hpp"
+#include "sim/problem/intact_wear.hpp"
 #include "sim/solid/solid_increments.hpp"
 
 namespace reye::sim {
@@ -156,6 +157,7 @@ std::optional<SolidAssembly> check_state(const SolidProblem& problem, const Soli
   require(state.retained == assembly.system.points() && state.points == points_of(assembly.system),
           "it was solved with other points");
   check_wear(state.block_wear, assembly.system);
+  check_last_wear(state.last_wear, state.solution.wear);
   require(state.slid.size() == assembly.system.contacts.size(), "it has a contact too many or too few");
   for (std::size_t c = 0; c < state.slid.size(); ++c)
     require(state.slid[c].size() == state.points[c].secondary.size(), "it slid at points that it lacks");

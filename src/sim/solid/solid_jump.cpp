@@ -1,31 +1,14 @@
 #include "sim/solid/solid_jump.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "base/formatted.hpp"
-#include "sim/march/jump.hpp"
-#include "sim/solid/solid_correction.hpp"
-#include "sim/solid/solid_limits.hpp"
-#include "sim/solid/solid_recording.hpp"
+#include "sim/march/jump_rule.hpp"
+#include "sim/solid/solid_block_play.hpp"
 
 namespace reye::sim {
 
 namespace {
-
-/// Counts of the work done continue where the state itself begins again.
-void keep_work(SolidRunState& start, const SolidRunState& played) {
-  start.counts = played.counts;
-  start.warnings = played.warnings;
-  start.cutback_reasons = played.cutback_reasons;
-  start.balance = played.balance;
-  start.imbalance_N = played.imbalance_N;
-  start.largest_force_N = played.largest_force_N;
-  start.mortar_s = played.mortar_s;
-  start.interface_s = played.interface_s;
-  start.factor_s = played.factor_s;
-}
 
 void tell_block(const SolidObserver& observer, const SolidSpan& span, double cycle, const std::string& what) {
   if (observer.log)
@@ -42,140 +25,59 @@ double allowed_error(const SolidProblem& problem, const scene::Step& step, const
   return caution * allowed(problem.scene.limits, start.limit_measure, start.life_cycles, step, start.step_cycles, end);
 }
 
-/// A block played twice, to the ends of both plays; none where one failed or was interrupted.
-struct Attempt {
-  SolidOutcome once, halves;
-  std::vector<contact::SkinWear> half_way;
-  std::map<std::string, double> middle;
-  bool whole = false;  ///< both plays came to their end
-  SolidOutcome& ended() { return halves.state.meshes.empty() ? once : halves; }
-};
-
-Attempt attempt_twice(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& start, SolidSpan span,
-                      const SolidObserver& coarse, const SolidObserver& fine) {
-  const auto came_through = [](const SolidOutcome& o) { return o.failure.empty() && !o.interrupted; };
-  Attempt attempt;
-  attempt.once = player.play(start, span, coarse);
-  if (!came_through(attempt.once)) return attempt;
-  span.jump *= 0.5;
-  SolidRunState again = start;
-  keep_work(again, attempt.once.state);
-  SolidSpan first = span;
-  first.last = false;
-  attempt.halves = player.play(std::move(again), first, fine);
-  if (!came_through(attempt.halves)) return attempt;
-  attempt.half_way = attempt.halves.state.solution.wear;
-  attempt.middle = solid_limit_measures(problem, player.system(), attempt.halves.state);
-  attempt.halves.state.step_cycles += span.jump;
-  attempt.halves = player.play(std::move(attempt.halves.state), span, fine);
-  attempt.halves.state.step_cycles -= span.jump;
-  attempt.whole = came_through(attempt.halves);
-  return attempt;
+/// Whether a trial has been played to its end by the two-step formula, or ends otherwise. Where some of a contact has
+/// come to stick only what it cost is kept.
+bool continue_block(const SolidProblem& problem, SolidPlayer& player, SolidRunState& begin, const SolidSpan& span,
+                    const SolidObserver& observer, double permitted, SolidTrial& trial) {
+  const auto formula = two_step(span.jump, begin.last_wear.cycles);
+  auto state = formula ? begun(begin, *formula) : std::nullopt;
+  if (!state) return false;
+  const bool same_points =
+      play_continued(problem, player, begin, std::move(*state), *formula, span, observer, permitted, trial);
+  const auto& outcome = trial.outcome;
+  if (!outcome.failure.empty() || outcome.interrupted || (same_points && trial.throughout)) return true;
+  keep_work(begin, outcome.state);
+  begin = player.brought_up(std::move(begin));
+  trial = {};
+  return false;
 }
-
-/// Plays short cycles after a block, without extrapolation, half of the cycles that are left in each: the unevenness
-/// that the correction has left is worn level before it is shown.
-SolidOutcome level_block(SolidPlayer& player, SolidOutcome outcome, SolidSpan span, double cycles,
-                         const SolidObserver& observer) {
-  constexpr int levelling_cycles = 3;
-  const bool last = span.last;
-  double left = cycles;
-  for (int k = 0; k < levelling_cycles; ++k) {
-    if (k + 1 < levelling_cycles) left *= 0.5;
-    span.jump = left;
-    span.last = last && k + 1 == levelling_cycles;
-    outcome = player.play(std::move(outcome.state), span, observer);
-    if (!outcome.failure.empty() || outcome.interrupted) break;
-  }
-  return outcome;
-}
-
-/// Adds to a row of the halves its share of the correction at the end of the block.
-void correct_row(SolidIncrement& row, double share, const SolidIncrement& before, const SolidIncrement& after) {
-  for (std::size_t c = 0; c < row.contacts.size(); ++c) {
-    auto& to = row.contacts[c];
-    const auto &from = before.contacts[c], &end = after.contacts[c];
-    to.depth_secondary_mm += share * (end.depth_secondary_mm - from.depth_secondary_mm);
-    to.depth_primary_mm += share * (end.depth_primary_mm - from.depth_primary_mm);
-    to.volume_secondary_mm3 += share * (end.volume_secondary_mm3 - from.volume_secondary_mm3);
-    to.volume_primary_mm3 += share * (end.volume_primary_mm3 - from.volume_primary_mm3);
-    to.energy_mJ += share * (end.energy_mJ - from.energy_mJ);
-  }
-}
-
-/// One try of a block.
-struct SolidTrial {
-  SolidOutcome outcome;
-  double error = 0.0;
-  bool too_long = false, throughout = false;
-  SolidRecording rows, later;
-  SolidIncrement uncorrected, corrected;
-};
-
-double block_without_levelling(const SolidSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 void play_solid_trial(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& start,
                       const SolidSpan& span, const SolidObserver& observer, SolidTrial& trial) {
-  SolidSpan block = span;
-  block.jump = block_without_levelling(span);
-  block.last = span.last && !span.level;
-  const SolidRunState begin = player.brought_up(start);
-  Attempt attempt = attempt_twice(problem, player, begin, block, quiet(observer), trial.rows.observer(observer));
-  if (!attempt.whole) {
-    trial.outcome = std::move(attempt.ended());
-    return;
-  }
-  auto& halves = attempt.halves.state;
-  if (halves.points != begin.points) {  // contact outran its nodes: the trial begins again with more of them
-    SolidRunState again = player.brought_up(start);
-    keep_work(again, halves);
-    trial = {};
-    return play_solid_trial(problem, player, again, span, observer, trial);
-  }
-  const SolidTwice twice{begin, attempt.once.state, attempt.half_way};
-  trial.throughout = slides_throughout(begin, halves);
-  trial.error = block_error(skin_wear_difference(player.system(), twice, halves), trial.throughout);
-  trial.too_long = trial.error > allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
-  trial.uncorrected = row_of(problem, player.system(), halves);
-  const auto by_halves = solid_limit_measures(problem, player.system(), halves);
-  extrapolate_skins(player.system(), twice, halves);
-  trial.corrected = row_of(problem, player.system(), halves);
-  // The first half has half of the error of both; half of the block with its levelling comes a little later.
-  for (const auto measures = solid_limit_measures(problem, player.system(), halves);
-       auto& [name, value] : attempt.middle) {
-    value += 0.5 * (measures.at(name) - by_halves.at(name));
-    if (span.level) value += levelling * (measures.at(name) - value);
-  }
-  trial.outcome = std::move(attempt.halves);
-  if (!trial.too_long && span.level)
-    trial.outcome =
-        level_block(player, std::move(trial.outcome), span, levelling * block.jump, trial.later.observer(observer));
-  trial.outcome.middle = std::move(attempt.middle);
+  const double permitted = allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
+  SolidRunState begin = player.brought_up(start);
+  if (continue_block(problem, player, begin, span, observer, permitted, trial)) return;
+  if (play_in_halves(problem, player, begin, span, observer, permitted, trial)) return;
+  SolidRunState again = player.brought_up(start);  // contact has outrun its points
+  keep_work(again, trial.outcome.state);
+  trial = {};
+  play_solid_trial(problem, player, again, span, observer, trial);
 }
 
 void accept_solid_trial(const SolidProblem& problem, const SolidRunState& state, const SolidSpan& span,
                         const SolidObserver& observer, SolidTrial& trial) {
   SolidRunState& end = trial.outcome.state;
-  const double jump = block_without_levelling(span), before = removed_volume(state), after = removed_volume(end);
+  const double before = removed_volume(state), after = removed_volume(end);
   const double share = after > 0.0 ? 1.0 - before / after : 0.0;
-  trial.rows.play_back(observer, [&](SolidIncrement& row) {
-    correct_row(row, (row.cycle - state.cycle) / jump, trial.uncorrected, trial.corrected);
-  });
+  trial.rows.play_back(observer, trial.correct);
   trial.later.play_back(observer);
   const double next = allowed_error(problem, *span.step, state, state.step_cycles + 2.0 * span.jump);
-  end.jump = next_jump(jump, share, trial.error, next, state.jump_rate);
+  end.jump = next_jump(trial.cycles, share, trial.error, next, state.jump_rate);
+  if (end.last_wear.cycles > 0.0) end.jump = to_continue(end.jump, end.last_wear.cycles);
   end.jump_rate = share > 0.0 ? trial.error / share : 0.0;
   const double kept = (1.0 - share) * (trial.throughout ? 1.0 - share : 1.0);
   end.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
   tell_block(observer, span, state.cycle, base::formatted("estimated error %.3g %%", 100.0 * trial.error));
 }
 
-SolidOutcome play_one_solid_cycle(SolidPlayer& player, const SolidRunState& state, SolidSpan span,
-                                  const SolidObserver& observer) {
+SolidOutcome play_one_solid_cycle(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& state,
+                                  SolidSpan span, const SolidObserver& observer) {
   const double tried = span.jump;
   span.jump = std::min(unjumped, span.jump);
   SolidOutcome outcome = player.play(state, span, observer);
   if (outcome.failure.empty() && !outcome.interrupted) {
+    outcome.state.last_wear = {};
+    if (state.step_cycles > 0.0) note_wear(problem, state, span.jump, outcome);
     outcome.state.jump = after_one_cycle(tried, state.step_cycles == 0.0);
     outcome.state.jump_rate = 0.0;
     const double after = removed_volume(outcome.state);
@@ -245,7 +147,7 @@ SolidOutcome play_controlled_block(const SolidProblem& problem, SolidPlayer& pla
   }
   SolidObserver without_states = observer;  // none of them is at the end of a block
   without_states.state = {};
-  SolidOutcome outcome = play_one_solid_cycle(player, start, span, without_states);
+  SolidOutcome outcome = play_one_solid_cycle(problem, player, start, span, without_states);
   if (outcome.interrupted) outcome.state = std::move(start);
   return outcome;
 }

@@ -56,6 +56,7 @@ class March {
         ++state_.step;
         state_.step_cycles = state_.block_cycles = 0.0;
         state_.step_blocks = 0;
+        state_.last_wear = {};
       } else if (!next_block(step)) {
         return;
       }

@@ -10,6 +10,7 @@
 #include "base/formatted.hpp"
 #include "body/solid/solid_cost.hpp"
 #include "sim/problem/rules.hpp"
+#include "sim/problem/two_step.hpp"
 #include "sim/solid/solid_increments.hpp"
 
 namespace reye::sim {
@@ -30,13 +31,13 @@ std::string on_ranks(int ranks) {
 }
 
 /// How often a step is played: blocks of a fixed number of cycles, or, under a tolerance, of numbers that are taken to
-/// grow by half from block to block, to a tenth of the step, each played three times.
-double plays_of(const scene::Step& step) {
+/// grow by half from block to block, to a tenth of the step, each played three times, or once where they continue.
+double plays_of(const scene::Step& step, bool continued) {
   if (step.cycles <= 0.0) return 1.0;
   if (!under_tolerance(step)) return std::ceil(step.cycles / step.jump - 1e-9);
   double plays = 0.0, jump = step.jump;
   for (double done = 0.0; done < step.cycles; done += jump) {
-    plays += 3.0;
+    plays += continued && done > 0.0 ? 1.0 : 3.0;
     jump = std::min({1.5 * jump, std::max(jump, 0.1 * step.cycles), step.jump_most});
   }
   return plays;
@@ -46,8 +47,9 @@ double plays_of(const scene::Step& step) {
 
 double solid_increments(const SolidProblem& problem) {
   double count = 0.0;
+  const bool continued = may_continue(problem.contacts);
   for (const auto& step : problem.scene.steps)
-    count += static_cast<double>(solid_increment_ends(problem.scene, step).size()) * plays_of(step);
+    count += static_cast<double>(solid_increment_ends(problem.scene, step).size()) * plays_of(step, continued);
   return count;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/formatted.hpp"
 #include "sim/problem/drive.hpp"
+#include "sim/problem/rules.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/solid/free_bodies.hpp"
 #include "sim/solid/skin_depth.hpp"
@@ -41,6 +42,7 @@ struct SolidPlayer::Playing {
   const SolidSpan& span;
   const SolidObserver& observer;
   SolidOutcome outcome;
+  Volumes at_start{};  ///< removed; empty: the course is not noted
 
   double cycle_at(double progress) const { return outcome.state.cycle + (span.cycles ? span.jump * progress : 0.0); }
 };
@@ -84,6 +86,7 @@ void SolidPlayer::bring_up(SolidRunState& state) const {
   state.solution = carried(state.points, system(), state.solution);
   state.block_wear = carried_wear(state.points, system(), state.block_wear);
   state.solved.reset();  // it has the points of the equations before
+  state.last_wear = {};
   state.points = std::move(points);
   for (std::size_t c = 0; c < state.slid.size(); ++c) state.slid[c].assign(state.points[c].secondary.size(), 0);
 }
@@ -119,6 +122,7 @@ void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable tou
   assemble_bodies(state);
   state.retained = system().points();
   state.solved.reset();
+  state.last_wear = {};
 }
 
 std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
@@ -141,6 +145,10 @@ SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const
   Playing play{span, observer, {std::move(state), {}, false}};
   auto& now = play.outcome.state;
   play.outcome.cycle = now.cycle;
+  if (under_tolerance(*span.step)) {
+    play.at_start = removed_volumes(now.solution.wear);
+    play.outcome.worn.cycles = span.jump;
+  }
   const auto ends = solid_increment_ends(problem_.scene, *span.step);
   const auto count = static_cast<int>(ends.size());
   while (now.increment < count) {
@@ -200,7 +208,7 @@ std::string SolidPlayer::solve(Playing& play, const std::map<std::string, double
   const solver::SolidOptions options{.max_newton = problem_.scene.max_newton};
   for (;;) {
     const auto target = target_at(problem_, system(), state.solution, factors, *play.span.step,
-                                  {state.cycle, play.span.jump}, from, to);
+                                  {state.cycle, play.span.jump, play.span.continued}, from, to);
     auto solution = solver::solve_increment(system(), state.solution, target, options);
     state.mortar_s += solution.mortar_s;
     state.interface_s += solution.interface_s;
@@ -227,7 +235,14 @@ void SolidPlayer::accept(Playing& play, const std::map<std::string, double>& fac
   state.largest_force_N = std::max(state.largest_force_N, forces.largest_N);
   if (state.largest_force_N > 0.0) state.balance = state.imbalance_N / state.largest_force_N;
   watch_solid(problem_, system(), *state.solved, state.warnings);
+  note_course(play, to);
   record(play, to);
+}
+
+/// Notes what the play has worn so far; no more where points come to the contacts.
+void SolidPlayer::note_course(Playing& play, double to) {
+  auto removed = removed_volumes(play.outcome.state.solution.wear);
+  if (same_sizes(removed, play.at_start)) play.outcome.worn.note(to, std::move(removed), play.at_start);
 }
 
 void SolidPlayer::record(const Playing& play, double to) const {

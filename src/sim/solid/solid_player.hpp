@@ -48,6 +48,7 @@ class SolidPlayer {
   std::string play_between(Playing& play, double from, double to, int depth);
   std::string solve(Playing& play, const std::map<std::string, double>& factors, double from, double to);
   void accept(Playing& play, const std::map<std::string, double>& factors, double to);
+  static void note_course(Playing& play, double to);
   void record(const Playing& play, double to) const;
   void show_inside(const Playing& play, double to) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 
 #include "sim/solid/solid_measure.hpp"
@@ -13,7 +14,8 @@ struct SolidSpan {
   bool cycles = false;
   bool last = false;     ///< no block of the step comes after it
   bool recorded = true;  ///< its increments are rows of the history
-  bool level = false;    ///< its end is shown: under a tolerance levelling cycles are its last part
+  std::optional<Continued> continued{};
+  bool level = false;  ///< its end is shown: under a tolerance levelling cycles are its last part
 };
 
 /// A state, or the reason of a failure.
@@ -22,6 +24,7 @@ struct SolidOutcome {
   std::string failure;  ///< empty when the state is accepted
   bool interrupted = false;
   double cycle = 0.0, progress = 1.0;      ///< that a failed play has come to
+  CourseOfWear worn{};                     ///< by the increments of a step under a tolerance
   std::map<std::string, double> middle{};  ///< measures of the limits half way, where known
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/problem/block_wear.hpp"
 #include "sim/problem/watch.hpp"
 #include "sim/solid/solid_assembly.hpp"
 
@@ -23,6 +24,7 @@ struct SolidRunState {
   std::map<std::string, Vec3> probes;         ///< displacements at the end of the run
   std::map<std::string, double> factors;      ///< of all histories
   std::vector<contact::SkinWear> block_wear;  ///< per contact: when this block began
+  BlockWear<contact::SkinWear> last_wear;     ///< of the last block under a tolerance in this step
   int step = 0;
   int increment = 0;         ///< whole increments of this play; 0 between plays
   double step_cycles = 0.0;  ///< cycles done of this step

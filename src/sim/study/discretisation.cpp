@@ -77,7 +77,7 @@ Place nearest(const SurfaceRecord& s, const Vec2& X) {
   return best;
 }
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+double largest_value(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
 std::optional<double> wear_difference(const SurfaceRecord& fine, const SurfaceRecord& coarse,
                                       const std::vector<double>& share) {
@@ -88,8 +88,8 @@ std::optional<double> wear_difference(const SurfaceRecord& fine, const SurfaceRe
     worn += share[i] * w;
   }
   if (worn <= 0.0) return {};
-  const double depth = largest(fine.wear_depth_mm);
-  return std::max(apart / worn, std::abs(depth - largest(coarse.wear_depth_mm)) / depth);
+  const double depth = largest_value(fine.wear_depth_mm);
+  return std::max(apart / worn, std::abs(depth - largest_value(coarse.wear_depth_mm)) / depth);
 }
 
 std::optional<double> traction_difference(const SurfaceRecord& fine, const SurfaceRecord& coarse,
@@ -105,8 +105,8 @@ std::optional<double> traction_difference(const SurfaceRecord& fine, const Surfa
 }
 
 std::optional<double> peak_difference(const SurfaceRecord& fine, const SurfaceRecord& coarse) {
-  const double peak = largest(fine.pressure_MPa);
-  return peak > 0.0 ? std::optional(std::abs(peak - largest(coarse.pressure_MPa)) / peak) : std::nullopt;
+  const double peak = largest_value(fine.pressure_MPa);
+  return peak > 0.0 ? std::optional(std::abs(peak - largest_value(coarse.pressure_MPa)) / peak) : std::nullopt;
 }
 
 /// Root of the energy of recovered less computed stress over that of the stress, in all linear bodies.
@@ -147,7 +147,7 @@ bool few_nodes(const std::vector<SurfaceRecord>& surfaces, const State& state) {
 bool has_stick_edge(const std::vector<SurfaceRecord>& surfaces) {
   for (const auto& s : surfaces) {
     if (s.side != Side::secondary || s.slip_mm.empty()) continue;
-    const double bound = 1e-9 * largest(s.slip_mm);
+    const double bound = 1e-9 * largest_value(s.slip_mm);
     for (std::size_t i = 0; bound > 0.0 && i < s.slip_mm.size(); ++i)
       if (s.status[i] != 0 && s.slip_mm[i] <= bound) return true;
   }

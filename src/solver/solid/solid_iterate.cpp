@@ -79,7 +79,8 @@ void SolidIterate::integrate() {
   for (std::size_t c = 0; c < place_.size(); ++c) turn_tractions(c, before.empty() ? place_[c].frame : before[c].frame);
   worn_.assign(place_.size(), {});
   for (std::size_t c = 0; c < place_.size(); ++c)
-    if (system_.contacts[c].options.wear.wears()) worn_[c] = worn_contact(system_.contacts[c], place_[c], old_.wear[c]);
+    if (system_.contacts[c].options.wear.wears())
+      worn_[c] = worn_contact(system_.contacts[c], place_[c], old_.wear[c], target_.wear[c]);
   evaluate();
   if (before.empty()) keep_whole();
 }

@@ -30,10 +30,12 @@ std::vector<double> volumes(const std::vector<contact::SkinWorn>& worn, auto sid
 }  // namespace
 
 WornContact worn_contact(const contact::SkinSetup& setup, const contact::SkinPlace& place,
-                         const contact::SkinWear& before) {
+                         const contact::SkinWear& before, const contact::SkinWearing& wearing) {
   WornContact contact{contact::SkinOpenings(setup, place), {}, {}};
   contact.opened_before = contact.openings.by_volumes(before.pending_secondary, before.pending_primary) +
                           Eigen::Map<const Vector>(before.fit.data(), static_cast<Eigen::Index>(before.fit.size()));
+  if (!wearing.ahead_secondary.empty())
+    contact.opened_before += contact.openings.by_volumes(wearing.ahead_secondary, wearing.ahead_primary);
   return contact;
 }
 

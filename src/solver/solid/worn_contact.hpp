@@ -16,9 +16,9 @@ struct WornContact {
   std::vector<contact::SkinWorn> worn;  ///< per secondary point
 };
 
-/// The openings where the sides are now, by what waits in the gap.
+/// The openings where the sides are now, by what waits in the gap, or is seen there.
 WornContact worn_contact(const contact::SkinSetup& setup, const contact::SkinPlace& place,
-                         const contact::SkinWear& before);
+                         const contact::SkinWear& before, const contact::SkinWearing& wearing = {});
 
 /// Wears the points that slide and opens the gaps of `nodes` by it. `wears` says which may.
 void wear_points(const contact::SkinSetup& setup, const contact::SkinPlace& place, const contact::SkinWear& before,

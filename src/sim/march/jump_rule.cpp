@@ -1,0 +1,55 @@
+#include "sim/march/jump_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/measure/limits.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
+constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
+constexpr double most_cut = 0.3;    ///< of the cycles from one block to the next
+constexpr double most_steeper =
+    1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
+constexpr double edge_share = 1.25;  ///< times the difference where some sticks
+
+}  // namespace
+
+double allowed(const std::vector<scene::Limit>& limits, const std::map<std::string, double>& measure,
+               const std::map<std::string, double>& reached, const scene::Step& step, double step_cycles, double end) {
+  double growth = step.cycles / end;
+  for (const auto& limit : limits) {
+    const auto now = measure.find(limit.name);
+    if (now == measure.end() || now->second <= 0.0 || reached.contains(limit.name)) continue;
+    growth = std::min(growth, bound_of(limit) / now->second * step_cycles / end);
+  }
+  return step.jump_tolerance * std::clamp(growth, 1.0, most_early);
+}
+
+double block_error(double difference, bool slips_throughout) {
+  return slips_throughout ? difference : edge_share * difference;
+}
+
+double shortened(bool too_long, double allowed, double error) {
+  return too_long ? std::clamp(aim * allowed / error, most_cut, 0.7) : most_cut;
+}
+
+double after_one_cycle(double tried, bool first) {
+  return !first && tried > unjumped ? tried : std::max(most_growth * std::min(unjumped, tried), tried);
+}
+
+double next_jump(double jump, double share, double error, double tolerance, double rate_before) {
+  const double ratio = error > 0.0 ? aim * tolerance / error : most_growth * most_growth;
+  const double steeper =
+      rate_before > 0.0 && share > 0.0 ? std::clamp(error / share / rate_before, 1.0, most_steeper) : 1.0;
+  const double times = (ratio < 1.0 ? ratio : std::sqrt(ratio)) / steeper;  // factor of the share
+  const double factor = share * times < 1.0 ? times / (1.0 - share * times) : most_growth;
+  return std::max(unjumped, jump * std::clamp(factor, most_cut, most_growth));
+}
+
+double to_continue(double jump, double before) { return std::min(jump, usual_ratio * before); }
+
+}  // namespace reye::sim

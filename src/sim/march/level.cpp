@@ -1,0 +1,87 @@
+#include "sim/march/level.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/march/block.hpp"
+#include "sim/march/jump_rule.hpp"
+#include "sim/problem/two_step.hpp"
+#include "sim/reshape/balance.hpp"
+
+namespace reye::sim {
+
+namespace {
+
+/// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
+/// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
+/// nothing of the pressures inside them.
+double pressure_change(const Problem& problem, const State& state, Cache& cache,
+                       const std::vector<HeldTraction>& before) {
+  const auto kept = system_of(problem, state, cache);
+  const auto& system = *kept;
+  double largest = 0.0;
+  for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+    const auto& contact = state.solution.contacts[c];
+    const auto& pressed = before[c].normal;
+    const bool open = std::none_of(pressed.begin(), pressed.end(), [](double force) { return force > 0.0; });
+    if (open && contact.law_volume > 0.0) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, pressure_jump(system.contacts[c], contact, before[c]));
+  }
+  return largest;
+}
+
+/// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
+/// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
+/// first remove the unevenness, the last wear so little that pressures follow the stroke. At the end of a step, whose
+/// pressures are shown, they halve until pressures repeat.
+Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
+  constexpr int fewest_cycles = 2, most_cycles = 8;
+  constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next
+  const bool last = span.last;
+  const auto play = [&](double jump, bool ends) {
+    span.jump = jump;
+    span.last = last && ends;
+    outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
+    return outcome.failure.empty() && !outcome.interrupted;
+  };
+  double left = span.jump;
+  bool level = !last;
+  for (int k = fewest_cycles; k <= most_cycles; ++k) {
+    const auto before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
+    left *= 0.5;
+    if (!play(left, false)) return outcome;
+    if (level) break;
+    level = k > fewest_cycles && pressure_change(problem, outcome.state, cache, before) < repeated;
+  }
+  play(left, true);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
+               const Observer& observer) {
+  if (!span.extrapolated) {
+    span.jump = cycles;
+    return end_block(problem, std::move(state), cache, span, observer);
+  }
+  span.jump = levelling * cycles;
+  span.remesh = false;
+  Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
+  const bool levels = span.level || (outcome.remesh_due && !span.last);
+  if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
+  span.level = span.extrapolated = false;
+  const auto before = outcome.state.solution.contacts;
+  outcome = level(problem, std::move(outcome), cache, span, observer);
+  if (!outcome.failure.empty() || outcome.interrupted) return outcome;
+  if (auto& worn = outcome.state.last_wear; worn.cycles > 0.0) {
+    add_growth(worn.contacts, before, outcome.state.solution.contacts);
+    worn.cycles += levelling * cycles;
+    worn.course = std::move(outcome.worn);
+  }
+  span.remesh = !span.last;
+  span.moves = true;  // it is shown, or a remesh is due
+  return end_block(problem, std::move(outcome.state), cache, span, observer);
+}
+
+}  // namespace reye::sim
