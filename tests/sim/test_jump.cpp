@@ -58,10 +58,9 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
                          [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
   const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
-  // The first block that is tried, and the first after the cycle, are played in halves, all others once.
-  const long others = blocks - 1 + counts.refused_blocks - 1;
-  EXPECT_EQ(counts.cycles_solved, 3 + 1 + 3 + others);
-  EXPECT_EQ(r.rows.size(), 1 + 8 * static_cast<std::size_t>(1 + 2 + blocks - 1));
+  // The first block that is tried is played in halves, the first two cycles by themselves, and all others once.
+  EXPECT_EQ(counts.cycles_solved, 3 + 1 + blocks + counts.refused_blocks - 1);
+  EXPECT_EQ(r.rows.size(), 1 + 8 * static_cast<std::size_t>(1 + blocks));
   EXPECT_TRUE(
       std::is_sorted(r.rows.begin(), r.rows.end(), [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
   // Its cycles are not counted either: what wears off is what a run wears off that begins with short blocks.
@@ -233,11 +232,14 @@ TEST(Jump, BlockError) {
 // After a cycle that was played by itself a first cycle must not hold the next block back, and a refused block not be
 // tried again in more cycles than it had come down to.
 TEST(Jump, AfterOneCycle) {
-  EXPECT_EQ(sim::after_one_cycle(10.0, true), 10.0);
-  EXPECT_EQ(sim::after_one_cycle(3.0, true), 4.0);
-  EXPECT_EQ(sim::after_one_cycle(2.6, false), 2.6);
-  EXPECT_EQ(sim::after_one_cycle(1.0, false), 4.0);
-  EXPECT_EQ(sim::after_one_cycle(0.5, false), 2.0);
+  EXPECT_EQ(sim::after_one_cycle(10.0, true, false), 10.0);
+  EXPECT_EQ(sim::after_one_cycle(3.0, true, false), 4.0);
+  EXPECT_EQ(sim::after_one_cycle(2.6, false, false), 2.6);
+  EXPECT_EQ(sim::after_one_cycle(1.0, false, false), 4.0);
+  EXPECT_EQ(sim::after_one_cycle(0.5, false, false), 2.0);
+  // Where a cycle can be continued the second one is played by itself, and the next block has two.
+  EXPECT_EQ(sim::after_one_cycle(10.0, true, true), 1.0);
+  EXPECT_EQ(sim::after_one_cycle(10.0, false, true), 2.0);
 }
 
 // Where a tolerance is too tight for blocks of a few cycles, the next cycle must be played by itself instead of shorter

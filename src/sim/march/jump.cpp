@@ -110,10 +110,10 @@ void accept_trial(const Problem& problem, const State& state, const BlockSpan& s
   trial.later.play_back(observer);
   const double next = error_allowed(problem, *span.step, state, state.step_cycles + span.jump + span.jump);
   end.jump = next_jump(trial.cycles, share, error, next, state.jump_rate);
-  if (end.last_wear.cycles > 0.0) end.jump = to_continue(end.jump, end.last_wear.cycles);
   end.jump_rate = share > 0.0 ? error / share : 0.0;
   const double kept = (1.0 - share) * (trial.play.slips_throughout ? 1.0 - share : 1.0);
   end.jump_error = std::max(kept * state.jump_error.value_or(0.0), error);
+  if (end.last_wear.cycles > 0.0) end.jump = to_continue(end.jump, end.last_wear.cycles, *end.jump_error / next);
   tell(observer, span, state.cycle, estimated(error));
 }
 
@@ -134,16 +134,17 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
   span.jump = std::min(unjumped, span.jump);
   Outcome outcome = play_increments(problem, state, cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
-  outcome.state.last_wear = {};
-  if (state.step_cycles > 0.0) note_wear(problem, state, span.jump, std::move(outcome.worn), outcome.state);
+  const bool first = state.step_cycles == 0.0;
+  note_wear(problem, state, span.jump, std::move(outcome.worn), outcome.state);
+  const bool continues = outcome.state.last_wear.cycles > 0.0;
+  if (first) outcome.state.last_wear = {};
   outcome = end_block(problem, std::move(outcome.state), cache, span, observer);
   if (outcome.failure.empty() && !outcome.interrupted) {
-    outcome.state.jump = after_one_cycle(tried, state.step_cycles == 0.0);
+    outcome.state.jump = after_one_cycle(tried, first, continues);
     outcome.state.jump_rate = 0.0;
     const double after = removed(outcome.state);
     if (state.jump_error && after > 0.0) outcome.state.jump_error = removed(state) / after * *state.jump_error;
   }
-  outcome.state.jump = std::max(outcome.state.jump, tried);
   return outcome;
 }
 
@@ -152,7 +153,9 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
 Outcome play_controlled(const Problem& problem, const State& state, Cache& cache, BlockSpan span,
                         const Observer& observer) {
   State start = state;
-  while (span.jump > unjumped) {
+  const bool yields = std::any_of(problem.inputs.begin(), problem.inputs.end(), is_nonlinear);
+  const bool by_itself = yields && start.step_cycles == 0.0;  // what yields does so in the first cycle
+  while (span.jump > unjumped && !by_itself) {
     Trial trial;
     play_trial(problem, start, cache, span, observer, trial);
     keep_counts(start, trial.outcome.state.counts);
@@ -162,7 +165,8 @@ Outcome play_controlled(const Problem& problem, const State& state, Cache& cache
       return std::move(trial.outcome);
     }
     refuse_trial(problem, trial, observer, start, span);
-    if (trial.too_long && (start.step_cycles == 0.0 || span.jump < fewest_tried)) break;
+    const bool too_few = span.jump < fewest_tried && start.last_wear.cycles == 0.0;
+    if (trial.too_long && (start.step_cycles == 0.0 || too_few)) break;
   }
   return play_one_cycle(problem, start, cache, span, observer);
 }

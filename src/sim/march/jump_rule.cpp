@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "sim/measure/limits.hpp"
+#include "sim/problem/two_step.hpp"
 
 namespace reye::sim {
 
 namespace {
 
-constexpr double aim = 0.85;        ///< share of the allowed error at which the next block aims
-constexpr double most_early = 1.5;  ///< times the tolerance, for a block far from the end of its step
-constexpr double most_cut = 0.3;    ///< of the cycles from one block to the next
+constexpr double aim = 0.85;          ///< share of the allowed error at which the next block aims
+constexpr double most_early = 1.5;    ///< times the tolerance, for a block far from the end of its step
+constexpr double small_error = 0.25;  ///< share of the allowed one
+constexpr double most_cut = 0.3;      ///< of the cycles from one block to the next
 constexpr double most_steeper =
     1.5;  ///< growth of a block's error per share that is allowed for from one block to the next
 constexpr double edge_share = 1.25;  ///< times the difference where some sticks
@@ -37,7 +39,8 @@ double shortened(bool too_long, double allowed, double error) {
   return too_long ? std::clamp(aim * allowed / error, most_cut, 0.7) : most_cut;
 }
 
-double after_one_cycle(double tried, bool first) {
+double after_one_cycle(double tried, bool first, bool continues) {
+  if (continues) return first ? unjumped : most_ratio * std::min(unjumped, tried);
   return !first && tried > unjumped ? tried : std::max(most_growth * std::min(unjumped, tried), tried);
 }
 
@@ -50,6 +53,8 @@ double next_jump(double jump, double share, double error, double tolerance, doub
   return std::max(unjumped, jump * std::clamp(factor, most_cut, most_growth));
 }
 
-double to_continue(double jump, double before) { return std::min(jump, usual_ratio * before); }
+double to_continue(double jump, double before, double share_of_error) {
+  return std::min(jump, (share_of_error < small_error ? most_ratio : usual_ratio) * before);
+}
 
 }  // namespace reye::sim

@@ -29,8 +29,9 @@ double allowed(const std::vector<scene::Limit>& limits, const std::map<std::stri
 double block_error(double difference, bool slips_throughout);
 
 /// Cycles to try after a block of one cycle, which the one that was `tried` before it has come down to. `first`: it is
-/// the first one of its step, unlike all later ones.
-double after_one_cycle(double tried, bool first);
+/// the first one of its step, unlike all later ones. `continues`: the next block may continue a cycle by itself, at a
+/// third of what blocks of more cost, to begin with after the second one.
+double after_one_cycle(double tried, bool first, bool continues);
 
 /// The factor by which the cycles of a block are cut that has failed, or had an error beyond the one that is allowed.
 double shortened(bool too_long, double allowed, double error);
@@ -41,7 +42,8 @@ double shortened(bool too_long, double allowed, double error);
 /// of the block that had `jump` cycles.
 double next_jump(double jump, double share, double error, double tolerance, double rate_before = 0.0);
 
-/// Cycles of a block that is to continue one of `before` cycles (`two_step`), where errors would permit `jump`.
-double to_continue(double jump, double before);
+/// Cycles of a block that is to continue one of `before` cycles (`two_step`), where errors would permit `jump`: more
+/// where the error of the run is a small share of the one that is allowed.
+double to_continue(double jump, double before, double share_of_error);
 
 }  // namespace reye::sim

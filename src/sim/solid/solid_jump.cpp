@@ -63,10 +63,10 @@ void accept_solid_trial(const SolidProblem& problem, const SolidRunState& state,
   trial.later.play_back(observer);
   const double next = allowed_error(problem, *span.step, state, state.step_cycles + 2.0 * span.jump);
   end.jump = next_jump(trial.cycles, share, trial.error, next, state.jump_rate);
-  if (end.last_wear.cycles > 0.0) end.jump = to_continue(end.jump, end.last_wear.cycles);
   end.jump_rate = share > 0.0 ? trial.error / share : 0.0;
   const double kept = (1.0 - share) * (trial.throughout ? 1.0 - share : 1.0);
   end.jump_error = std::max(kept * state.jump_error.value_or(0.0), trial.error);
+  if (end.last_wear.cycles > 0.0) end.jump = to_continue(end.jump, end.last_wear.cycles, *end.jump_error / next);
   tell_block(observer, span, state.cycle, base::formatted("estimated error %.3g %%", 100.0 * trial.error));
 }
 
@@ -76,14 +76,15 @@ SolidOutcome play_one_solid_cycle(const SolidProblem& problem, SolidPlayer& play
   span.jump = std::min(unjumped, span.jump);
   SolidOutcome outcome = player.play(state, span, observer);
   if (outcome.failure.empty() && !outcome.interrupted) {
-    outcome.state.last_wear = {};
-    if (state.step_cycles > 0.0) note_wear(problem, state, span.jump, outcome);
-    outcome.state.jump = after_one_cycle(tried, state.step_cycles == 0.0);
+    const bool first = state.step_cycles == 0.0;
+    note_wear(problem, state, span.jump, outcome);
+    const bool continues = outcome.state.last_wear.cycles > 0.0;
+    if (first) outcome.state.last_wear = {};
+    outcome.state.jump = after_one_cycle(tried, first, continues);
     outcome.state.jump_rate = 0.0;
     const double after = removed_volume(outcome.state);
     if (state.jump_error && after > 0.0) outcome.state.jump_error = removed_volume(state) / after * *state.jump_error;
   }
-  outcome.state.jump = std::max(outcome.state.jump, tried);
   return outcome;
 }
 
@@ -143,7 +144,8 @@ SolidOutcome play_controlled_block(const SolidProblem& problem, SolidPlayer& pla
     const double permitted = allowed_error(problem, *span.step, start, start.step_cycles + span.jump);
     span.jump = std::max(unjumped, shortened(trial.too_long, permitted, trial.error) * span.jump);
     span.last = span.level = false;
-    if (trial.too_long && (start.step_cycles == 0.0 || span.jump < fewest_tried)) break;
+    const bool too_few = span.jump < fewest_tried && start.last_wear.cycles == 0.0;
+    if (trial.too_long && (start.step_cycles == 0.0 || too_few)) break;
   }
   SolidObserver without_states = observer;  // none of them is at the end of a block
   without_states.state = {};

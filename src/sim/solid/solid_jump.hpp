@@ -9,8 +9,8 @@ namespace reye::sim {
 SolidOutcome play_fixed_block(SolidPlayer& player, const SolidRunState& state, SolidSpan span,
                               const SolidObserver& observer);
 
-/// A block of at most `span.jump` cycles, played once as a whole and once in two halves, extrapolated, and levelled
-/// where its end is shown. Where the two differ too much for the step's tolerance, fewer cycles are tried.
+/// A block of at most `span.jump` cycles, which continues the one before, or is played in halves, extrapolated, and
+/// levelled where its end is shown. Where its error is too large for the step's tolerance, fewer cycles are tried.
 SolidOutcome play_controlled_block(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& state,
                                    SolidSpan span, const SolidObserver& observer);
 
