@@ -58,7 +58,8 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
                          [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
   const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
-  // The first block that is tried is played in halves, the first two cycles by themselves, and all others once.
+  // The first block that is tried is played in halves, the first two cycles by themselves, and all others once: their
+  // pressures fit.
   EXPECT_EQ(counts.cycles_solved, 3 + 1 + blocks + counts.refused_blocks - 1);
   EXPECT_EQ(r.rows.size(), 1 + 8 * static_cast<std::size_t>(1 + blocks));
   EXPECT_TRUE(
@@ -221,6 +222,11 @@ TEST(Jump, SlipsThroughout) {
   EXPECT_FALSE(after(1.0, 2.0));
   EXPECT_TRUE(after(1.0, 0.0));
   EXPECT_TRUE(sim::slips_throughout(start, start));
+  // Unloaded at its end, a contact that has slipped does not show whether some of it has stuck.
+  auto open = start;
+  open.solution.contacts[0].slip = {5.0, 4.0, 5.0};
+  for (auto& lambda : open.solution.contacts[0].lambda) lambda.setZero();
+  EXPECT_FALSE(sim::slips_throughout(start, open));
 }
 
 // The error of a block must be the difference of its plays where all slips, and more where some sticks.

@@ -77,6 +77,9 @@ TEST(TwoStep, WhereItServes) {
   plain.options.wear = {.kind = wear::LawKind::energy, .secondary = 1.0};
   Contact explicitly = plain, late = plain;
   explicitly.options.implicit_wear = false;
+  Contact rubs;
+  rubs.options.friction_formula = wear::Formula("0.3 + 0.1 * exp(-path_mm)");
+  EXPECT_FALSE(sim::may_continue(std::vector{plain, rubs}));
   late.options.wear.threshold = 1.0;
   EXPECT_TRUE(sim::may_continue(std::vector{plain, Contact{}}));
   EXPECT_FALSE(sim::may_continue(std::vector{plain, explicitly}));
@@ -130,6 +133,21 @@ TEST(TwoStep, ErrorWhereWearBegins) {
   const sim::ContinuedSide side(formula, {0.0, 4.0, 4.0, 0.0}, {0.0, 8.0, 8.0, 0.0}, {1.0, 14.0, 17.0, 0.0});
   EXPECT_EQ(side.once, (std::vector<double>{0.0, 13.5, 15.75, 0.0}));
   EXPECT_EQ(side.passed, (std::vector<char>{1, 0, 1, 0}));
+}
+
+// Where a notable part of a side stops to wear, or all of it begins, the formula must not serve, and what a point has
+// got that stopped must count as error.
+TEST(TwoStep, WhereWearStopsOrBegins) {
+  const sim::TwoStep formula{1.0};
+  const double share = 4.0 * formula.start();
+  const sim::ContinuedSide stops(formula, {4.0, 4.0}, {8.0, 8.0}, {8.0 + share, 12.0});
+  EXPECT_FALSE(stops.serves);
+  EXPECT_DOUBLE_EQ(stops.once[0], 8.0);
+  EXPECT_EQ(stops.passed, (std::vector<char>{1, 0}));
+  const sim::ContinuedSide at_the_rim(formula, {0.1, 4.0}, {8.0, 8.0}, {8.0 + 0.1 * formula.start(), 12.0});
+  EXPECT_TRUE(at_the_rim.serves);
+  EXPECT_FALSE(sim::ContinuedSide(formula, {0.0, 0.0}, {0.0, 0.0}, {1.0, 1.0}).serves);
+  EXPECT_TRUE(sim::ContinuedSide(formula, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}).serves);
 }
 
 // With friction that changes over the cycles blocks that continue must be as exact: laws are read at their ends. Read

@@ -29,7 +29,7 @@ IncrementRecord record_of(const Problem& problem, const State& state, const solv
                           const solver::Controls& controls, const BlockSpan& span, double progress, int newton) {
   IncrementRecord r = figures_of(problem, state, system, controls);
   r.step = span.step->name;
-  r.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
+  r.cycle = cycle_at(span, state.cycle, progress);
   r.progress = progress;
   r.newton = newton;
   return r;
@@ -83,6 +83,15 @@ solver::Controls asked(const Problem& problem, const State& state, const solver:
   return controls;
 }
 
+/// Notes what the play has worn until progress `to`; no more where a body has got other nodes.
+void note_course(Playing& block, const State& state, double to) {
+  auto removed = removed_volumes(state.solution.contacts);
+  if (same_sizes(removed, block.at_start))
+    block.worn.note(to, std::move(removed), block.at_start);
+  else
+    block.at_start.clear();
+}
+
 /// The state that an increment has led to, with what is seen and recorded of it.
 void accept(const Problem& problem, State& state, const solver::System& system, Playing& block,
             const solver::Controls& controls, const std::map<std::string, double>& factors, double from, double to,
@@ -93,10 +102,10 @@ void accept(const Problem& problem, State& state, const solver::System& system, 
   state.factors = factors;
   block.last_length = to - from;
   if (to > from) block.ends.push_back(to);
-  if (!block.at_start.empty()) block.worn.note(to, removed_volumes(state.solution.contacts), block.at_start);
+  if (to > from && !block.at_start.empty()) note_course(block, state, to);
   block.newton = result.report.solves;
   watch_contacts(problem, state, system, span.step->wear);
-  watch_bonds(state, bond_tractions(problem, state, system, state.cycle + (span.cycles ? span.jump * to : 0.0)));
+  watch_bonds(state, bond_tractions(problem, state, system, cycle_at(span, state.cycle, to)));
   state.shown = false;
   ++state.counts.increments;
   if (block.observer.increment && block.in_history)
@@ -162,7 +171,7 @@ void tell_progress(const Playing& block, const Problem& problem, const State& st
   const BlockSpan& span = block.span;
   Progress p;
   p.step = span.step->name;
-  p.cycle = state.cycle + (span.cycles ? span.jump * progress : 0.0);
+  p.cycle = cycle_at(span, state.cycle, progress);
   p.cycles = span.step->cycles;
   p.increment = increment;
   p.increments = increments;
@@ -222,7 +231,7 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     const bool shown_here = output.frames.every_increment || (output.frames.last_block && span.last);
     if (shown_here && i + 1 < ends.size()) {
       const double start = state.cycle;
-      state.cycle += span.cycles ? span.jump * from : 0.0;
+      state.cycle = cycle_at(span, start, from);
       show_frame(problem, state, cache, observer, span.step->name);
       state.cycle = start;
     }

@@ -21,6 +21,8 @@ struct BlockPlay {
   std::map<std::string, double> middle;             ///< measures of the limits half way
   std::function<void(IncrementRecord&)> correct{};  ///< makes rows that were recorded in the play those of the block
   bool slips_throughout = false;
+  bool serves = true;         ///< continued: all slips, and the wear of no side begins or stops
+  bool levels = false;        ///< short cycles that level its end are to follow
   bool extrapolated = false;  ///< wear was corrected after it, but not the pressures
   bool remesh_due = false;    ///< a trigger fired half way, and was put off
   std::string failure;

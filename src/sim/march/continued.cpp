@@ -35,10 +35,12 @@ BlockPlay play_continued(const Problem& problem, const State& start, State begun
   keep_still(start.solution.contacts, from, play.end.solution.contacts);
   const auto kept = system_of(problem, play.end, cache);
   play.slips_throughout = slips_throughout(start, play.end);
-  play.error = block_error(continued_difference(*kept, start, formula, play.end), play.slips_throughout);
+  const auto difference = continued_difference(*kept, start, formula, play.end);
+  play.serves = difference && play.slips_throughout;
+  if (!play.serves) return play;
+  play.error = block_error(*difference, play.slips_throughout);
   play.middle = half_way(start.last_wear, start.limit_measure, limit_measures(problem, *kept, play.end), cycles);
-  play.correct = [=, from = start.cycle, played = formula.played()](IncrementRecord& row) {
-    row.cycle = from + (row.cycle - from) / played;
+  play.correct = [=, from = start.cycle](IncrementRecord& row) {
     add_wear(row, 1.0 - (row.cycle - from) / cycles, at_beginning, at_start);
   };
   return play;

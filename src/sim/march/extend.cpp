@@ -24,7 +24,8 @@ void forget_limits(const Problem& problem, const std::set<std::string>& others, 
     return others.contains(known.first) ||
            std::none_of(limits.begin(), limits.end(), [&](const auto& l) { return l.name == known.first; });
   };
-  for (auto* known : {&state.life_cycles, &state.life_error, &state.limit_measure, &state.limit_rate})
+  for (auto* known :
+       {&state.life_cycles, &state.life_error, &state.limit_measure, &state.limit_rate, &state.last_wear.measures})
     std::erase_if(*known, gone);
 }
 

@@ -50,32 +50,52 @@ struct Trial {
 /// sticks: there the rate at a node changes too abruptly, since the edge recedes from node to node.
 void note_wear(const Problem& problem, const State& start, double cycles, CourseOfWear course, State& end) {
   end.last_wear = {};
-  if (!may_continue(problem.contacts) || !slips_throughout(start, end)) return;
+  const bool same_nodes =
+      same_sizes(removed_volumes(start.solution.contacts), removed_volumes(end.solution.contacts));  // not renewed
+  if (!same_nodes || !may_continue(problem.contacts) || !slips_throughout(start, end)) return;
   end.last_wear = {cycles, {}, start.limit_measure, std::move(course)};
   add_growth(end.last_wear.contacts, start.solution.contacts, end.solution.contacts);
 }
 
-/// Plays a block by the two-step formula; empty where that does not serve. Where some of the contact has come to stick
-/// only what it cost is kept.
+/// The part of a span that a block's own play has, where cycles that level it are to follow.
+BlockSpan before_levelling(BlockSpan span) {
+  span.last = false;
+  span.jump /= 1.0 + levelling;
+  return span;
+}
+
+/// Plays a block by the two-step formula; empty where that does not serve. Where only the play shows that it does not,
+/// what it cost is kept. Frames of increments are those of no formula.
 std::optional<BlockPlay> continue_block(const Problem& problem, State& start, Cache& cache, const BlockSpan& block,
                                         const Observer& rows) {
+  if (problem.scene.output.frames.every_increment) return std::nullopt;
   const auto formula = two_step(block.jump, start.last_wear.cycles);
   auto state = formula ? begun(start, *formula) : std::nullopt;
   if (!state) return std::nullopt;
   BlockPlay play = play_continued(problem, start, std::move(*state), *formula, cache, block, rows);
-  if (play.slips_throughout || !play.failure.empty() || play.interrupted) return play;
+  if (play.serves || !play.failure.empty() || play.interrupted) return play;
   keep_counts(start, play.end.counts);
   return std::nullopt;
 }
 
-/// Plays a block to its end: continued where that serves, else in halves and without the cycles that level these.
-BlockPlay play_to_end(const Problem& problem, State start, Cache& cache, BlockSpan block, const Observer& observer,
-                      Recording& rows) {
-  if (auto play = continue_block(problem, start, cache, block, rows.observer(observer))) return std::move(*play);
+/// Plays a block to its end, before the cycles that level it: continued where that serves, else in halves. One that is
+/// continued, and shown, is repeated with fewer cycles where its pressures do not fit its shapes, to be levelled.
+BlockPlay play_to_end(const Problem& problem, State start, Cache& cache, const BlockSpan& span,
+                      const Observer& observer, Recording& rows) {
+  auto play = continue_block(problem, start, cache, span, rows.observer(observer));
+  const bool came_through = play && play->failure.empty() && !play->interrupted;
+  if (came_through && span.level && !pressures_fit(problem, play->end, cache, span)) {
+    keep_counts(start, play->end.counts);
+    rows = {};
+    play = continue_block(problem, start, cache, before_levelling(span), rows.observer(observer));
+    if (play) play->levels = true;
+  }
+  if (play) return std::move(*play);
   rows = {};
-  block.last = block.last && !block.level;
-  if (block.level) block.jump /= 1.0 + levelling;
-  return play_in_halves(problem, start, cache, block, observer, rows.observer(observer));
+  play = play_in_halves(problem, start, cache, span.level ? before_levelling(span) : span, observer,
+                        rows.observer(observer));
+  play->levels = span.level;
+  return std::move(*play);
 }
 
 void play_trial(const Problem& problem, const State& start, Cache& cache, BlockSpan span, const Observer& observer,
@@ -89,11 +109,12 @@ void play_trial(const Problem& problem, const State& start, Cache& cache, BlockS
   if (trial.too_long) return;
   trial.cycles = play.end.cycle - start.cycle;
   note_wear(problem, start, trial.cycles, std::move(play.course), play.end);
-  if (play.extrapolated && span.level)  // half of the block with its levelling comes a little later
+  if (play.levels)  // half of the block with its levelling comes a little later
     for (const auto measures = limit_measures(problem, *system_of(problem, play.end, cache), play.end);
          auto& [name, value] : play.middle)
       value += levelling * (measures.at(name) - value);
-  span.moves = play.remesh_due;
+  span.moves = play.remesh_due || span.level;
+  span.level = play.levels;
   span.extrapolated = play.extrapolated;
   trial.outcome =
       shaped(problem, std::move(play.end), cache, std::move(span), trial.cycles, trial.later.observer(observer));
@@ -132,6 +153,7 @@ Outcome play_one_cycle(const Problem& problem, const State& state, Cache& cache,
                        const Observer& observer) {
   const double tried = span.jump;
   span.jump = std::min(unjumped, span.jump);
+  if (span.jump < tried) span.last = span.level = false;
   Outcome outcome = play_increments(problem, state, cache, span, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   const bool first = state.step_cycles == 0.0;

@@ -7,10 +7,14 @@
 #include "sim/march/jump_rule.hpp"
 #include "sim/problem/two_step.hpp"
 #include "sim/reshape/balance.hpp"
+#include "sim/reshape/equilibrate.hpp"
 
 namespace reye::sim {
 
 namespace {
+
+/// Of the mean pressure: between one levelling cycle and the next, or a play and its shapes.
+constexpr double repeated = 0.01;
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
 /// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
@@ -36,7 +40,6 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
 /// pressures are shown, they halve until pressures repeat.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
   constexpr int fewest_cycles = 2, most_cycles = 8;
-  constexpr double repeated = 0.01;  // of the mean pressure, from one levelling cycle to the next
   const bool last = span.last;
   const auto play = [&](double jump, bool ends) {
     span.jump = jump;
@@ -59,9 +62,17 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
 
 }  // namespace
 
+bool pressures_fit(const Problem& problem, State& state, Cache& cache, const BlockSpan& span) {
+  State on_shapes = state;
+  const auto before = held_tractions(*system_of(problem, state, cache), state);
+  const bool found = re_equilibrate(problem, on_shapes, cache, span, before).empty();
+  state.counts = on_shapes.counts;
+  return found && pressure_change(problem, on_shapes, cache, before) < repeated;
+}
+
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
                const Observer& observer) {
-  if (!span.extrapolated) {
+  if (!span.extrapolated && !span.level) {
     span.jump = cycles;
     return end_block(problem, std::move(state), cache, span, observer);
   }

@@ -128,8 +128,8 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
   return difference;
 }
 
-double continued_difference(const solver::System& system, const State& start, const TwoStep& formula,
-                            const State& end) {
+std::optional<double> continued_difference(const solver::System& system, const State& start, const TwoStep& formula,
+                                           const State& end) {
   double difference = 0.0;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
@@ -137,6 +137,7 @@ double continued_difference(const solver::System& system, const State& start, co
     const auto& growth = start.last_wear.contacts[c];
     ContinuedSide secondary(formula, growth.removed_secondary, was.removed_secondary, now.removed_secondary),
         primary(formula, growth.removed_primary, was.removed_primary, now.removed_primary);
+    if (!secondary.serves || !primary.serves) return std::nullopt;
     const auto before = slipped(start, c);
     for (std::size_t j = 0; j < before.size(); ++j) {
       const bool slips = now.slip[j] > was.slip[j];
@@ -156,10 +157,13 @@ double continued_difference(const solver::System& system, const State& start, co
 bool slips_throughout(const State& start, const State& end) {
   for (std::size_t c = 0; c < end.solution.contacts.size(); ++c) {
     const auto &before = start.solution.contacts[c], &after = end.solution.contacts[c];
-    bool slips = false, sticks = false;
-    for (std::size_t j = 0; j < after.slip.size(); ++j)
-      if (after.lambda[j].dot(after.normal[j]) > 0.0) (after.slip[j] > before.slip[j] ? slips : sticks) = true;
-    if (slips && sticks) return false;
+    bool slips = false, slipped = false, sticks = false;
+    for (std::size_t j = 0; j < after.slip.size(); ++j) {
+      const bool moved = after.slip[j] > before.slip[j];
+      slipped |= moved;
+      if (after.lambda[j].dot(after.normal[j]) > 0.0) (moved ? slips : sticks) = true;
+    }
+    if (slipped && (sticks || !slips)) return false;  // unloaded at the end it may have stuck before
   }
   return true;
 }

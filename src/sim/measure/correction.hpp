@@ -24,9 +24,12 @@ double wear_difference(const solver::System& system, const Twice& twice, const S
 
 /// Error of the end of a block that the two-step formula has continued from `start`: as `wear_difference`, by what two
 /// halves of it would differ from it as a whole.
-double continued_difference(const solver::System& system, const State& start, const TwoStep& formula, const State& end);
+/// Empty where the formula does not serve (`ContinuedSide`).
+std::optional<double> continued_difference(const solver::System& system, const State& start, const TwoStep& formula,
+                                           const State& end);
 
-/// Whether no contact that slipped in a block has a node under pressure that did not.
+/// Whether no contact that slipped in a block has a node under pressure that did not; not either where none is under
+/// pressure at its end, which does not show it.
 bool slips_throughout(const State& start, const State& end);
 
 /// Adds the difference between the two halves and the whole once more: with an error linear in the cycles, V + (V -

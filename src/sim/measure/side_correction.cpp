@@ -23,17 +23,26 @@ std::vector<double> SidePlays::worn() const {
 
 /// Growth of a rate from block to block beyond which wear begins at a point.
 constexpr double beginning = 2.0;
+constexpr double notable = 0.05;    ///< of the growth of a side
+constexpr double round_off = 1e-9;  ///< of the growth at a point
 
 ContinuedSide::ContinuedSide(const TwoStep& formula, const std::vector<double>& growth,
                              const std::vector<double>& start, const std::vector<double>& end)
     : once(end), passed(end.size(), 0) {
+  double grown = 0.0, stopped = 0.0, worn = 0.0;
   for (std::size_t j = 0; j < end.size(); ++j) {
-    const double now = end[j] - start[j];
-    // Where wear begins, its rate at the end serves for the block: what is too much there is lacking beside.
-    once[j] -= growth[j] > 0.0 ? formula.two_halves_apart(growth[j], now) : now;
+    const double now = end[j] - start[j], share = formula.start() * growth[j];
+    const bool stands = growth[j] > 0.0 && now - share <= round_off * growth[j];
     const bool begins = now > beginning * formula.ratio * growth[j];
-    passed[j] = begins || (growth[j] > 0.0) != (now > formula.start() * growth[j]);
+    grown += growth[j];
+    worn += now;
+    if (stands) stopped += growth[j];
+    // Where wear begins, its rate at the end serves for the block: what is too much there is lacking beside. Where it
+    // has stopped, all that the block began with is too much.
+    once[j] -= growth[j] > 0.0 && !stands ? formula.two_halves_apart(growth[j], now) : now;
+    passed[j] = begins || stands;
   }
+  serves = stopped <= notable * grown && (grown > 0.0 || worn <= 0.0);
 }
 
 std::vector<double> side_correction(const std::vector<double>& trusted, const std::vector<double>& once,

@@ -29,6 +29,9 @@ struct SidePlays {
 struct ContinuedSide {
   std::vector<double> once;  ///< at its end, less what two halves would differ from it as a whole by
   std::vector<char> passed;  ///< whether a point wore in one of both blocks and not in the other
+  /// Whether the formula serves: not where the side as a whole begins to wear, nor where a notable part of it stops,
+  /// for it would keep the share that its block began with.
+  bool serves = true;
 
   ContinuedSide(const TwoStep& formula, const std::vector<double>& growth, const std::vector<double>& start,
                 const std::vector<double>& end);

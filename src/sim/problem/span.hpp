@@ -24,6 +24,12 @@ struct BlockSpan {
   double increments_of_run = 0.0;  ///< those solved before it and those that are left, by an estimate; 0: not asked for
 };
 
+/// The cycle of a progress of the span's play, which begins at cycle `start`.
+inline double cycle_at(const BlockSpan& span, double start, double progress) {
+  if (!span.cycles) return start;
+  return start + progress * (span.continued ? span.continued->cycle - start : span.jump);
+}
+
 /// A state, or the reason of a failure.
 struct Outcome {
   State state;

@@ -36,11 +36,13 @@ inline constexpr double most_ratio = 2.0;
 std::optional<TwoStep> two_step(double cycles, double before);
 
 /// Whether blocks can continue one another: the wear of every contact is in its gap when pressures are found, and
-/// follows smoothly from them, not by a law that depends on what a point has gone through.
+/// follows smoothly from them, not by a law or friction that depends on what a point has gone through.
 template <class Contacts>
 bool may_continue(const Contacts& contacts) {
   return std::all_of(contacts.begin(), contacts.end(), [](const auto& contact) {
     const auto& options = contact.options;
+    if constexpr (requires { options.friction_formula; })
+      if (options.friction_formula) return false;
     return !options.wear.wears() || (options.implicit_wear && !options.wear.has_memory());
   });
 }

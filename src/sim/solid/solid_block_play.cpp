@@ -71,6 +71,24 @@ void correct_row(SolidIncrement& row, double share, const SolidIncrement& before
   }
 }
 
+/// A measure in the middle of a block with the cycles that level it, from that in the middle of its play and at the
+/// end.
+double middle_with_levelling(double middle, double end) { return middle + levelling * (end - middle); }
+
+/// Levels the end of a trial; its wear is part of what the next block continues.
+void level_trial(SolidPlayer& player, const SolidSpan& span, const SolidObserver& observer, SolidTrial& trial) {
+  const auto before = trial.outcome.state.solution.wear;
+  auto middle = std::move(trial.outcome.middle);
+  trial.outcome =
+      level_block(player, std::move(trial.outcome), span, levelling * trial.cycles, trial.later.observer(observer));
+  trial.outcome.middle = std::move(middle);
+  auto& last = trial.outcome.state.last_wear;
+  if (last.cycles == 0.0 || !trial.outcome.failure.empty() || trial.outcome.interrupted) return;
+  add_growth(last.contacts, before, trial.outcome.state.solution.wear);
+  last.cycles += levelling * trial.cycles;
+  last.course = std::move(trial.outcome.worn);
+}
+
 }  // namespace
 
 void keep_work(SolidRunState& start, const SolidRunState& played) {
@@ -96,7 +114,7 @@ void note_wear(const SolidProblem& problem, const SolidRunState& start, double c
 bool play_in_halves(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& begin, const SolidSpan& span,
                     const SolidObserver& observer, double permitted, SolidTrial& trial) {
   SolidSpan block = span;
-  if (span.level) block.jump /= 1.0 + levelling;
+  block.jump = cycles_of_play(span);
   block.last = span.last && !span.level;
   Attempt attempt = attempt_twice(problem, player, begin, block, quiet(observer), trial.rows.observer(observer));
   if (!attempt.whole) {
@@ -118,28 +136,20 @@ bool play_in_halves(const SolidProblem& problem, SolidPlayer& player, const Soli
   extrapolate_skins(player.system(), twice, halves);
   trial.correct = [=, corrected = row_of(problem, player.system(), halves), from = begin.cycle, cycles = block.jump](
                       SolidIncrement& row) { correct_row(row, (row.cycle - from) / cycles, uncorrected, corrected); };
-  // The first half has half of the error of both; half of the block with its levelling comes a little later.
+  // The first half has half of the error of both.
   for (const auto measures = solid_limit_measures(problem, player.system(), halves);
        auto& [name, value] : attempt.middle) {
     value += 0.5 * (measures.at(name) - by_halves.at(name));
-    if (span.level) value += levelling * (measures.at(name) - value);
+    if (span.level) value = middle_with_levelling(value, measures.at(name));
   }
   trial.outcome = std::move(attempt.halves);
-  note_wear(problem, begin, block.jump, trial.outcome);
-  if (!trial.too_long && span.level) {
-    const auto before = trial.outcome.state.solution.wear;
-    trial.outcome =
-        level_block(player, std::move(trial.outcome), span, levelling * block.jump, trial.later.observer(observer));
-    auto& last = trial.outcome.state.last_wear;
-    if (last.cycles > 0.0 && trial.outcome.failure.empty() && !trial.outcome.interrupted) {
-      add_growth(last.contacts, before, trial.outcome.state.solution.wear);
-      last.cycles += levelling * block.jump;
-      last.course = std::move(trial.outcome.worn);
-    }
-  }
   trial.outcome.middle = std::move(attempt.middle);
+  note_wear(problem, begin, block.jump, trial.outcome);
+  if (!trial.too_long && span.level) level_trial(player, span, observer, trial);
   return true;
 }
+
+double cycles_of_play(const SolidSpan& span) { return span.level ? span.jump / (1.0 + levelling) : span.jump; }
 
 std::optional<SolidRunState> begun(const SolidRunState& start, const TwoStep& formula) {
   std::optional<SolidRunState> state = start;
@@ -150,10 +160,12 @@ std::optional<SolidRunState> begun(const SolidRunState& start, const TwoStep& fo
 bool play_continued(const SolidProblem& problem, SolidPlayer& player, const SolidRunState& start, SolidRunState begun,
                     const TwoStep& formula, SolidSpan span, const SolidObserver& observer, double permitted,
                     SolidTrial& trial) {
-  const double cycles = span.jump;
+  const SolidSpan whole = span;
+  const double cycles = cycles_of_play(span);
+  span.last = span.last && !span.level;
   const auto at_start = row_of(problem, player.system(), start), at_beginning = row_of(problem, player.system(), begun);
   const auto from = begun.solution.wear;
-  span.jump *= formula.played();
+  span.jump = formula.played() * cycles;
   span.continued = Continued{start.cycle + cycles, &start.last_wear.course};
   trial.outcome = player.play(std::move(begun), span, trial.rows.observer(observer));
   auto& end = trial.outcome.state;
@@ -163,15 +175,21 @@ bool play_continued(const SolidProblem& problem, SolidPlayer& player, const Soli
   keep_still(start.solution.wear, from, end.solution.wear);
   trial.cycles = cycles;
   trial.throughout = slides_throughout(start, end);
-  trial.error = block_error(continued_skin_difference(player.system(), start, formula, end), trial.throughout);
+  const auto difference = continued_skin_difference(player.system(), start, formula, end);
+  trial.serves = difference && trial.throughout;
+  if (!trial.serves) return true;
+  trial.error = block_error(*difference, trial.throughout);
   trial.too_long = trial.error > permitted;
   trial.correct = [=, first = start.cycle, played = formula.played()](SolidIncrement& row) {
     row.cycle = first + (row.cycle - first) / played;
     correct_row(row, 1.0 - (row.cycle - first) / cycles, at_beginning, at_start);
   };
-  trial.outcome.middle =
-      half_way(start.last_wear, start.limit_measure, solid_limit_measures(problem, player.system(), end), cycles);
+  const auto measures = solid_limit_measures(problem, player.system(), end);
+  trial.outcome.middle = half_way(start.last_wear, start.limit_measure, measures, cycles);
+  if (whole.level)
+    for (auto& [name, value] : trial.outcome.middle) value = middle_with_levelling(value, measures.at(name));
   note_wear(problem, start, cycles, trial.outcome);
+  if (whole.level && !trial.too_long) level_trial(player, whole, observer, trial);
   return true;
 }
 

@@ -14,6 +14,7 @@ struct SolidTrial {
   double cycles = 0.0;  ///< of the play
   double error = 0.0;
   bool too_long = false, throughout = false;
+  bool serves = true;  ///< continued: all slides, and the wear of no side begins or stops
   SolidRecording rows, later;
   std::function<void(SolidIncrement&)> correct;  ///< makes rows that were recorded in the play those of the block
 };
@@ -24,6 +25,9 @@ void keep_work(SolidRunState& start, const SolidRunState& played);
 /// Notes what a block of `cycles` from `start` has worn, for the next one to continue; not where some of a contact
 /// sticks, or has come to other points.
 void note_wear(const SolidProblem& problem, const SolidRunState& start, double cycles, SolidOutcome& outcome);
+
+/// The cycles of a span's own play, without those that level its end where that is shown.
+double cycles_of_play(const SolidSpan& span);
 
 /// Plays a block in halves, with the cycles that level it where its end is shown and its error is `permitted`. False
 /// where contact has outrun its points.

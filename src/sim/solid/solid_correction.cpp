@@ -118,8 +118,8 @@ double skin_wear_difference(const solver::SolidSystem& system, const SolidTwice&
   return difference;
 }
 
-double continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start, const TwoStep& formula,
-                                 const SolidRunState& end) {
+std::optional<double> continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start,
+                                                const TwoStep& formula, const SolidRunState& end) {
   const auto slid = slid_between(start.solution.wear, end.solution.wear);
   double difference = 0.0;
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
@@ -127,6 +127,7 @@ double continued_skin_difference(const solver::SolidSystem& system, const SolidR
     const auto &was = start.solution.wear[c], &now = end.solution.wear[c], &growth = start.last_wear.contacts[c];
     ContinuedSide secondary(formula, growth.removed_secondary, was.removed_secondary, now.removed_secondary);
     const ContinuedSide primary(formula, growth.removed_primary, was.removed_primary, now.removed_primary);
+    if (!secondary.serves || !primary.serves) return std::nullopt;
     for (std::size_t j = 0; j < secondary.passed.size(); ++j) secondary.passed[j] |= start.slid[c][j] != slid[c][j];
     const auto of_side = [](const contact::SkinSide& side, const ContinuedSide& continued,
                             const std::vector<double>& end_of_it) {
@@ -145,7 +146,8 @@ bool slides_throughout(const SolidRunState& start, const SolidRunState& end) {
     bool slides = false, sticks = false;
     for (std::size_t j = 0; j < slid[c].size(); ++j)
       if (end.solution.status[c][j] != contact::SkinStatus::open) (slid[c][j] ? slides : sticks) = true;
-    if (slides && sticks) return false;
+    const bool any = std::any_of(slid[c].begin(), slid[c].end(), [](char s) { return s != 0; });
+    if (any && (sticks || !slides)) return false;
   }
   return true;
 }

@@ -22,8 +22,8 @@ std::vector<std::vector<char>> slid_between(const std::vector<contact::SkinWear>
 double skin_wear_difference(const solver::SolidSystem& system, const SolidTwice& twice, const SolidRunState& halves);
 
 /// Error of the end of a block that the two-step formula has continued from `start` (`continued_difference`).
-double continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start, const TwoStep& formula,
-                                 const SolidRunState& end);
+std::optional<double> continued_skin_difference(const solver::SolidSystem& system, const SolidRunState& start,
+                                                const TwoStep& formula, const SolidRunState& end);
 
 /// Whether no contact that slid in a block has a point under pressure that did not.
 bool slides_throughout(const SolidRunState& start, const SolidRunState& end);

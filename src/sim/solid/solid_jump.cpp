@@ -29,13 +29,14 @@ double allowed_error(const SolidProblem& problem, const scene::Step& step, const
 /// come to stick only what it cost is kept.
 bool continue_block(const SolidProblem& problem, SolidPlayer& player, SolidRunState& begin, const SolidSpan& span,
                     const SolidObserver& observer, double permitted, SolidTrial& trial) {
-  const auto formula = two_step(span.jump, begin.last_wear.cycles);
+  if (problem.scene.frames.every_increment) return false;
+  const auto formula = two_step(cycles_of_play(span), begin.last_wear.cycles);
   auto state = formula ? begun(begin, *formula) : std::nullopt;
   if (!state) return false;
   const bool same_points =
       play_continued(problem, player, begin, std::move(*state), *formula, span, observer, permitted, trial);
   const auto& outcome = trial.outcome;
-  if (!outcome.failure.empty() || outcome.interrupted || (same_points && trial.throughout)) return true;
+  if (!outcome.failure.empty() || outcome.interrupted || (same_points && trial.serves)) return true;
   keep_work(begin, outcome.state);
   begin = player.brought_up(std::move(begin));
   trial = {};
