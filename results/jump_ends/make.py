@@ -33,6 +33,14 @@ def conforming(depth, radius=5.0, force=40.0):
     return force / (2.0 * math.sqrt(radius**2 - (radius - depth) ** 2))
 
 
+def conforming_ball(depth, radius=5.0, force=20.0):
+    """Mean pressure of a ball worn flat to `depth`."""
+    return force / (math.pi * (radius**2 - (radius - depth) ** 2))
+
+
+CLOSED_FORMS = {"pin_worn_flat": conforming, "ball_worn_flat": conforming_ball}
+
+
 def main():
     rows, measured = [], {}
     ledger = 0.0
@@ -46,9 +54,9 @@ def main():
             rows.append([scene, run.folder.name.removeprefix(scene + "_"), *figures.values(),
                          run.summary["counts"]["blocks"], run.summary["counts"]["remeshes"], run.summary["cpu_s"]])
         measured |= {f"{scene}_{key}": value for key, value in apart.items()}
-        if scene == "pin_worn_flat":
+        if scene in CLOSED_FORMS:
             for name, figures in ("short", a), ("tolerance", b):
-                measured[f"{scene}_{name}_closed_form"] = abs(figures["p0"] / conforming(figures["depth"]) - 1.0)
+                measured[f"{scene}_{name}_closed_form"] = abs(figures["p0"] / CLOSED_FORMS[scene](figures["depth"]) - 1.0)
         print(scene, *(f"{key} {100 * value:.2f} %" for key, value in apart.items()))
     measured["ledger"] = ledger
     case.write_csv("ends.csv", ["scene", "blocks_by", "depth_mm", "p0_MPa", "peak_inside_MPa", "blocks", "remeshes", "cpu_s"], rows)
