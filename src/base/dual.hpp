@@ -21,6 +21,28 @@ struct Dual {
     return x;
   }
 
+  friend Dual operator+(const Dual& a, const Dual& b) {
+    return made(a.v + b.v, [&](int i) { return a.d[i] + b.d[i]; });
+  }
+  friend Dual operator-(const Dual& a, const Dual& b) {
+    return made(a.v - b.v, [&](int i) { return a.d[i] - b.d[i]; });
+  }
+  friend Dual operator*(const Dual& a, const Dual& b) {
+    return made(a.v * b.v, [&](int i) { return a.d[i] * b.v + a.v * b.d[i]; });
+  }
+  friend Dual operator/(const Dual& a, const Dual& b) {
+    const double inverse = 1.0 / b.v, ratio = a.v * inverse;
+    return made(ratio, [&](int i) { return (a.d[i] - ratio * b.d[i]) * inverse; });
+  }
+  friend Dual operator+(const Dual& a, double b) { return chain(a, a.v + b, 1.0); }
+  friend Dual operator+(double b, const Dual& a) { return a + b; }
+  friend Dual operator-(const Dual& a, double b) { return a + (-b); }
+  friend Dual operator-(double b, const Dual& a) { return chain(a, b - a.v, -1.0); }
+  friend Dual operator*(const Dual& a, double b) { return chain(a, a.v * b, b); }
+  friend Dual operator*(double b, const Dual& a) { return a * b; }
+  friend Dual operator/(const Dual& a, double b) { return a * (1.0 / b); }
+  friend Dual operator-(const Dual& a) { return chain(a, -a.v, -1.0); }
+
   Dual& operator+=(const Dual& b) {
     v += b.v;
     for (int i = 0; i < N; ++i) d[i] += b.d[i];
@@ -31,39 +53,8 @@ struct Dual {
     for (int i = 0; i < N; ++i) d[i] -= b.d[i];
     return *this;
   }
-  Dual& operator*=(const Dual& b) {
-    for (int i = 0; i < N; ++i) d[i] = d[i] * b.v + v * b.d[i];
-    v *= b.v;
-    return *this;
-  }
-  Dual& operator/=(const Dual& b) {
-    const double inverse = 1.0 / b.v;
-    v *= inverse;
-    for (int i = 0; i < N; ++i) d[i] = (d[i] - v * b.d[i]) * inverse;
-    return *this;
-  }
-
-  friend Dual operator+(Dual a, const Dual& b) { return a += b; }
-  friend Dual operator-(Dual a, const Dual& b) { return a -= b; }
-  friend Dual operator*(Dual a, const Dual& b) { return a *= b; }
-  friend Dual operator/(Dual a, const Dual& b) { return a /= b; }
-  friend Dual operator+(Dual a, double b) {
-    a.v += b;
-    return a;
-  }
-  friend Dual operator+(double b, Dual a) {
-    a.v += b;
-    return a;
-  }
-  friend Dual operator-(Dual a, double b) {
-    a.v -= b;
-    return a;
-  }
-  friend Dual operator-(double b, const Dual& a) { return -a + b; }
-  friend Dual operator*(Dual a, double b) { return scaled(a, b); }
-  friend Dual operator*(double b, Dual a) { return scaled(a, b); }
-  friend Dual operator/(Dual a, double b) { return scaled(a, 1.0 / b); }
-  friend Dual operator-(Dual a) { return scaled(a, -1.0); }
+  Dual& operator*=(const Dual& b) { return *this = *this * b; }
+  Dual& operator/=(const Dual& b) { return *this = *this / b; }
 
   friend bool operator<(const Dual& a, const Dual& b) { return a.v < b.v; }
   friend bool operator>(const Dual& a, const Dual& b) { return a.v > b.v; }
@@ -87,16 +78,16 @@ struct Dual {
   friend Dual cos(const Dual& a) { return chain(a, std::cos(a.v), -std::sin(a.v)); }
 
  private:
-  static Dual& scaled(Dual& a, double factor) {
-    a.v *= factor;
-    for (int i = 0; i < N; ++i) a.d[i] *= factor;
-    return a;
+  /// A value and its derivatives. Nothing is copied first: numbers stored one by one and loaded as vectors stall.
+  template <class Slope>
+  static Dual made(double value, const Slope& slope) {
+    Dual result(value);
+    for (int i = 0; i < N; ++i) result.d[i] = slope(i);
+    return result;
   }
   /// f(a) with f'(a.v) = slope.
   static Dual chain(const Dual& a, double value, double slope) {
-    Dual result(value);
-    for (int i = 0; i < N; ++i) result.d[i] = slope * a.d[i];
-    return result;
+    return made(value, [&](int i) { return slope * a.d[i]; });
   }
 };
 

@@ -96,19 +96,6 @@ constexpr std::size_t bundle = 8;  ///< primary facets that are judged by one ci
 
 double plain_value(double x, int) { return x; }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__)
-/// For vectors of four doubles, where the processor has them. Without fused operations both give the same bits.
-__attribute__((flatten, target("avx2"))) void integrate_wide(Workspace<base::Dual<16>>& w) { integrate(w); }
-
-void integrate_duals(Workspace<base::Dual<16>>& w) {
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
-  wide ? integrate_wide(w) : integrate(w);
-}
-#else
-void integrate_duals(Workspace<base::Dual<16>>& w) { integrate(w); }
-#endif
-
 /// Distance of a curve from its chord.
 double sag(const Points& x, const LineFacet& f) {
   return f[2] < 0 ? 0.0 : 0.5 * (x[f[2]] - 0.5 * (x[f[0]] + x[f[1]])).norm();
@@ -268,7 +255,7 @@ void Integrator::differentiate(const Placement& p, FacetRecord& record) {
     load<Scalar>(p, record, dual_.in, [first_dof](double x, int dof) {
       return dof >= first_dof && dof < first_dof + width ? Scalar::variable(x, dof - first_dof) : Scalar(x);
     });
-    integrate_duals(dual_);
+    integrate(dual_);
     store(record, first_dof);
   }
 }
