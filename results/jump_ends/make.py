@@ -18,14 +18,29 @@ SCENES = {
 }
 
 
-def end(run):
-    """Depth, pressure in the middle of what carries, and its peak inside nine tenths of that."""
-    carrying = [r for r in run.last("secondary") if r["pressure_MPa"] > 0.0]
+def pressures(rows):
+    """In the middle of what carries, and the peak inside nine tenths of that."""
+    carrying = [r for r in rows if r["pressure_MPa"] > 0.0]
     ends = [r["arc_length_mm"] for r in carrying]
     middle, half = 0.5 * (max(ends) + min(ends)), 0.5 * (max(ends) - min(ends))
     inside = [r["pressure_MPa"] for r in carrying if abs(r["arc_length_mm"] - middle) < 0.9 * half]
     centre = min(carrying, key=lambda r: abs(r["arc_length_mm"] - middle))["pressure_MPa"]
-    return {"depth": run.contact["secondary"]["max_depth_mm"], "p0": centre, "peak": max(inside)}
+    return {"p0": centre, "peak": max(inside)}
+
+
+def end(run):
+    return {"depth": run.contact["secondary"]["max_depth_mm"], **pressures(run.last("secondary"))}
+
+
+def on_the_way(scene, short, chosen):
+    """Largest difference of the middle pressure in frames before the end, from that of the short blocks at the same
+    cycle, once a tenth of the cycles is done; `frames.csv`."""
+    def shown(run):
+        return [(cycle, *pressures(rows).values()) for cycle, rows in run.frames("secondary")[:-1] if cycle > 0.0]
+
+    frames, p0 = shown(chosen), case.Line([(cycle, p) for cycle, p, _ in shown(short)])
+    late = [(cycle, p, peak, p0(cycle)) for cycle, p, peak in frames if cycle > 0.1 * frames[-1][0] and p0(cycle) > 0.0]
+    return [[scene, *row] for row in late], max((abs(p / q - 1.0) for _, p, _, q in late), default=0.0)
 
 
 def conforming(depth, radius=5.0, force=40.0):
@@ -42,7 +57,7 @@ CLOSED_FORMS = {"pin_worn_flat": conforming, "ball_worn_flat": conforming_ball}
 
 
 def main():
-    rows, measured = [], {}
+    rows, frames, measured = [], [], {}
     ledger = 0.0
     for scene, jumps in SCENES.items():
         short = case.run(scene, f"{scene}_short", [(f"jump = {a}\n", f"jump = {b}\n") for a, b in jumps])
@@ -54,12 +69,15 @@ def main():
             rows.append([scene, run.folder.name.removeprefix(scene + "_"), *figures.values(),
                          run.summary["counts"]["blocks"], run.summary["counts"]["remeshes"], run.summary["cpu_s"]])
         measured |= {f"{scene}_{key}": value for key, value in apart.items()}
+        late, measured[f"{scene}_frames"] = on_the_way(scene, short, chosen)
+        frames += late
         if scene in CLOSED_FORMS:
             for name, figures in ("short", a), ("tolerance", b):
                 measured[f"{scene}_{name}_closed_form"] = abs(figures["p0"] / CLOSED_FORMS[scene](figures["depth"]) - 1.0)
         print(scene, *(f"{key} {100 * value:.2f} %" for key, value in apart.items()))
     measured["ledger"] = ledger
     case.write_csv("ends.csv", ["scene", "blocks_by", "depth_mm", "p0_MPa", "peak_inside_MPa", "blocks", "remeshes", "cpu_s"], rows)
+    case.write_csv("frames.csv", ["scene", "cycle", "p0_MPa", "peak_inside_MPa", "p0_of_short_blocks_MPa"], frames)
     case.write_measured(measured)
 
 

@@ -117,6 +117,23 @@ TEST(Jump, UnloadedEndsAreLevelledThroughout) {
   EXPECT_EQ(counts.cycles_solved - 3 * counts.blocks, 8);
 }
 
+// Where a block is shown on the way its pressures must be those that a step would show which ends there, as long as
+// cycles are that wear more in an increment than the bodies yield.
+TEST(Jump, PressuresOnTheWayAreThoseOfAnEnd) {
+  const auto pressure = [](const std::string& cycles) {
+    const auto r = recorded(test::problem_of(
+        test::with(test::block_scene,
+                   {{"cycles = 40\njump = 10",
+                     "cycles = " + cycles + "\njump = { tolerance = 0.2, first = 1e7, most = 1e7 }"}}) +
+        "[output]\nframes = { every_cycles = 10000000 }\n"));
+    double at = 0.0;
+    for (const auto& row : r.rows)
+      if (row.cycle < 1e7 * (1.0 + 1e-9)) at = row.pressure_max_MPa;
+    return at;
+  };
+  EXPECT_NEAR(pressure("20000000") / pressure("10000000"), 1.0, 0.03);
+}
+
 // Where no edge moved, extrapolation must double the correction, keep sums and give no node material back that waits in
 // no gap.
 TEST(Jump, ExtrapolationKeepsSums) {

@@ -79,21 +79,26 @@ std::optional<BlockPlay> continue_block(const Problem& problem, State& start, Ca
 }
 
 /// Plays a block to its end, before the cycles that level it: continued where that serves, else in halves. One that is
-/// continued, and shown, is repeated with fewer cycles where its pressures do not fit its shapes, to be levelled.
+/// continued, and shown, is levelled where its pressures do not fit its shapes: it is repeated with fewer cycles, or
+/// has fewer from the start where the one shown before it did not fit, either.
 BlockPlay play_to_end(const Problem& problem, State start, Cache& cache, const BlockSpan& span,
                       const Observer& observer, Recording& rows) {
-  auto play = continue_block(problem, start, cache, span, rows.observer(observer));
+  const auto shorter = span.level ? before_levelling(span) : span;
+  auto play = continue_block(problem, start, cache, start.levelled ? shorter : span, rows.observer(observer));
   const bool came_through = play && play->failure.empty() && !play->interrupted;
-  if (came_through && span.level && !pressures_fit(problem, play->end, cache, span)) {
-    keep_counts(start, play->end.counts);
-    rows = {};
-    play = continue_block(problem, start, cache, before_levelling(span), rows.observer(observer));
-    if (play) play->levels = true;
+  if (came_through && span.level) {
+    const bool fits = pressures_fit(problem, play->end, cache, span);
+    if (!fits && !start.levelled) {
+      keep_counts(start, play->end.counts);
+      rows = {};
+      play = continue_block(problem, start, cache, shorter, rows.observer(observer));
+    }
+    if (play) play->levels = !fits || start.levelled;
+    if (play) play->end.levelled = !fits;
   }
   if (play) return std::move(*play);
   rows = {};
-  play = play_in_halves(problem, start, cache, span.level ? before_levelling(span) : span, observer,
-                        rows.observer(observer));
+  play = play_in_halves(problem, start, cache, shorter, observer, rows.observer(observer));
   play->levels = span.level;
   return std::move(*play);
 }

@@ -1,11 +1,15 @@
 #include "sim/march/level.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "base/formatted.hpp"
 #include "sim/march/block.hpp"
 #include "sim/march/jump_rule.hpp"
 #include "sim/problem/two_step.hpp"
+#include "sim/problem/warnings.hpp"
 #include "sim/reshape/balance.hpp"
 #include "sim/reshape/equilibrate.hpp"
 
@@ -13,8 +17,9 @@ namespace reye::sim {
 
 namespace {
 
-/// Of the mean pressure: between one levelling cycle and the next, or a play and its shapes.
-constexpr double repeated = 0.01;
+/// Of the pressures (root mean square), from one levelling cycle to the next: at the end of a step, and of a play and
+/// its shapes; where a block is shown before it.
+constexpr double repeated = 0.01, alike = 0.03;
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
 /// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
@@ -34,10 +39,20 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
   return largest;
 }
 
+/// Warns of pressures that are shown, and changed so much from one levelling cycle to the next.
+void warn_of_pressures(State& state, const BlockSpan& span, double change, const Observer& observer) {
+  const std::string text = base::formatted(
+      "pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they changed as much in the last of "
+      "the "
+      "short cycles that level a block of so many; the wear is not concerned. Let a step end there",
+      state.cycle, 100.0 * change);
+  warn(state, observer, {"pressures", "step " + span.step->name, text, change});
+}
+
 /// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
 /// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
-/// first remove the unevenness, the last wear so little that pressures follow the stroke. At the end of a step, whose
-/// pressures are shown, they halve until pressures repeat.
+/// first remove the unevenness, the last wear so little that pressures follow the stroke. They halve until pressures
+/// repeat.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
   constexpr int fewest_cycles = 2, most_cycles = 8;
   const bool last = span.last;
@@ -47,16 +62,17 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
     outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
     return outcome.failure.empty() && !outcome.interrupted;
   };
-  double left = span.jump;
-  bool level = !last;
-  for (int k = fewest_cycles; k <= most_cycles; ++k) {
+  const double enough = last ? repeated : alike;
+  double left = span.jump, change = 1.0;
+  for (int k = fewest_cycles; k <= most_cycles && change >= enough; ++k) {
     const auto before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
     left *= 0.5;
     if (!play(left, false)) return outcome;
-    if (level) break;
-    level = k > fewest_cycles && pressure_change(problem, outcome.state, cache, before) < repeated;
+    if (k > fewest_cycles) change = pressure_change(problem, outcome.state, cache, before);
+    if (!last && !std::isfinite(change)) break;  // what carries nothing shows no pressures
   }
-  play(left, true);
+  if (play(left, true) && std::isfinite(change) && change > alike)
+    warn_of_pressures(outcome.state, span, change, observer);
   return outcome;
 }
 
