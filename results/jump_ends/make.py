@@ -33,14 +33,19 @@ def end(run):
 
 
 def on_the_way(scene, short, chosen):
-    """Largest difference of the middle pressure in frames before the end, from that of the short blocks at the same
-    cycle, once a tenth of the cycles is done; `frames.csv`."""
+    """Frames before the end, once a tenth of the cycles is done, beside the middle pressure of the short blocks at the
+    same cycle, and the largest difference; nothing where there are none."""
     def shown(run):
         return [(cycle, *pressures(rows).values()) for cycle, rows in run.frames("secondary")[:-1] if cycle > 0.0]
 
-    frames, p0 = shown(chosen), case.Line([(cycle, p) for cycle, p, _ in shown(short)])
+    frames, finely = shown(chosen), shown(short)
+    if not frames or len(finely) < 2:
+        return [], {}
+    p0 = case.Line([(cycle, p) for cycle, p, _ in finely])
     late = [(cycle, p, peak, p0(cycle)) for cycle, p, peak in frames if cycle > 0.1 * frames[-1][0] and p0(cycle) > 0.0]
-    return [[scene, *row] for row in late], max((abs(p / q - 1.0) for _, p, _, q in late), default=0.0)
+    if not late:
+        return [], {}
+    return [[scene, *row] for row in late], {f"{scene}_frames": max(abs(p / q - 1.0) for _, p, _, q in late)}
 
 
 def conforming(depth, radius=5.0, force=40.0):
@@ -69,8 +74,9 @@ def main():
             rows.append([scene, run.folder.name.removeprefix(scene + "_"), *figures.values(),
                          run.summary["counts"]["blocks"], run.summary["counts"]["remeshes"], run.summary["cpu_s"]])
         measured |= {f"{scene}_{key}": value for key, value in apart.items()}
-        late, measured[f"{scene}_frames"] = on_the_way(scene, short, chosen)
+        late, apart_there = on_the_way(scene, short, chosen)
         frames += late
+        measured |= apart_there
         if scene in CLOSED_FORMS:
             for name, figures in ("short", a), ("tolerance", b):
                 measured[f"{scene}_{name}_closed_form"] = abs(figures["p0"] / CLOSED_FORMS[scene](figures["depth"]) - 1.0)

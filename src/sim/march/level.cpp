@@ -1,13 +1,11 @@
 #include "sim/march/level.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <string>
 
-#include "base/formatted.hpp"
 #include "sim/march/block.hpp"
 #include "sim/march/jump_rule.hpp"
+#include "sim/march/levelling.hpp"
 #include "sim/problem/two_step.hpp"
 #include "sim/problem/warnings.hpp"
 #include "sim/reshape/balance.hpp"
@@ -16,10 +14,6 @@
 namespace reye::sim {
 
 namespace {
-
-/// Of the pressures (root mean square), from one levelling cycle to the next: at the end of a step, and of a play and
-/// its shapes; where a block is shown before it.
-constexpr double repeated = 0.01, alike = 0.03;
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
 /// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
@@ -39,40 +33,23 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
   return largest;
 }
 
-/// Warns of pressures that are shown, and changed so much from one levelling cycle to the next.
-void warn_of_pressures(State& state, const BlockSpan& span, double change, const Observer& observer) {
-  const std::string text = base::formatted(
-      "pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they changed as much in the last of "
-      "the "
-      "short cycles that level a block of so many; the wear is not concerned. Let a step end there",
-      state.cycle, 100.0 * change);
-  warn(state, observer, {"pressures", "step " + span.step->name, text, change});
-}
-
 /// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
-/// level before it is shown or jumped from. Their wear waits in the gap. Each has half of the remaining cycles: the
-/// first remove the unevenness, the last wear so little that pressures follow the stroke. They halve until pressures
-/// repeat.
+/// level before it is shown or jumped from. Their wear waits in the gap. The first remove the unevenness, the last wear
+/// so little that pressures follow the stroke.
 Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
-  constexpr int fewest_cycles = 2, most_cycles = 8;
   const bool last = span.last;
+  const auto held = [&] { return held_tractions(*system_of(problem, outcome.state, cache), outcome.state); };
+  auto before = held();
   const auto play = [&](double jump, bool ends) {
     span.jump = jump;
     span.last = last && ends;
+    before = held();
     outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
     return outcome.failure.empty() && !outcome.interrupted;
   };
-  const double enough = last ? repeated : alike;
-  double left = span.jump, change = 1.0;
-  for (int k = fewest_cycles; k <= most_cycles && change >= enough; ++k) {
-    const auto before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
-    left *= 0.5;
-    if (!play(left, false)) return outcome;
-    if (k > fewest_cycles) change = pressure_change(problem, outcome.state, cache, before);
-    if (!last && !std::isfinite(change)) break;  // what carries nothing shows no pressures
-  }
-  if (play(left, true) && std::isfinite(change) && change > alike)
-    warn_of_pressures(outcome.state, span, change, observer);
+  const auto change = [&] { return pressure_change(problem, outcome.state, cache, before); };
+  const double left = level_by_halves(span.jump, last, play, change);
+  if (auto warning = uneven(*span.step, outcome.state.cycle, left)) warn(outcome.state, observer, std::move(*warning));
   return outcome;
 }
 

@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "sim/march/jump_rule.hpp"
+#include "sim/march/levelling.hpp"
+#include "sim/problem/warnings.hpp"
 #include "sim/solid/solid_correction.hpp"
 #include "sim/solid/solid_limits.hpp"
+#include "sim/solid/solid_pressure_change.hpp"
 
 namespace reye::sim {
 
@@ -41,19 +44,29 @@ Attempt attempt_twice(const SolidProblem& problem, SolidPlayer& player, const So
   return attempt;
 }
 
-/// Plays short cycles after a block, without extrapolation, half of the cycles that are left in each: the unevenness
-/// that the correction has left is worn level before it is shown.
+/// Plays short cycles after a block, without extrapolation: the unevenness that the correction has left is worn level
+/// before it is shown.
 SolidOutcome level_block(SolidPlayer& player, SolidOutcome outcome, SolidSpan span, double cycles,
                          const SolidObserver& observer) {
-  constexpr int levelling_cycles = 3;
   const bool last = span.last;
-  double left = cycles;
-  for (int k = 0; k < levelling_cycles; ++k) {
-    if (k + 1 < levelling_cycles) left *= 0.5;
-    span.jump = left;
-    span.last = last && k + 1 == levelling_cycles;
+  std::vector<Points3> before;
+  const auto play = [&](double jump, bool ends) {
+    span.jump = jump;
+    span.last = last && ends;
+    before = outcome.state.solution.traction;
     outcome = player.play(std::move(outcome.state), span, observer);
-    if (!outcome.failure.empty() || outcome.interrupted) break;
+    return outcome.failure.empty() && !outcome.interrupted;
+  };
+  const auto change = [&] {
+    double largest = 0.0;
+    for (std::size_t c = 0; outcome.state.solved && c < before.size(); ++c)
+      largest = std::max(largest, pressure_change(*outcome.state.solved, before[c], c));
+    return largest;
+  };
+  const double left = level_by_halves(cycles, last, play, change);
+  if (auto warning = uneven(*span.step, outcome.state.cycle, left)) {
+    const std::string text = in_words(*warning);
+    if (warn(outcome.state.warnings, std::move(*warning)) && observer.log) observer.log("warning: " + text);
   }
   return outcome;
 }

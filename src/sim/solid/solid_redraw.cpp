@@ -10,6 +10,7 @@
 #include "adapt/solid/solid_wear.hpp"
 #include "base/formatted.hpp"
 #include "sim/problem/warnings.hpp"
+#include "sim/solid/solid_pressure_change.hpp"
 
 namespace reye::sim {
 
@@ -151,22 +152,6 @@ void carry_onto(const solver::SolidSystem& system, const std::vector<Sides>& bef
     move(contact::Site::primary, before[c].primary, setup.primary);
   }
   state.block_wear = state.solution.wear;
-}
-
-/// How far the pressures of a contact are from those that were carried onto its points: root of the mean square over
-/// the points that press before or after, over the mean.
-double pressure_change(const solver::SolidSolution& solved, const Points3& carried, std::size_t c) {
-  double squares = 0.0, force = 0.0, area = 0.0;
-  for (int j = 0; j < solved.place[c].count(); ++j) {
-    const Vec3& normal = solved.place[c].frame[j].normal;
-    const double now = normal.dot(solved.state.traction[c][j]), before = normal.dot(carried[j]);
-    if (!(now > 0.0) && !(before > 0.0)) continue;
-    const double covered = solved.place[c].covered[j];
-    squares += covered * (now - before) * (now - before);
-    force += covered * now;
-    area += covered;
-  }
-  return force > 0.0 ? std::sqrt(squares * area) / force : 0.0;
 }
 
 SolidRemeshRecord record_of(const SolidProblem& problem, std::size_t b, const MovedSolids& old,

@@ -1,0 +1,18 @@
+#include "sim/march/levelling.hpp"
+
+#include "base/formatted.hpp"
+
+namespace reye::sim {
+
+std::optional<Warning> uneven(const scene::Step& step, double cycle, double change) {
+  if (!(change > alike) || !std::isfinite(change)) return std::nullopt;
+  return Warning{
+      "pressures", "step " + step.name,
+      base::formatted("pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they changed "
+                      "as much in the last of the short cycles that level a block of so many; the wear is "
+                      "not concerned. Let a step end there",
+                      cycle, 100.0 * change),
+      change};
+}
+
+}  // namespace reye::sim
