@@ -58,10 +58,12 @@ TEST(Jump, RefusedBlocksLeaveNothing) {
                          [](const auto& l) { return l.find("refused: estimated error") != l.npos; }),
             r.log.end());
   const long blocks = counts.blocks - 2;  // one is the load step, one the first cycle
-  // The first block that is tried is played in halves, the first two cycles by themselves, and all others once: their
-  // pressures fit.
-  EXPECT_EQ(counts.cycles_solved, 3 + 1 + blocks + counts.refused_blocks - 1);
-  EXPECT_EQ(r.rows.size(), 1 + 8 * static_cast<std::size_t>(1 + blocks));
+  // The first block that is tried is played in halves, the first two cycles by themselves, and all others once; short
+  // cycles level the end, which is shown.
+  const long levelling = counts.cycles_solved - (3 + 1 + blocks + counts.refused_blocks - 1);
+  EXPECT_GE(levelling, 3);
+  EXPECT_LE(levelling, 8);
+  EXPECT_EQ(r.rows.size(), 1 + 8 * static_cast<std::size_t>(1 + blocks + levelling));
   EXPECT_TRUE(
       std::is_sorted(r.rows.begin(), r.rows.end(), [](const auto& a, const auto& b) { return a.cycle < b.cycle; }));
   // Its cycles are not counted either: what wears off is what a run wears off that begins with short blocks.

@@ -78,27 +78,16 @@ std::optional<BlockPlay> continue_block(const Problem& problem, State& start, Ca
   return std::nullopt;
 }
 
-/// Plays a block to its end, before the cycles that level it: continued where that serves, else in halves. One that is
-/// continued, and shown, is levelled where its pressures do not fit its shapes: it is repeated with fewer cycles, or
-/// has fewer from the start where the one shown before it did not fit, either.
+/// Plays a block to its end, before the cycles that level it where it is shown: continued where that serves, else in
+/// halves.
 BlockPlay play_to_end(const Problem& problem, State start, Cache& cache, const BlockSpan& span,
                       const Observer& observer, Recording& rows) {
-  const auto shorter = span.level ? before_levelling(span) : span;
-  auto play = continue_block(problem, start, cache, start.levelled ? shorter : span, rows.observer(observer));
-  const bool came_through = play && play->failure.empty() && !play->interrupted;
-  if (came_through && span.level) {
-    const bool fits = pressures_fit(problem, play->end, cache, span);
-    if (!fits && !start.levelled) {
-      keep_counts(start, play->end.counts);
-      rows = {};
-      play = continue_block(problem, start, cache, shorter, rows.observer(observer));
-    }
-    if (play) play->levels = !fits || start.levelled;
-    if (play) play->end.levelled = !fits;
+  const auto block = span.level ? before_levelling(span) : span;
+  auto play = continue_block(problem, start, cache, block, rows.observer(observer));
+  if (!play) {
+    rows = {};
+    play = play_in_halves(problem, start, cache, block, observer, rows.observer(observer));
   }
-  if (play) return std::move(*play);
-  rows = {};
-  play = play_in_halves(problem, start, cache, shorter, observer, rows.observer(observer));
   play->levels = span.level;
   return std::move(*play);
 }

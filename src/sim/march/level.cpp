@@ -9,7 +9,6 @@
 #include "sim/problem/two_step.hpp"
 #include "sim/problem/warnings.hpp"
 #include "sim/reshape/balance.hpp"
-#include "sim/reshape/equilibrate.hpp"
 
 namespace reye::sim {
 
@@ -54,14 +53,6 @@ Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan s
 }
 
 }  // namespace
-
-bool pressures_fit(const Problem& problem, State& state, Cache& cache, const BlockSpan& span) {
-  State on_shapes = state;
-  const auto before = held_tractions(*system_of(problem, state, cache), state);
-  const bool found = re_equilibrate(problem, on_shapes, cache, span, before).empty();
-  state.counts = on_shapes.counts;
-  return found && pressure_change(problem, on_shapes, cache, before) < repeated;
-}
 
 Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span, double cycles,
                const Observer& observer) {

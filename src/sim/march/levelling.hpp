@@ -8,13 +8,14 @@
 /// The short cycles that level the end of a block where it is shown, whatever the dimension.
 namespace reye::sim {
 
-/// Of the pressures (root mean square), from one levelling cycle to the next: at the end of a step, and of a play and
-/// its shapes; where a block is shown before it.
+/// Of the pressures (root mean square), from one levelling cycle to the next: at the end of a step; where a block
+/// is shown before it.
 inline constexpr double repeated = 0.01, alike = 0.03;
 
-/// Plays `cycles` as short ones, each half of what is left, until pressures repeat, nine at most. `play(cycles, ends)`:
-/// one of them, false where it does not come to its end; `change()`: of the pressures since it was called before,
-/// unbounded where nothing is carried at the ends of cycles. Returns the last change; 0 where a play did not end.
+/// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. `play(cycles,
+/// ends)`: one of them, false where it does not come to its end; `change()`: of the pressures since it was called
+/// before, unbounded where nothing is carried at the ends of cycles. Returns the last change; 0 where a play did not
+/// end.
 template <class Play, class Change>
 double level_by_halves(double cycles, bool last, const Play& play, const Change& change) {
   constexpr int fewest = 2, most = 8;

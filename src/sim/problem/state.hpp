@@ -36,9 +36,8 @@ struct State {
   double jump_rate = 0.0;     ///< error of the last block under a tolerance over its share of all wear; 0: none
   double block_cycles = 0.0;  ///< where a fixed jump was too long in this step, the cycles that worked; 0: none was
   BlockWear<contact::ContactState> last_wear;  ///< of the last block under a tolerance in this step
-  bool levelled = false;  ///< the last block that was shown needed levelling: the next one is played with less at once
-  std::optional<double> jump_error;       ///< error of the blocks under a tolerance, as far as known
-  std::map<std::string, double> factors;  ///< of every history
+  std::optional<double> jump_error;            ///< error of the blocks under a tolerance, as far as known
+  std::map<std::string, double> factors;       ///< of every history
   std::vector<body::ShapePtr> shapes;
   solver::SolverState solution;
   Recall recall;
