@@ -39,7 +39,7 @@ def on_the_way(scene, short, chosen):
         return [(cycle, *pressures(rows).values()) for cycle, rows in run.frames("secondary")[:-1] if cycle > 0.0]
 
     frames, finely = shown(chosen), shown(short)
-    if not frames or len(finely) < 2:
+    if len(finely) < 2:
         return [], {}
     p0 = case.Line([(cycle, p) for cycle, p, _ in finely])
     late = [(cycle, p, peak, p0(cycle)) for cycle, p, peak in frames if cycle > 0.1 * frames[-1][0] and p0(cycle) > 0.0]

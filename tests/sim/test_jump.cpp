@@ -119,8 +119,8 @@ TEST(Jump, UnloadedEndsAreLevelledThroughout) {
   EXPECT_EQ(counts.cycles_solved - 3 * counts.blocks, 8);
 }
 
-// Where a block is shown on the way its pressures must be those that a step would show which ends there, as long as
-// cycles are that wear more in an increment than the bodies yield.
+// Pressures that are shown on the way must be those that a step would show which ends there, even where an increment of
+// the block wears more than the bodies yield.
 TEST(Jump, PressuresOnTheWayAreThoseOfAnEnd) {
   const auto pressure = [](const std::string& cycles) {
     const auto r = recorded(test::problem_of(

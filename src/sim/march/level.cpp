@@ -15,40 +15,44 @@ namespace reye::sim {
 namespace {
 
 /// Difference of the pressures of a state from those held before it, of the worst contact, in the mean
-/// (`pressure_jump`); unbounded where a contact that has worn carries nothing at the ends of its cycles, which says
-/// nothing of the pressures inside them.
+/// (`pressure_jump`). A contact that has worn and carries nothing at the ends of its cycles says nothing of the
+/// pressures inside them: at the end of a step (`last`) the change is then unbounded, on the way where no other contact
+/// carries.
 double pressure_change(const Problem& problem, const State& state, Cache& cache,
-                       const std::vector<HeldTraction>& before) {
+                       const std::vector<HeldTraction>& before, bool last) {
   const auto kept = system_of(problem, state, cache);
   const auto& system = *kept;
   double largest = 0.0;
+  bool unknown = false, carries = false;
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     const auto& contact = state.solution.contacts[c];
     const auto& pressed = before[c].normal;
     const bool open = std::none_of(pressed.begin(), pressed.end(), [](double force) { return force > 0.0; });
-    if (open && contact.law_volume > 0.0) return std::numeric_limits<double>::infinity();
+    unknown |= open && contact.law_volume > 0.0;
+    carries |= !open;
     largest = std::max(largest, pressure_jump(system.contacts[c], contact, before[c]));
   }
-  return largest;
+  return unknown && (last || !carries) ? std::numeric_limits<double>::infinity() : largest;
 }
 
 /// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
 /// level before it is shown or jumped from. Their wear waits in the gap. The first remove the unevenness, the last wear
-/// so little that pressures follow the stroke.
-Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, const Observer& observer) {
+/// so little that pressures follow the stroke. Where they are `shown` and do not repeat it warns.
+Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, bool shown,
+              const Observer& observer) {
   const bool last = span.last;
-  const auto held = [&] { return held_tractions(*system_of(problem, outcome.state, cache), outcome.state); };
-  auto before = held();
+  std::vector<HeldTraction> before;
   const auto play = [&](double jump, bool ends) {
     span.jump = jump;
     span.last = last && ends;
-    before = held();
+    before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
     outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
     return outcome.failure.empty() && !outcome.interrupted;
   };
-  const auto change = [&] { return pressure_change(problem, outcome.state, cache, before); };
+  const auto change = [&] { return pressure_change(problem, outcome.state, cache, before, last); };
   const double left = level_by_halves(span.jump, last, play, change);
-  if (auto warning = uneven(*span.step, outcome.state.cycle, left)) warn(outcome.state, observer, std::move(*warning));
+  if (auto warning = uneven(*span.step, outcome.state.cycle, left); warning && shown)
+    warn(outcome.state, observer, std::move(*warning));
   return outcome;
 }
 
@@ -65,9 +69,10 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
   const bool levels = span.level || (outcome.remesh_due && !span.last);
   if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
+  const bool shown = span.level;
   span.level = span.extrapolated = false;
   const auto before = outcome.state.solution.contacts;
-  outcome = level(problem, std::move(outcome), cache, span, observer);
+  outcome = level(problem, std::move(outcome), cache, span, shown, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   if (auto& worn = outcome.state.last_wear; worn.cycles > 0.0) {
     add_growth(worn.contacts, before, outcome.state.solution.contacts);

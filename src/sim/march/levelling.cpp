@@ -8,9 +8,9 @@ std::optional<Warning> uneven(const scene::Step& step, double cycle, double chan
   if (!(change > alike) || !std::isfinite(change)) return std::nullopt;
   return Warning{
       "pressures", "step " + step.name,
-      base::formatted("pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they changed "
-                      "as much in the last of the short cycles that level a block of so many; the wear is "
-                      "not concerned. Let a step end there",
+      base::formatted("pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they still changed "
+                      "as much from one to the next of the short cycles that level what is shown. The wear is not "
+                      "concerned. Let a step end at this cycle",
                       cycle, 100.0 * change),
       change};
 }

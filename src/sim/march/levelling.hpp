@@ -8,13 +8,13 @@
 /// The short cycles that level the end of a block where it is shown, whatever the dimension.
 namespace reye::sim {
 
-/// Of the pressures (root mean square), from one levelling cycle to the next: at the end of a step; where a block
-/// is shown before it.
+/// The change of pressures (root mean square) from one levelling cycle to the next below which they repeat: at the end
+/// of a step, and where a block is shown on the way.
 inline constexpr double repeated = 0.01, alike = 0.03;
 
 /// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. `play(cycles,
-/// ends)`: one of them, false where it does not come to its end; `change()`: of the pressures since it was called
-/// before, unbounded where nothing is carried at the ends of cycles. Returns the last change; 0 where a play did not
+/// ends)`: one of them, false where it does not come to its end; `change()`: of the pressures in the last of
+/// them, unbounded where nothing is carried at the ends of cycles. Returns the last change; 0 where a play did not
 /// end.
 template <class Play, class Change>
 double level_by_halves(double cycles, bool last, const Play& play, const Change& change) {
