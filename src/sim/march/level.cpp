@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "sim/march/block.hpp"
 #include "sim/march/jump_rule.hpp"
 #include "sim/march/levelling.hpp"
+#include "sim/march/recording.hpp"
 #include "sim/problem/two_step.hpp"
 #include "sim/problem/warnings.hpp"
 #include "sim/reshape/balance.hpp"
@@ -35,25 +38,48 @@ double pressure_change(const Problem& problem, const State& state, Cache& cache,
   return unknown && (last || !carries) ? std::numeric_limits<double>::infinity() : largest;
 }
 
+/// The short cycles after a block, and their rows.
+struct PlaneLevelling {
+  const Problem& problem;
+  Cache& cache;
+  const Observer& observer;
+  BlockSpan span;
+  Outcome outcome;
+  bool last = span.last;
+  std::vector<HeldTraction> before{};
+  Recording rows{};
+
+  bool play(double cycles, bool ends) {
+    span.jump = cycles;
+    span.last = last && ends;
+    before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
+    outcome = play_increments(problem, std::move(outcome.state), cache, span, rows.observer(observer));
+    return outcome.failure.empty() && !outcome.interrupted;
+  }
+  double change() const { return pressure_change(problem, outcome.state, cache, before, last); }
+  std::pair<Outcome, Recording> kept() const { return {outcome, rows}; }
+  bool restore(const std::pair<Outcome, Recording>& start) {
+    if (outcome.interrupted) return false;
+    const Counts played = outcome.state.counts;
+    std::tie(outcome, rows) = start;
+    keep_counts(outcome.state, played);
+    return true;
+  }
+};
+
 /// Plays short cycles after a block, without extrapolation: unevenness left by the correction or a fresh mesh is worn
 /// level before it is shown or jumped from. Their wear waits in the gap. The first remove the unevenness, the last wear
 /// so little that pressures follow the stroke. Where they are `shown` and do not repeat it warns.
-Outcome level(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, bool shown,
-              const Observer& observer) {
-  const bool last = span.last;
-  std::vector<HeldTraction> before;
-  const auto play = [&](double jump, bool ends) {
-    span.jump = jump;
-    span.last = last && ends;
-    before = held_tractions(*system_of(problem, outcome.state, cache), outcome.state);
-    outcome = play_increments(problem, std::move(outcome.state), cache, span, observer);
-    return outcome.failure.empty() && !outcome.interrupted;
-  };
-  const auto change = [&] { return pressure_change(problem, outcome.state, cache, before, last); };
-  const double left = level_by_halves(span.jump, last, play, change);
-  if (auto warning = uneven(*span.step, outcome.state.cycle, left); warning && shown)
-    warn(outcome.state, observer, std::move(*warning));
-  return outcome;
+Outcome level_end(const Problem& problem, Outcome outcome, Cache& cache, BlockSpan span, bool shown,
+                  const Observer& observer) {
+  const auto played_before = span.extrapolated ? PlayedBefore::in_halves : PlayedBefore::continued;
+  span.level = span.extrapolated = false;
+  PlaneLevelling run{problem, cache, observer, std::move(span), std::move(outcome)};
+  const double left = level(run.span.jump, run.last, played_before, run);
+  run.rows.play_back(observer);
+  if (auto warning = uneven(*run.span.step, run.outcome.state.cycle, left); warning && shown)
+    warn(run.outcome.state, observer, std::move(*warning));
+  return std::move(run.outcome);
 }
 
 }  // namespace
@@ -70,15 +96,15 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   const bool levels = span.level || (outcome.remesh_due && !span.last);
   if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
   const bool shown = span.level;
-  span.level = span.extrapolated = false;
   const auto before = outcome.state.solution.contacts;
-  outcome = level(problem, std::move(outcome), cache, span, shown, observer);
+  outcome = level_end(problem, std::move(outcome), cache, span, shown, observer);
   if (!outcome.failure.empty() || outcome.interrupted) return outcome;
   if (auto& worn = outcome.state.last_wear; worn.cycles > 0.0) {
     add_growth(worn.contacts, before, outcome.state.solution.contacts);
     worn.cycles += levelling * cycles;
     worn.course = std::move(outcome.worn);
   }
+  span.level = span.extrapolated = false;
   span.remesh = !span.last;
   span.moves = true;  // it is shown, or a remesh is due
   return end_block(problem, std::move(outcome.state), cache, span, observer);

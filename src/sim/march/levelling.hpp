@@ -1,9 +1,12 @@
 #pragma once
 #include <cmath>
+#include <concepts>
 #include <optional>
 
 #include "scene/scene.hpp"
+#include "sim/march/jump_rule.hpp"
 #include "sim/problem/records.hpp"
+#include "sim/problem/two_step.hpp"
 
 /// The short cycles that level the end of a block where it is shown, whatever the dimension.
 namespace reye::sim {
@@ -12,22 +15,55 @@ namespace reye::sim {
 /// of a step, and where a block is shown on the way.
 inline constexpr double repeated = 0.01, alike = 0.03;
 
-/// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. `play(cycles,
-/// ends)`: one of them, false where it does not come to its end; `change()`: of the pressures in the last of
-/// them, unbounded where nothing is carried at the ends of cycles. Returns the last change; 0 where a play did not
-/// end.
-template <class Play, class Change>
-double level_by_halves(double cycles, bool last, const Play& play, const Change& change) {
+/// The way a block was played before its levelling cycles.
+enum class PlayedBefore { in_halves, continued };
+
+/// The change of pressures by one play of all levelling cycles up to which they are shown on the way. Where increments
+/// wear more than the bodies yield, pressures are off by as much as the play is long: of a change c, from a play of at
+/// least the share b of the block to one of the share l, l / (b - l) c is left, here at most 0.05. Of what is uneven
+/// less is left, a tenth to a fifth of c.
+constexpr double at_once(PlayedBefore before) {
+  const double least = before == PlayedBefore::in_halves ? 0.5 : TwoStep{most_ratio}.played();
+  return 0.05 * (least - levelling) / levelling;
+}
+
+/// A run whose end is levelled.
+template <class Run>
+concept Levelled = requires(Run& run, double cycles, bool ends) {
+  {
+    run.play(cycles, ends)
+    } -> std::same_as<bool>;                 ///< false where the play does not come to its end; `ends`: the last
+  { run.change() } -> std::same_as<double>;  ///< of the pressures in the last play; unbounded where nothing is carried
+  { run.restore(run.kept()) } -> std::same_as<bool>;  ///< undoes what was played since; false where the run is to end
+};
+
+/// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. Returns the last
+/// change; 0 where a play did not end.
+template <Levelled Run>
+double level_by_halves(double cycles, bool last, Run& run) {
   constexpr int fewest = 2, most = 8;
   double apart = 1.0;
   for (int k = fewest; k <= most && apart >= (last ? repeated : alike); ++k) {
     cycles *= 0.5;
-    if (!play(cycles, false)) return 0.0;
-    const double now = change();
+    if (!run.play(cycles, false)) return 0.0;
+    const double now = run.change();
     if (k > fewest) apart = now;
     if (!last && !std::isfinite(now)) break;  // what carries nothing shows no pressures
   }
-  return play(cycles, true) ? apart : 0.0;
+  return run.play(cycles, true) ? apart : 0.0;
+}
+
+/// Plays the levelling cycles: on the way all at once, and by halves where that fails or changes pressures by more than
+/// `at_once`; at the end of a step by halves.
+template <Levelled Run>
+double level(double cycles, bool last, PlayedBefore before, Run& run) {
+  if (!last) {
+    const auto start = run.kept();
+    if (run.play(cycles, true))
+      if (const double now = run.change(); now <= at_once(before) || !std::isfinite(now)) return 0.0;
+    if (!run.restore(start)) return 0.0;
+  }
+  return level_by_halves(cycles, last, run);
 }
 
 /// What a reader must know of pressures that are shown and have changed so much in the last levelling cycle; nothing

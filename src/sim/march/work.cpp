@@ -20,7 +20,7 @@ struct Blocks {
   double plays, levelling;  ///< of one block, and more where its end is shown
   double growth;            ///< of a block over the one before it, at most
 };
-constexpr Blocks in_halves{3.0, 4.0, most_growth}, continued{1.0, 4.0, usual_ratio};
+constexpr Blocks in_halves{3.0, 4.0, most_growth}, continued{1.0, 1.0, usual_ratio};
 constexpr long telling_blocks = 3;  ///< blocks after which the length of the next one says something
 
 /// Where a run stands in its cycles.

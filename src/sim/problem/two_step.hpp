@@ -22,9 +22,9 @@ namespace reye::sim {
 struct TwoStep {
   double ratio = 1.0;  ///< w
 
-  double start() const { return ratio * ratio / (1.0 + 2.0 * ratio); }   ///< s
-  double played() const { return (1.0 + ratio) / (1.0 + 2.0 * ratio); }  ///< b
-  double apart() const { return 0.5 * ratio / (1.0 + ratio); }           ///< `two_halves_apart`
+  constexpr double start() const { return ratio * ratio / (1.0 + 2.0 * ratio); }   ///< s
+  constexpr double played() const { return (1.0 + ratio) / (1.0 + 2.0 * ratio); }  ///< b
+  double apart() const { return 0.5 * ratio / (1.0 + ratio); }                     ///< `two_halves_apart`
   /// What two halves of the block would differ from it as a whole by: h^2 x'' / 4, from what the blocks have worn.
   double two_halves_apart(double before, double now) const { return apart() * (now - ratio * before); }
 };

@@ -1,6 +1,8 @@
 #include "sim/solid/solid_block_play.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "sim/march/jump_rule.hpp"
 #include "sim/march/levelling.hpp"
@@ -44,31 +46,52 @@ Attempt attempt_twice(const SolidProblem& problem, SolidPlayer& player, const So
   return attempt;
 }
 
-/// Plays short cycles after a block, without extrapolation: the unevenness that the correction has left is worn level
-/// before it is shown.
-SolidOutcome level_block(SolidPlayer& player, SolidOutcome outcome, SolidSpan span, double cycles,
-                         const SolidObserver& observer) {
-  const bool last = span.last;
-  std::vector<Points3> before;
-  const auto play = [&](double jump, bool ends) {
-    span.jump = jump;
+/// The short cycles after a block, and their rows.
+struct SolidLevelling {
+  SolidPlayer& player;
+  const SolidObserver& observer;
+  SolidSpan span;
+  SolidOutcome outcome;
+  bool last = span.last;
+  std::vector<Points3> before{};
+  SolidRecording rows{};
+
+  bool play(double cycles, bool ends) {
+    span.jump = cycles;
     span.last = last && ends;
     before = outcome.state.solution.traction;
-    outcome = player.play(std::move(outcome.state), span, observer);
+    outcome = player.play(std::move(outcome.state), span, rows.observer(observer));
     return outcome.failure.empty() && !outcome.interrupted;
-  };
-  const auto change = [&] {
+  }
+  double change() const {
     double largest = 0.0;
     for (std::size_t c = 0; outcome.state.solved && c < before.size(); ++c)
       largest = std::max(largest, pressure_change(*outcome.state.solved, before[c], c));
     return largest;
-  };
-  const double left = level_by_halves(cycles, last, play, change);
-  if (auto warning = uneven(*span.step, outcome.state.cycle, left)) {
-    const std::string text = in_words(*warning);
-    if (warn(outcome.state.warnings, std::move(*warning)) && observer.log) observer.log("warning: " + text);
   }
-  return outcome;
+  std::pair<SolidOutcome, SolidRecording> kept() const { return {outcome, rows}; }
+  bool restore(const std::pair<SolidOutcome, SolidRecording>& start) {
+    if (outcome.interrupted) return false;
+    const SolidRunState played = std::move(outcome.state);
+    std::tie(outcome, rows) = start;
+    keep_work(outcome.state, played);
+    return true;
+  }
+};
+
+/// Plays short cycles after a block, without extrapolation: the unevenness that the correction has left is worn level
+/// before it is shown.
+SolidOutcome level_block(SolidPlayer& player, SolidOutcome outcome, const SolidSpan& span, double cycles,
+                         PlayedBefore played_before, const SolidObserver& observer) {
+  SolidLevelling run{player, observer, span, std::move(outcome)};
+  const double left = level(cycles, run.last, played_before, run);
+  run.rows.play_back(observer);
+  auto& state = run.outcome.state;
+  if (auto warning = uneven(*span.step, state.cycle, left)) {
+    const std::string text = in_words(*warning);
+    if (warn(state.warnings, std::move(*warning)) && observer.log) observer.log("warning: " + text);
+  }
+  return std::move(run.outcome);
 }
 
 /// Adds to a row of the halves its share of the correction at the end of the block.
@@ -89,11 +112,12 @@ void correct_row(SolidIncrement& row, double share, const SolidIncrement& before
 double middle_with_levelling(double middle, double end) { return middle + levelling * (end - middle); }
 
 /// Levels the end of a trial; its wear is part of what the next block continues.
-void level_trial(SolidPlayer& player, const SolidSpan& span, const SolidObserver& observer, SolidTrial& trial) {
+void level_trial(SolidPlayer& player, const SolidSpan& span, PlayedBefore played_before, const SolidObserver& observer,
+                 SolidTrial& trial) {
   const auto before = trial.outcome.state.solution.wear;
   auto middle = std::move(trial.outcome.middle);
-  trial.outcome =
-      level_block(player, std::move(trial.outcome), span, levelling * trial.cycles, trial.later.observer(observer));
+  trial.outcome = level_block(player, std::move(trial.outcome), span, levelling * trial.cycles, played_before,
+                              trial.later.observer(observer));
   trial.outcome.middle = std::move(middle);
   auto& last = trial.outcome.state.last_wear;
   if (last.cycles == 0.0 || !trial.outcome.failure.empty() || trial.outcome.interrupted) return;
@@ -158,7 +182,7 @@ bool play_in_halves(const SolidProblem& problem, SolidPlayer& player, const Soli
   trial.outcome = std::move(attempt.halves);
   trial.outcome.middle = std::move(attempt.middle);
   note_wear(problem, begin, block.jump, trial.outcome);
-  if (!trial.too_long && span.level) level_trial(player, span, observer, trial);
+  if (!trial.too_long && span.level) level_trial(player, span, PlayedBefore::in_halves, observer, trial);
   return true;
 }
 
@@ -202,7 +226,7 @@ bool play_continued(const SolidProblem& problem, SolidPlayer& player, const Soli
   if (whole.level)
     for (auto& [name, value] : trial.outcome.middle) value = middle_with_levelling(value, measures.at(name));
   note_wear(problem, start, cycles, trial.outcome);
-  if (whole.level && !trial.too_long) level_trial(player, whole, observer, trial);
+  if (whole.level && !trial.too_long) level_trial(player, whole, PlayedBefore::continued, observer, trial);
   return true;
 }
 
