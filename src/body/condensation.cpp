@@ -10,6 +10,7 @@ void Condensation::factorise(const base::SparseMatrix& K, int retained, bool sym
   else
     definite_ =
         tangent == Tangent::symmetric_part && try_cholesky(0.5 * (K + base::SparseMatrix(K.transpose())), retained);
+  symmetrised_ = definite_ && !symmetric;
   if (definite_) return;
   if (lu_)
     lu_->refactor(K);
@@ -25,6 +26,11 @@ base::Vector Condensation::condense(const base::Vector& f) const {
 
 base::Vector Condensation::recover(const base::Vector& f, const base::Vector& u_c) const {
   return definite_ ? cholesky_->recover(f, u_c) : lu_->recover(f, u_c);
+}
+
+base::Vector Condensation::left_out(const base::SparseMatrix& K, const base::Vector& v) const {
+  if (!symmetrised_) return base::Vector::Zero(v.size());
+  return 0.5 * (K * v - K.transpose() * v);
 }
 
 bool Condensation::try_cholesky(const base::SparseMatrix& K, int retained) {

@@ -89,6 +89,21 @@ void CondensedTangent::make(const NonlinearEquations& of, const Interior& before
   divided_ = false;  // also where what follows throws
   divided_ = divides(of) && make_rest(of, before, tangent);
   if (!divided_) make_whole(of, before, tangent);
+  made_at_ = at_.v;
+}
+
+double CondensedTangent::left_out(const NonlinearEquations& of) const {
+  if (of.symmetric()) return 0.0;
+  const Vector step = at_.v - made_at_;
+  double largest = 0.0;
+  if (!divided_) {
+    const Vector forces = whole_.condensation.left_out(whole_.reduced, step);
+    return of.interior() > 0 ? forces.head(of.interior()).cwiseAbs().maxCoeff() : 0.0;
+  }
+  const Vector forces = rest_->condensation.left_out(rest_->reduced, step(rest_->columns));
+  for (std::size_t c = 0; c < rest_->columns.size(); ++c)
+    if (rest_->columns[c] < of.interior()) largest = std::max(largest, std::abs(forces[static_cast<Eigen::Index>(c)]));
+  return largest;
 }
 
 bool CondensedTangent::divides(const NonlinearEquations& of) const {

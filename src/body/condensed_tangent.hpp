@@ -20,6 +20,9 @@ class CondensedTangent {
   void measure(const NonlinearEquations& of, const Interior& before, const Vector& v, const Vector& load_factors);
   /// Makes the tangent where `measure` was called last. Throws base::SolveError.
   void make(const NonlinearEquations& of, const Interior& before, Tangent tangent);
+  /// Largest force on interior columns that the present tangent leaves out where it is a symmetric part, of the step
+  /// from where it was made to where `measure` was called last. What is kept in the superelement is not counted.
+  double left_out(const NonlinearEquations& of) const;
   /// Nothing is kept: what follows does not depend on states before it.
   void forget();
 
@@ -74,6 +77,7 @@ class CondensedTangent {
   Flags changing_;         ///< per cell
   std::vector<int> last_;  ///< per cell: number of the last tangent at which it changed
   Vector kept_at_;         ///< u at which tangents were kept
+  Vector made_at_;         ///< v at which the present tangent was made
   int made_ = 0, divided_at_ = 0, whole_until_ = 0, wait_ = 4;
 };
 

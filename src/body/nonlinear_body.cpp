@@ -97,6 +97,8 @@ void NonlinearBody::measure(const Interior& before, const TwoPart& y, const TwoP
   impl_->condense(at);
 }
 
+double NonlinearBody::left_out(const Linearised& at) const { return at.kept->tangent.left_out(*impl_); }
+
 void NonlinearBody::forget(Linearised& at) {
   if (at.kept) at.kept->tangent.forget();
 }

@@ -248,6 +248,9 @@ class NonlinearBody {
   /// r at another state, condensed by the tangent of `at`, for chord steps. Needs no factorisation.
   void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                Linearised& at) const;
+  /// Largest interior force that the tangent of `at` leaves out, where it is a symmetric part, of the step from where
+  /// it was made to where `measure` was called last: what of `interior_residual` is due to that.
+  double left_out(const Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// What follows does not depend on the states at which it was linearised before.
   static void forget(Linearised& at);

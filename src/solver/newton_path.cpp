@@ -18,7 +18,6 @@ constexpr int marching = 10;             ///< iterations in a row with so few ch
 constexpr double worse = 1.5;            ///< growth of the imbalance at which a start does not fit,
 constexpr double far_out = 0.01;         ///< where it exceeds this share of the forces
 constexpr int settling = 5;              ///< iterations that follow the last change
-constexpr int symmetric_ones = 3;        ///< tangents of an increment that are symmetric parts; later ones are exact
 constexpr int most_on_one_tangent = 15;  ///< iterations of contact before nonlinear bodies are linearised again
 constexpr double same = 0.1;             ///< share of the imbalance within which a renewal has not changed it
 constexpr int standing = 3;       ///< such renewals in a row, with contact not settled, after which it never will be
@@ -229,8 +228,8 @@ bool NewtonPath::linearise() {
   on_kept_tangent_ = keeps_tangent_;
   if (keeps_tangent_) return true;
   ++result_.report.tangents;
-  const bool exact = !attempt_.chords || result_.report.tangents > symmetric_ones;
-  if (auto reason = increment_.linearise(q_, exact ? Tangent::exact : Tangent::symmetric_part); !reason.empty()) {
+  const auto tangent = attempt_.chords ? Tangent::symmetric_part : Tangent::exact;
+  if (auto reason = increment_.linearise(q_, tangent); !reason.empty()) {
     end(Failure::torn, std::move(reason));
     return false;
   }

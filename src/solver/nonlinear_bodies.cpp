@@ -12,6 +12,7 @@ namespace {
 constexpr int most_halvings = 5;    ///< of a step that turns an element inside out
 constexpr int most_shortened = 3;   ///< of one that makes the imbalance grow
 constexpr double unbalanced = 0.1;  ///< of the forces: a smaller imbalance does not show that a step is too long
+constexpr double asymmetric = 0.8;  ///< share of the imbalance due to a symmetric part from which on tangents are exact
 
 }  // namespace
 
@@ -61,7 +62,8 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
 
 void NonlinearBodies::linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
   for_each([&](std::size_t b, const body::NonlinearBody& own) {
-    own.linearise_again(before_->interiors[b], linearised_[b], tangent);
+    const bool serves = own.left_out(linearised_[b]) < asymmetric * linearised_[b].interior_residual;
+    own.linearise_again(before_->interiors[b], linearised_[b], serves ? tangent : body::Tangent::exact);
   });
   anchor_ = q;
   anchor_lambda_ = lambda;

@@ -116,6 +116,32 @@ TEST(CondensedTangent, ExactIsExactInKeptCells) {
   EXPECT_LE(tangent.changing, 0.5);
 }
 
+// What a symmetric part leaves out of a step must be the skew part times it, nearly that of all cells where some are
+// kept; exact tangents leave out nothing, nor do those of small strain.
+TEST(CondensedTangent, LeavesOutTheSkewPart) {
+  for (const auto kinematics : {Kinematics::small, Kinematics::finite})
+    for (const Tangent asked : {Tangent::symmetric_part, Tangent::exact}) {
+      const Dented block(kinematics);
+      const body::NonlinearEquations of(block.shape, block.input);
+      const body::Interior before{body::TwoPart(Vector::Zero(of.interior())), fem::virgin(of.mesh(), of.solid), {}};
+      body::CondensedTangent tangent(of);
+      const Vector start = block.at(of, 3e-3), end = block.at(of, 3.1e-3);
+      tangent.measure(of, before, start, {});
+      tangent.make(of, before, asked);
+      EXPECT_EQ(tangent.left_out(of), 0.0);
+      tangent.measure(of, before, end, {});
+      if (kinematics == Kinematics::small || asked == Tangent::exact) {
+        EXPECT_EQ(tangent.left_out(of), 0.0);
+        continue;
+      }
+      const Dense exact(of, before, start, Tangent::exact);
+      const Vector i = (end - start).head(of.interior()), c = (end - start).tail(of.columns.retained);
+      const Vector left = 0.5 * (exact.ii * i - exact.ii.transpose() * i + exact.ic * c - exact.ci.transpose() * c);
+      EXPECT_GT(left.cwiseAbs().maxCoeff(), 0.0);
+      EXPECT_NEAR(tangent.left_out(of), left.cwiseAbs().maxCoeff(), 0.01 * left.cwiseAbs().maxCoeff());
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(strain, CondensedTangent,
                          testing::Combine(testing::Values(Kinematics::small, Kinematics::finite),
                                           testing::Values(Tangent::symmetric_part, Tangent::exact)));
