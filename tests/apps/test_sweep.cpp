@@ -242,11 +242,11 @@ TEST(Sweep, AKilledMember) {
   const std::string limited = "ulimit -S -t 2; exec \"$0\" \"$@\"";  // seconds of CPU: too few for the fine mesh
   const auto told = place
                         .start({"/bin/bash", "-c", limited, REYE_COMMAND, "sweep", "sub/eaten.toml", "--vary",
-                                "body.base.mesh.far_size_mm=0.02,0.5", "--vary", "step[1].cycles=400", "--vary",
+                                "body.base.mesh.far_size_mm=0.02,0.5", "--vary", "step[1].cycles=2000", "--vary",
                                 "contact.pad.wear.secondary_per_MPa=1e-12", "--out", "o", "--quiet"})
                         .wait();
   EXPECT_EQ(told.code, 1);
-  EXPECT_TRUE(test::holds(told.err, "member_000 (body.base.mesh.far_size_mm = 0.02, step[1].cycles = 400, "))
+  EXPECT_TRUE(test::holds(told.err, "member_000 (body.base.mesh.far_size_mm = 0.02, step[1].cycles = 2000, "))
       << told.err;
   EXPECT_TRUE(test::holds(told.err, "ended by signal 24")) << told.err;
   EXPECT_EQ(cell(rows_of(place / "o/sweep.csv"), 2, "status"), "done");
