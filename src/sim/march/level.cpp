@@ -92,7 +92,9 @@ Outcome shaped(const Problem& problem, State state, Cache& cache, BlockSpan span
   }
   span.jump = levelling * cycles;
   span.remesh = false;
-  Outcome outcome = end_block(problem, std::move(state), cache, span, observer);
+  Outcome outcome{std::move(state), {}, false};
+  if (span.extrapolated)  // else all wear waits in the gap, as it did in the play
+    outcome = end_block(problem, std::move(outcome.state), cache, span, observer);
   const bool levels = span.level || (outcome.remesh_due && !span.last);
   if (!levels || !outcome.failure.empty() || outcome.interrupted) return outcome;
   const bool shown = span.level;
