@@ -46,7 +46,9 @@ void expect_whole(const Scripted& run) {
 
 Cycles by_halves(bool last, const std::vector<double>& changes, double& left) {
   Scripted run{changes};
-  left = sim::level_by_halves(64.0, last, run);
+  double first = -1.0;
+  left = sim::level_by_halves(64.0, last, run, first);
+  EXPECT_EQ(first, changes.front());
   expect_whole(run);
   return run.whole;
 }
@@ -54,8 +56,10 @@ Cycles by_halves(bool last, const std::vector<double>& changes, double& left) {
 /// All plays on the way, those that are undone, too.
 Cycles on_the_way(sim::PlayedBefore before, const std::vector<double>& changes) {
   Scripted run{changes};
-  sim::level(64.0, false, before, run);
+  bool at_once = true;
+  sim::level(64.0, false, before, run, at_once);
   expect_whole(run);
+  EXPECT_EQ(at_once, run.played.size() == 1);
   return run.played;
 }
 
@@ -82,7 +86,8 @@ TEST(Levelling, UnloadedEnds) {
 // A play that does not come to its end must be the last one, and nothing may be said of its pressures.
 TEST(Levelling, EndsWithAFailedPlay) {
   Scripted run{Cycles(8, 0.1), 2};
-  EXPECT_EQ(sim::level_by_halves(64.0, true, run), 0.0);
+  double first = 0.0;
+  EXPECT_EQ(sim::level_by_halves(64.0, true, run, first), 0.0);
   EXPECT_EQ(run.played.size(), 2u);
 }
 
@@ -100,18 +105,32 @@ TEST(Levelling, AtOnceWherePressuresFit) {
 // A failed play must leave nothing on the way, and at the end of a step no play is tried at once.
 TEST(Levelling, HalvesWhereOnePlayFails) {
   Scripted run{Cycles(8, 0.0), 1};
-  sim::level(64.0, false, continued, run);
+  bool at_once = true;
+  sim::level(64.0, false, continued, run, at_once);
   expect_whole(run);
   EXPECT_EQ(run.whole, (Cycles{32.0, 16.0, 16.0}));
   Scripted end{Cycles(8, 0.0)};
-  sim::level(64.0, true, continued, end);
+  sim::level(64.0, true, continued, end, at_once);
   EXPECT_EQ(end.played, (Cycles{32.0, 16.0, 16.0}));
+}
+
+// Where one play has not served it must not be tried, until half of the cycles change pressures by half as much.
+TEST(Levelling, TriesOnePlayAgainWhereItWouldServe) {
+  bool at_once = false;
+  Scripted still{{0.051, 0.0}}, again{{0.049, 0.0}};
+  sim::level(64.0, false, continued, still, at_once);
+  EXPECT_EQ(still.played, (Cycles{32.0, 16.0, 16.0}));
+  EXPECT_FALSE(at_once);
+  sim::level(64.0, false, continued, again, at_once);
+  EXPECT_EQ(again.played, (Cycles{32.0, 16.0, 16.0}));
+  EXPECT_TRUE(at_once);
 }
 
 // A run that is to end in a play must not be levelled further.
 TEST(Levelling, EndsWithAnInterruptedPlay) {
   Scripted run{{}, 1, false};
-  EXPECT_EQ(sim::level(64.0, false, continued, run), 0.0);
+  bool at_once = true;
+  EXPECT_EQ(sim::level(64.0, false, continued, run, at_once), 0.0);
   EXPECT_EQ(run.played.size(), 1u);
 }
 

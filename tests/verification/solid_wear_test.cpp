@@ -147,6 +147,29 @@ TEST(SolidWear, AToleranceIsHeldByTheColumn) {
   }
 }
 
+TEST(SolidWear, PressuresOnTheWayAreThoseOfTheColumn) {
+  // Pressures that are shown on the way must be those of the differential equation of the held column, though its last
+  // short cycles change them.
+  SlidingBlocks blocks;
+  blocks.held = true;
+  const double k = blocks.mu * (blocks.alpha_secondary + blocks.alpha_primary);
+  auto problem = blocks.problem(0.002, 1, 10000.0, 1.0);
+  problem.scene.steps[1].jump_tolerance = 0.01;
+  problem.scene.steps[1].jump = 20.0;
+  problem.scene.frames.every_cycles = 1000.0;
+  const auto played = support::play(problem);
+  ASSERT_EQ(played.summary.status, sim::RunStatus::done) << played.summary.reason;
+  int shown = 0;
+  for (const auto& row : played.rows) {
+    const double thousands = row.cycle / 1000.0;
+    if (row.cycle < 1.0 || std::abs(thousands - std::round(thousands)) > 1e-9) continue;
+    ++shown;
+    const double exact = blocks.p * std::exp(-0.5 * blocks.E * k * 0.002 * row.cycle);
+    EXPECT_NEAR(row.contacts[0].pressure_max_MPa / exact, 1.0, 0.02) << row.cycle;
+  }
+  EXPECT_GE(shown, 3);  // blocks of some thousand cycles pass the others
+}
+
 TEST(SolidWear, ALimitEndsTheRunAtItsDepth) {
   // A limit that stops the run ends it at the cycle at which its depth is reached, within a thousandth.
   SlidingBlocks blocks;

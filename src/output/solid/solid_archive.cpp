@@ -75,11 +75,12 @@ void serialize(Archive& archive, SkinPoints& s) {
 template <class Archive>
 void serialize(Archive& archive, SolidRunState& s) {
   auto& [solution, points, meshes, born, touchable, solved, fitted, probes, factors, block_wear, last_wear, step,
-         increment, step_cycles, cycle, step_blocks, jump, jump_rate, share_per_cycle, block_cycles, jump_error,
-         energy_last_cycle, slid, life_cycles, life_error, limit_measure, limit_rate, widest_stick, warnings, counts,
-         cutback_reasons, balance, imbalance, largest_force, retained, mortar_s, interface_s, factor_s, shape_s] = s;
+         increment, step_cycles, cycle, step_blocks, jump, jump_rate, levels_at_once, share_per_cycle, block_cycles,
+         jump_error, energy_last_cycle, slid, life_cycles, life_error, limit_measure, limit_rate, widest_stick,
+         warnings, counts, cutback_reasons, balance, imbalance, largest_force, retained, mortar_s, interface_s,
+         factor_s, shape_s] = s;
   archive(solution, points, touchable, solved, fitted, probes, factors, block_wear, last_wear, step, increment,
-          step_cycles, cycle, step_blocks, jump, jump_rate, share_per_cycle, block_cycles, jump_error,
+          step_cycles, cycle, step_blocks, jump, jump_rate, levels_at_once, share_per_cycle, block_cycles, jump_error,
           energy_last_cycle, slid, life_cycles, life_error, limit_measure, limit_rate, widest_stick, warnings, counts,
           cutback_reasons, balance, imbalance, largest_force, retained);
   static_cast<void>(meshes), static_cast<void>(born);  // beside the state, those alone that are not as drawn

@@ -75,7 +75,9 @@ Outcome level_end(const Problem& problem, Outcome outcome, Cache& cache, BlockSp
   const auto played_before = span.extrapolated ? PlayedBefore::in_halves : PlayedBefore::continued;
   span.level = span.extrapolated = false;
   PlaneLevelling run{problem, cache, observer, std::move(span), std::move(outcome)};
-  const double left = level(run.span.jump, run.last, played_before, run);
+  bool at_once = run.outcome.state.levels_at_once;
+  const double left = level(run.span.jump, run.last, played_before, run, at_once);
+  run.outcome.state.levels_at_once = at_once;
   run.rows.play_back(observer);
   if (auto warning = uneven(*run.span.step, run.outcome.state.cycle, left); warning && shown)
     warn(run.outcome.state, observer, std::move(*warning));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 
 #include "scene/scene.hpp"
@@ -38,32 +39,39 @@ concept Levelled = requires(Run& run, double cycles, bool ends) {
 };
 
 /// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. Returns the last
-/// change; 0 where a play did not end.
+/// change, 0 where a play did not end. `first`: the change by the first play.
 template <Levelled Run>
-double level_by_halves(double cycles, bool last, Run& run) {
+double level_by_halves(double cycles, bool last, Run& run, double& first) {
   constexpr int fewest = 2, most = 8;
   double apart = 1.0;
   for (int k = fewest; k <= most && apart >= (last ? repeated : alike); ++k) {
     cycles *= 0.5;
     if (!run.play(cycles, false)) return 0.0;
     const double now = run.change();
-    if (k > fewest) apart = now;
+    (k > fewest ? apart : first) = now;
     if (!last && !std::isfinite(now)) break;  // what carries nothing shows no pressures
   }
   return run.play(cycles, true) ? apart : 0.0;
 }
 
 /// Plays the levelling cycles: on the way all at once, and by halves where that fails or changes pressures by more than
-/// `at_once`; at the end of a step by halves.
+/// `at_once`; at the end of a step by halves. `serves_at_once`: whether one play is tried on the way. It is not again
+/// after it did not serve, until half of the cycles change pressures by half as much.
 template <Levelled Run>
-double level(double cycles, bool last, PlayedBefore before, Run& run) {
-  if (!last) {
+double level(double cycles, bool last, PlayedBefore before, Run& run, bool& serves_at_once) {
+  if (!last && serves_at_once) {
     const auto start = run.kept();
     if (run.play(cycles, true))
       if (const double now = run.change(); now <= at_once(before) || !std::isfinite(now)) return 0.0;
+    serves_at_once = false;
     if (!run.restore(start)) return 0.0;
+    double first = 0.0;
+    return level_by_halves(cycles, last, run, first);
   }
-  return level_by_halves(cycles, last, run);
+  double first = std::numeric_limits<double>::infinity();
+  const double left = level_by_halves(cycles, last, run, first);
+  serves_at_once |= first <= 0.5 * at_once(before);
+  return left;
 }
 
 /// What a reader must know of pressures that are shown and have changed so much in the last levelling cycle; nothing

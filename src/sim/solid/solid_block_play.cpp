@@ -84,9 +84,11 @@ struct SolidLevelling {
 SolidOutcome level_block(SolidPlayer& player, SolidOutcome outcome, const SolidSpan& span, double cycles,
                          PlayedBefore played_before, const SolidObserver& observer) {
   SolidLevelling run{player, observer, span, std::move(outcome)};
-  const double left = level(cycles, run.last, played_before, run);
+  bool at_once = run.outcome.state.levels_at_once;
+  const double left = level(cycles, run.last, played_before, run, at_once);
   run.rows.play_back(observer);
   auto& state = run.outcome.state;
+  state.levels_at_once = at_once;
   if (auto warning = uneven(*span.step, state.cycle, left)) {
     const std::string text = in_words(*warning);
     if (warn(state.warnings, std::move(*warning)) && observer.log) observer.log("warning: " + text);

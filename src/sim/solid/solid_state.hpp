@@ -32,6 +32,7 @@ struct SolidRunState {
   long step_blocks = 0;              ///< blocks done of this step
   double jump = 0.0;                 ///< cycles that the next block is tried with under a tolerance; 0: the first
   double jump_rate = 0.0;            ///< error of the last block over its share of all wear; 0: none
+  bool levels_at_once = true;        ///< one play is tried to level the next block that is shown on the way
   double share_per_cycle = 0.0;      ///< `pending_share` that a cycle of the last block added
   double block_cycles = 0.0;         ///< where a fixed jump was too long in this step, the cycles that worked
   std::optional<double> jump_error;  ///< error of the blocks under a tolerance, as far as known
