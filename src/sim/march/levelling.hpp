@@ -1,6 +1,5 @@
 #pragma once
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <optional>
 
@@ -28,14 +27,14 @@ constexpr double at_once(PlayedBefore before) {
   return 0.05 * (least - levelling) / levelling;
 }
 
-/// A run whose end is levelled.
+/// A run whose end is levelled. `play`: some cycles, false where they do not come to their end; `ends`: they are the
+/// last. `change`: of the pressures in the last play, unbounded where nothing is carried at the ends of cycles.
+/// `restore`: undoes what was played since it was `kept`; false where the run is to end.
 template <class Run>
 concept Levelled = requires(Run& run, double cycles, bool ends) {
-  {
-    run.play(cycles, ends)
-    } -> std::same_as<bool>;                 ///< false where the play does not come to its end; `ends`: the last
-  { run.change() } -> std::same_as<double>;  ///< of the pressures in the last play; unbounded where nothing is carried
-  { run.restore(run.kept()) } -> std::same_as<bool>;  ///< undoes what was played since; false where the run is to end
+  static_cast<bool>(run.play(cycles, ends));
+  static_cast<double>(run.change());
+  static_cast<bool>(run.restore(run.kept()));
 };
 
 /// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. Returns the last
