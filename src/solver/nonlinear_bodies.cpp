@@ -62,8 +62,9 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
 
 void NonlinearBodies::linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
   for_each([&](std::size_t b, const body::NonlinearBody& own) {
-    const bool serves = own.left_out(linearised_[b]) < asymmetric * linearised_[b].interior_residual;
-    own.linearise_again(before_->interiors[b], linearised_[b], serves ? tangent : body::Tangent::exact);
+    auto& at = linearised_[b];
+    const bool exact = tangent == body::Tangent::exact || own.left_out(at) > asymmetric * at.interior_residual;
+    own.linearise_again(before_->interiors[b], at, exact ? body::Tangent::exact : tangent);
   });
   anchor_ = q;
   anchor_lambda_ = lambda;

@@ -23,9 +23,8 @@ class NonlinearBodies {
   /// Tangent and residual at the reduced q and the interiors. Throws base::SolveError when an element has turned inside
   /// out or a stress cannot be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
-  /// The tangent at q where `renew` has measured. Where a symmetric part is asked for, a body gets the exact one if
-  /// what the symmetric part leaves out made up more than a given share of what the present one has left. Errors as
-  /// above.
+  /// The tangent at q where `renew` has measured. Where symmetric parts are asked for, a body gets the exact tangent if
+  /// most of what is unbalanced inside it is what its last symmetric part has left out. Errors as above.
   void linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
   /// Moves the interiors after the change of q since the anchor and measures the imbalance there; where that fails, or
   /// the imbalance is far larger, half the step is tried, and so on. The tangent stays. Returns why no step succeeds,

@@ -21,7 +21,7 @@ enum class PlayedBefore { in_halves, continued };
 /// The change of pressures by one play of all levelling cycles up to which they are shown on the way. Where increments
 /// wear more than the bodies yield, pressures are off by as much as the play is long: of a change c, from a play of at
 /// least the share b of the block to one of the share l, l / (b - l) c is left, here at most 0.05. Of what is uneven
-/// less is left, a tenth to a fifth of c.
+/// less is left, some fifth of c.
 constexpr double at_once(PlayedBefore before) {
   const double least = before == PlayedBefore::in_halves ? 0.5 : TwoStep{most_ratio}.played();
   return 0.05 * (least - levelling) / levelling;
@@ -54,22 +54,21 @@ double level_by_halves(double cycles, bool last, Run& run, double& first) {
 }
 
 /// Plays the levelling cycles: on the way all at once, and by halves where that fails or changes pressures by more than
-/// `at_once`; at the end of a step by halves. `serves_at_once`: whether one play is tried on the way. It is not again
-/// after it did not serve, until half of the cycles change pressures by half as much.
+/// `at_once`; at the end of a step by halves. `tries_at_once`: whether one play is tried on the way. After one that did
+/// not serve none is tried until half of the cycles change pressures by at most half of `at_once`.
 template <Levelled Run>
-double level(double cycles, bool last, PlayedBefore before, Run& run, bool& serves_at_once) {
-  if (!last && serves_at_once) {
+double level(double cycles, bool last, PlayedBefore before, Run& run, bool& tries_at_once) {
+  const bool tries = !last && tries_at_once;
+  if (tries) {
     const auto start = run.kept();
     if (run.play(cycles, true))
       if (const double now = run.change(); now <= at_once(before) || !std::isfinite(now)) return 0.0;
-    serves_at_once = false;
+    tries_at_once = false;
     if (!run.restore(start)) return 0.0;
-    double first = 0.0;
-    return level_by_halves(cycles, last, run, first);
   }
   double first = std::numeric_limits<double>::infinity();
   const double left = level_by_halves(cycles, last, run, first);
-  serves_at_once |= first <= 0.5 * at_once(before);
+  if (!tries && first <= 0.5 * at_once(before)) tries_at_once = true;
   return left;
 }
 
