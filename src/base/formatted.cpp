@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 namespace reye::base {
 
@@ -29,6 +31,16 @@ std::string fixed(double value, int decimals) {
   const auto end =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals);
   return {digits.data(), end.ptr};
+}
+
+void append_tenths(double value, std::string& text) {
+  const long tenths = std::lround(10.0 * value);
+  if (tenths < 0) text += '-';
+  std::array<char, 24> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(tenths) / 10);
+  text.append(digits.data(), end.ptr);
+  text += '.';
+  text += static_cast<char>('0' + std::abs(tenths) % 10);
 }
 
 }  // namespace reye::base

@@ -1,5 +1,6 @@
 #include "body/condensation.hpp"
 
+#include "algebra/congruence.hpp"
 #include "base/errors.hpp"
 
 namespace reye::body {
@@ -8,8 +9,7 @@ void Condensation::factorise(const base::SparseMatrix& K, int retained, bool sym
   if (symmetric)
     definite_ = try_cholesky(K, retained);
   else
-    definite_ =
-        tangent == Tangent::symmetric_part && try_cholesky(0.5 * (K + base::SparseMatrix(K.transpose())), retained);
+    definite_ = tangent == Tangent::symmetric_part && try_cholesky(algebra::symmetric_part(K), retained);
   symmetrised_ = definite_ && !symmetric;
   if (definite_) return;
   if (lu_)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra/congruence.hpp"
+
 namespace reye::body {
 
 using base::SparseMatrix;
@@ -117,7 +119,7 @@ void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& 
   if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
   of.named([&] { fem::tangent(of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, whole_.K); });
   of.subtract_load_tangent(u, load_factors, whole_.K);
-  whole_.reduced = B.transpose() * SparseMatrix(whole_.K * B);
+  algebra::congruence(whole_.K, B, whole_.reduced);
   add_to_diagonal(of.turning(unbalanced, v), whole_.reduced);
   of.named([&] { whole_.condensation.factorise(whole_.reduced, of.columns.retained, of.symmetric(), tangent); });
   changing = 1.0;
@@ -162,7 +164,9 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
         for (const Term& term : of.columns.terms[node]) inside[static_cast<std::size_t>(term.column)] = 0;
   of.named([&] { fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, of.pattern, whole_.K, kept); });
   try {
-    Superelement element(at_.B.transpose() * SparseMatrix(whole_.K * at_.B), inside, of.symmetric(), tangent);
+    SparseMatrix reduced;
+    algebra::congruence(whole_.K, at_.B, reduced);
+    Superelement element(reduced, inside, of.symmetric(), tangent);
     std::vector<int> columns, place(inside.size(), -1);
     for (std::size_t c = 0; c < inside.size(); ++c) {
       if (inside[c]) continue;
@@ -221,7 +225,7 @@ bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& b
   of.named([&] {
     fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, rest_->pattern, rest_->K, changing_);
   });
-  rest_->reduced = rest_->B.transpose() * SparseMatrix(rest_->K * rest_->B);
+  algebra::congruence(rest_->K, rest_->B, rest_->reduced);
   rest_->reduced += rest_->kept_stiffness;
   add_to_diagonal(of.turning(at_.unbalanced, at_.v)(rest_->columns), rest_->reduced);
   of.named([&] { rest_->condensation.factorise(rest_->reduced, of.columns.retained, of.symmetric(), tangent); });

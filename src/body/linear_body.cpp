@@ -2,6 +2,7 @@
 #include <mutex>
 #include <utility>
 
+#include "algebra/congruence.hpp"
 #include "body/columns.hpp"
 #include "body/operator.hpp"
 #include "body/turning.hpp"
@@ -87,10 +88,9 @@ struct LinearBody::Impl {
 
   /// B^T K B
   SparseMatrix reduced_stiffness(const BodyInput& input) const {
-    SparseMatrix K = fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar);
-    const SparseMatrix KB = K * B;
-    SparseMatrix().swap(K);  // its memory is needed for the product
-    return B.transpose() * KB;
+    SparseMatrix reduced;
+    algebra::congruence(fem::stiffness(shape->mesh, input.material, input.analysis, input.b_bar), B, reduced);
+    return reduced;
   }
 
   Turning set_turning() const {

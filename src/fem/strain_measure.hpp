@@ -154,8 +154,10 @@ struct FiniteStrain {
     auto& p = s.points[s.count++];
     Eigen::Matrix<double, 5, 2 * n> G;
     p.volume = gradient(cell, solid.analysis, state, point, G);
-    p.x << G.lazyProduct(state.u), 0.0;
-    p.dx << G, Eigen::Matrix<double, 1, 2 * n>::Zero();
+    p.x.template head<5>() = G.lazyProduct(state.u);
+    p.x[5] = 0.0;
+    p.dx.template topRows<5>() = G;
+    p.dx.row(5).setZero();
   }
 
   /// Content per content of unstressed material; the thickness of plane stress is counted as it was unstressed.
@@ -211,12 +213,11 @@ struct FiniteStrain {
   /// s - 1
   template <class T>
   static T stretch(const std::array<T, 6>& x) {
-    using std::expm1, std::log1p;
     const T j = material::dilation(gradient_of(x));
     if (!(base::value(j) > -1.0) || !(base::value(x[5]) > -1.0))
       throw base::SolveError("det F is " + std::to_string(base::value(j) + 1.0) + ", at the centre of the cell " +
                              std::to_string(base::value(x[5]) + 1.0));
-    return expm1(T((log1p(x[5]) - log1p(j)) * (1.0 / 3.0)));
+    return material::cube_root_beyond_unit(T((x[5] - j) / (j + 1.0)));
   }
 
   /// Makes s F - I of H = F - I, from s - 1.

@@ -73,9 +73,11 @@ template <class T>
 Symmetric<T> finite_stress(const HenckyJ2& m, const Gradient<T>& H, const PlasticState& before,
                            PlasticState* after = nullptr) {
   const auto F = with_unit(H);
-  const auto plastic = pushed(F, combined(exponential(scaled(before.strain, -2.0)), 1.0, -1.0));
   Symmetric<T> trial = stretched(H);
-  for (int i = 0; i < 4; ++i) trial[i] += plastic[i];
+  if (before.strain != Symmetric<double>{}) {
+    const auto plastic = pushed(F, combined(exponential(scaled(before.strain, -2.0)), 1.0, -1.0));
+    for (int i = 0; i < 4; ++i) trial[i] += plastic[i];
+  }
   trial = logarithm_beyond_unit(trial);
   for (T& e : trial) e = e * 0.5;
   const auto result = radial_return(m, trial, before.accumulated);

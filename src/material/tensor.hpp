@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "base/dual.hpp"
 
@@ -74,6 +75,15 @@ inline Gradient<double> inverse(const Gradient<double>& F) {
   return {F[3] * f, -F[1] * f, -F[2] * f, F[0] * f, 1.0 / F[4]};
 }
 
+/// f(x) of a scalar x whose value and derivative at value(x) are known.
+template <class T>
+T known_function(const T& x, double value, double slope) {
+  if constexpr (std::is_same_v<T, double>)
+    return value;
+  else
+    return (x - base::value(x)) * slope + value;
+}
+
 /// atanh(r) / r = sum r^2k / (2 k + 1) as a function of u = 1 - r^2, 0 < u <= 1: analytic where the eigenvalues are
 /// equal (u = 1), and not cancelling where they are far apart (u near 0).
 template <class T>
@@ -81,7 +91,7 @@ T atanh_ratio(const T& u) {
   const double v = base::value(u), t = 1.0 - v;
   double ratio = 0.0, slope = 0.0;  // slope in t
   if (t < 0.03) {
-    for (int k = 11; k >= 0; --k) {
+    for (int k = t < 1e-4 ? 4 : 11; k >= 0; --k) {
       slope = slope * t + ratio;
       ratio = ratio * t + 1.0 / (2 * k + 1);
     }
@@ -89,7 +99,20 @@ T atanh_ratio(const T& u) {
     ratio = (std::log1p(std::sqrt(t)) - 0.5 * std::log(v)) / std::sqrt(t);
     slope = (1.0 / v - ratio) / (2.0 * t);
   }
-  return (v - u) * slope + ratio;
+  return known_function(u, ratio, -slope);
+}
+
+/// (1 + q)^(1/3) - 1 to the digits of q, q > -1.
+template <class T>
+T cube_root_beyond_unit(const T& q) {
+  const double v = base::value(q);
+  const auto slope_at = [](double root) { return 1.0 / (3.0 * (1.0 + root) * (1.0 + root)); };
+  double root = v / (3.0 + v);
+  if (std::abs(v) < 0.1)
+    for (int newton = 0; newton < 2; ++newton) root -= (root * (3.0 + root * (3.0 + root)) - v) * slope_at(root);
+  else
+    root = std::expm1(std::log1p(v) / 3.0);
+  return known_function(q, root, slope_at(root));
 }
 
 /// ln A of a positive definite A. In the plane, with A = m I + D, tr D = 0, r^2 = -det D, no eigenvectors are needed:
@@ -111,11 +134,23 @@ Symmetric<T> logarithm_beyond_unit(const Symmetric<T>& A) {
   return {mean + ratio * d, mean - ratio * d, ratio * A[2], log1p(A[3])};
 }
 
-/// exp A = e^m (cosh r I + sinh r / r D) in the plane, as above.
+/// exp A = e^m (cosh r I + sinh r / r D) in the plane, as above. Both are series of r^2.
 inline Symmetric<double> exponential(const Symmetric<double>& A) {
-  const double m = std::exp(0.5 * (A[0] + A[1])), d = 0.5 * (A[0] - A[1]), r = std::hypot(d, A[2]);
-  const double ratio = m * (r > 0.0 ? std::sinh(r) / r : 1.0), mean = m * std::cosh(r);
-  return {mean + ratio * d, mean - ratio * d, ratio * A[2], std::exp(A[3])};
+  const double m = std::exp(0.5 * (A[0] + A[1])), d = 0.5 * (A[0] - A[1]), square = d * d + A[2] * A[2];
+  double cosh = 0.0, ratio = 0.0;
+  if (square < 0.1) {
+    for (int k = 7; k > 0; --k) {
+      cosh = (cosh + 1.0) * square / ((2 * k - 1) * (2 * k));
+      ratio = (ratio + 1.0) * square / ((2 * k) * (2 * k + 1));
+    }
+    cosh = m * (cosh + 1.0);
+    ratio = m * (ratio + 1.0);
+  } else {
+    const double r = std::sqrt(square);
+    cosh = m * std::cosh(r);
+    ratio = m * std::sinh(r) / r;
+  }
+  return {cosh + ratio * d, cosh - ratio * d, ratio * A[2], std::exp(A[3])};
 }
 
 inline Symmetric<double> scaled(Symmetric<double> A, double factor) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
 
 #include "base/formatted.hpp"
 
@@ -28,6 +30,29 @@ TEST(Fixed, AsPrintf) {
   }
   for (const double value : {0.0, -0.0, 0.25, 0.35, 1e300, -1e300, 0.05})
     EXPECT_EQ(base::fixed(value, 1), base::formatted("%.1f", value));
+}
+
+// Tenths are the nearest ones, with the sign of what is left of the value.
+TEST(Tenths, AreTheNearest) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> number(-1000.0, 1000.0);
+  for (int i = 0; i < 20000; ++i) {
+    const double value = number(random);
+    std::string text = "L";
+    base::append_tenths(value, text);
+    ASSERT_EQ(text[0], 'L');
+    ASSERT_NEAR(std::stod(text.substr(1)), value, 0.05 + 1e-9);
+  }
+  for (const auto& [value, expected] : {std::pair{0.0, "0.0"},
+                                        {-0.04, "0.0"},
+                                        {-0.06, "-0.1"},
+                                        {12.34, "12.3"},
+                                        {-7.98, "-8.0"},
+                                        {1e14, "100000000000000.0"}}) {
+    std::string text;
+    base::append_tenths(value, text);
+    EXPECT_EQ(text, expected);
+  }
 }
 
 }  // namespace

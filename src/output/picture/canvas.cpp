@@ -33,7 +33,10 @@ std::string Canvas::path(const Points& x) const {
   std::string text;
   for (const Vec2& point : x) {
     const Vec2 p = pixel(point);
-    text += (text.empty() ? 'M' : 'L') + base::fixed(p.x(), 1) + ' ' + base::fixed(p.y(), 1);
+    text += text.empty() ? 'M' : 'L';
+    base::append_tenths(p.x(), text);
+    text += ' ';
+    base::append_tenths(p.y(), text);
   }
   return text;
 }

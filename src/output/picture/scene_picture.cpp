@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "base/formatted.hpp"
 #include "mesh/measure.hpp"
@@ -31,15 +32,18 @@ Points points_of(const mesh::Mesh& mesh, const mesh::Chain& chain) {
 void draw_mesh(const mesh::Mesh& mesh, Canvas& canvas) {
   constexpr std::size_t most = 5000;
   constexpr double least_pixels = 3.0;
-  std::set<std::pair<int, int>> seen;
-  double length = 0.0;
+  std::vector<std::pair<int, int>> seen;
   const int n = mesh::corners(mesh.kind);
   for (const auto& cell : mesh.cells)
     for (int k = 0; k < n; ++k) {
       const int a = cell[k], b = cell[(k + 1) % n];
       if (!canvas.seen().holds(mesh.X[a]) && !canvas.seen().holds(mesh.X[b])) continue;
-      if (seen.emplace(std::min(a, b), std::max(a, b)).second) length += (mesh.X[a] - mesh.X[b]).norm();
+      seen.emplace_back(std::min(a, b), std::max(a, b));
     }
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  double length = 0.0;
+  for (const auto& [a, b] : seen) length += (mesh.X[a] - mesh.X[b]).norm();
   const auto count = static_cast<double>(seen.size());
   if (seen.empty() || seen.size() > most || length * canvas.pixels_per_mm() < least_pixels * count) return;
   std::vector<std::pair<Vec2, Vec2>> edges;
