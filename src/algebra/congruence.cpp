@@ -20,27 +20,38 @@ void for_each_term(const SparseMatrix& K, const SparseMatrix& B, const RowMajor&
         take(static_cast<int>(of_row.col()), of_row.value() * k.value() * of_column.value());
 }
 
-/// The zero matrix with every entry that B^T K B can have.
-SparseMatrix zero_congruence(const SparseMatrix& K, const SparseMatrix& B, const RowMajor& rows) {
+/// B^T K B with its own pattern.
+SparseMatrix congruence_of(const SparseMatrix& K, const SparseMatrix& B, const RowMajor& rows) {
   const int n = static_cast<int>(B.cols());
-  std::vector<int> last(static_cast<std::size_t>(n), -1), inner;
+  std::vector<int> met(static_cast<std::size_t>(n), -1), inner;
+  std::vector<double> sum(static_cast<std::size_t>(n)), values;
+  inner.reserve(static_cast<std::size_t>(K.nonZeros()));
+  values.reserve(static_cast<std::size_t>(K.nonZeros()));
   SparseMatrix result(n, n);
   for (int c = 0; c < n; ++c) {
     const auto first = static_cast<std::ptrdiff_t>(inner.size());
-    for_each_term(K, B, rows, c, [&](int r, double) {
-      if (last[static_cast<std::size_t>(r)] == c) return;
-      last[static_cast<std::size_t>(r)] = c;
+    for_each_term(K, B, rows, c, [&](int r, double value) {
+      const auto at = static_cast<std::size_t>(r);
+      if (met[at] == c) {
+        sum[at] += value;
+        return;
+      }
+      met[at] = c;
+      sum[at] = value;
       inner.push_back(r);
     });
-    std::sort(inner.begin() + first, inner.end());
+    if (!std::is_sorted(inner.begin() + first, inner.end())) std::sort(inner.begin() + first, inner.end());
+    for (auto k = static_cast<std::size_t>(first); k < inner.size(); ++k)
+      values.push_back(sum[static_cast<std::size_t>(inner[k])]);
     result.outerIndexPtr()[c + 1] = static_cast<int>(inner.size());
   }
   result.resizeNonZeros(static_cast<Eigen::Index>(inner.size()));
   std::copy(inner.begin(), inner.end(), result.innerIndexPtr());
+  std::copy(values.begin(), values.end(), result.valuePtr());
   return result;
 }
 
-/// False where an entry has no place in the pattern of `result`.
+/// Makes `result` of its own pattern; false where that has no place for an entry.
 bool add_up(const SparseMatrix& K, const SparseMatrix& B, const RowMajor& rows, SparseMatrix& result) {
   const int n = static_cast<int>(result.cols());
   std::vector<int> place(static_cast<std::size_t>(n), -1);
@@ -66,8 +77,7 @@ bool add_up(const SparseMatrix& K, const SparseMatrix& B, const RowMajor& rows, 
 void congruence(const SparseMatrix& K, const SparseMatrix& B, SparseMatrix& result) {
   const RowMajor rows(B);
   if (result.cols() == B.cols() && result.isCompressed() && add_up(K, B, rows, result)) return;
-  result = zero_congruence(K, B, rows);
-  add_up(K, B, rows, result);
+  result = congruence_of(K, B, rows);
 }
 
 SparseMatrix symmetric_part(const SparseMatrix& K) {

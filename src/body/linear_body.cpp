@@ -258,8 +258,9 @@ std::vector<Vec2> LinearBody::recover_in_frame(const Vector& q, const Vector& lo
   assert(load_factors.size() == static_cast<Eigen::Index>(impl_->loads.size()));
   const Vector f = impl_->turning_load(load_factors, &CondensedLoad::full).at(angle(q));
   const Vector w = impl_->turning ? impl_->turning->in_frame(q) : q;
+  std::vector<Vec2> nodal(impl_->shape->mesh.X.size(), Vec2::Zero());
+  if (f.isZero(0.0) && w.isZero(0.0)) return nodal;  // as drawn
   const Vector u = impl_->B * impl_->factor.recover(f, w.head(impl_->columns.retained));
-  std::vector<Vec2> nodal(impl_->shape->mesh.X.size());
   for (size_t node = 0; node < nodal.size(); ++node) nodal[node] = u.segment<2>(2 * node);
   return nodal;
 }

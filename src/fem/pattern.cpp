@@ -1,6 +1,7 @@
 #include "fem/pattern.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace reye::fem {
 
@@ -8,10 +9,19 @@ using base::SparseMatrix;
 
 Pattern::Pattern(const mesh::Mesh& mesh) : start_{0} {
   const int count = mesh::nodes_per_cell(mesh.kind);
-  std::vector<std::vector<int>> lists(mesh.X.size());
+  std::vector<std::size_t> first(mesh.X.size() + 1, 0);  // of each node among the cells around it
   for (const auto& cell : mesh.cells)
-    for (int a = 0; a < count; ++a) lists[cell[a]].insert(lists[cell[a]].end(), cell.begin(), cell.begin() + count);
-  for (auto& list : lists) {
+    for (int a = 0; a < count; ++a) ++first[static_cast<std::size_t>(cell[a]) + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<const mesh::Cell*> around(first.back());
+  auto next = first;
+  for (const auto& cell : mesh.cells)
+    for (int a = 0; a < count; ++a) around[next[static_cast<std::size_t>(cell[a])]++] = &cell;
+  std::vector<int> list;
+  for (std::size_t node = 0; node < mesh.X.size(); ++node) {
+    list.clear();
+    for (auto k = first[node]; k < first[node + 1]; ++k)
+      list.insert(list.end(), around[k]->begin(), around[k]->begin() + count);
     std::sort(list.begin(), list.end());
     nodes_.insert(nodes_.end(), list.begin(), std::unique(list.begin(), list.end()));
     start_.push_back(static_cast<int>(nodes_.size()));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <span>
 
 #include "base/errors.hpp"
 #include "mesh/measure.hpp"
@@ -20,31 +22,48 @@ struct Edge {
   int from, to, mid;
 };
 
-bool runs_before(const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); }
+/// Edges of all cells by the node they start from, and there in ascending order of the nodes they end in.
+struct Edges {
+  std::vector<Edge> all;
+  std::vector<std::size_t> first;  ///< of each node, and the number of all
 
-/// Edges of all cells in ascending order of their ends.
-std::vector<Edge> edges_of(CellKind kind, const std::vector<Cell>& cells) {
+  std::span<const Edge> from(int node) const {
+    const auto at = static_cast<std::size_t>(node);
+    return std::span(all).subspan(first[at], first[at + 1] - first[at]);
+  }
+};
+
+Edges edges_of(std::size_t nodes, CellKind kind, const std::vector<Cell>& cells) {
   const int n = corners(kind);
-  std::vector<Edge> edges;
-  edges.reserve(n * cells.size());
+  Edges edges;
+  edges.first.assign(nodes + 1, 0);
   for (const Cell& cell : cells)
-    for (int i = 0; i < n; ++i) edges.push_back({cell[i], cell[(i + 1) % n], order(kind) == 2 ? cell[n + i] : -1});
-  std::sort(edges.begin(), edges.end(), runs_before);
+    for (int i = 0; i < n; ++i) ++edges.first[static_cast<std::size_t>(cell[i]) + 1];
+  std::partial_sum(edges.first.begin(), edges.first.end(), edges.first.begin());
+  edges.all.resize(edges.first.back());
+  auto next = edges.first;
+  for (const Cell& cell : cells)
+    for (int i = 0; i < n; ++i)
+      edges.all[next[static_cast<std::size_t>(cell[i])]++] = {cell[i], cell[(i + 1) % n],
+                                                              order(kind) == 2 ? cell[n + i] : -1};
+  for (std::size_t node = 0; node < nodes; ++node)
+    std::sort(edges.all.begin() + static_cast<std::ptrdiff_t>(edges.first[node]),
+              edges.all.begin() + static_cast<std::ptrdiff_t>(edges.first[node + 1]),
+              [](const Edge& a, const Edge& b) { return a.to < b.to; });
   return edges;
 }
 
 /// Cell edges without a partner of opposite direction, by the vertex they start from.
 std::map<int, Edge> boundary_edges(const Points& X, CellKind kind, const std::vector<Cell>& cells) {
-  const auto edges = edges_of(kind, cells);
+  const Edges edges = edges_of(X.size(), kind, cells);
   std::map<int, Edge> next;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Edge& edge = edges[i];
-    if (i > 0 && !runs_before(edges[i - 1], edge))
+  for (const Edge& edge : edges.all) {
+    const auto beside = edges.from(edge.from), opposite = edges.from(edge.to);
+    if (&edge != beside.data() && (&edge - 1)->to == edge.to)
       throw base::MeshError("two cells lie on the same side of an edge at " + where(X, edge.from));
-    const Edge back{edge.to, edge.from, edge.mid};
-    const auto other = std::lower_bound(edges.begin(), edges.end(), back, runs_before);
-    if (other != edges.end() && !runs_before(back, *other)) {
-      if (other->mid != edge.mid)
+    const auto back = std::find_if(opposite.begin(), opposite.end(), [&](const Edge& e) { return e.to == edge.from; });
+    if (back != opposite.end()) {
+      if (back->mid != edge.mid)
         throw base::MeshError("two cells have different mid nodes on an edge at " + where(X, edge.from));
       continue;
     }

@@ -28,11 +28,11 @@ std::optional<mesh::CellKind> kind_of(int vtk_type) {
   }
 }
 
-/// A part being read, with the place of each of its nodes.
+/// A part being read, with the points that are its nodes.
 struct BodyBeingRead {
   RawPart part;
   bool begun = false;
-  std::map<int, int> place;
+  UsedPoints nodes;
 };
 
 void add_cell(BodyBeingRead& body, mesh::CellKind kind, const std::vector<int>& nodes, const std::string& path) {
@@ -40,7 +40,7 @@ void add_cell(BodyBeingRead& body, mesh::CellKind kind, const std::vector<int>& 
   if (body.begun && mesh.kind != kind) refuse(path, "the cells of a body must be of one kind");
   body.begun = true;
   mesh.kind = kind;
-  for (int node : nodes) body.place[node] = -1;
+  body.nodes.add(nodes);
   mesh::Cell cell = mesh::cell_of({});
   std::copy_n(nodes.begin(), mesh::nodes_per_cell(kind), cell.begin());
   mesh.cells.push_back(cell);
@@ -48,23 +48,22 @@ void add_cell(BodyBeingRead& body, mesh::CellKind kind, const std::vector<int>& 
 
 /// Nodes in the order of the file, and cells by their places.
 void place_nodes(BodyBeingRead& body, vtkDataArray& positions) {
-  for (auto& [node, place] : body.place) {
-    place = static_cast<int>(body.part.mesh.nodes.size());
+  body.nodes.number();
+  for (const int node : body.nodes.all()) {
     double x[3];
     positions.GetTuple(node, x);
     body.part.mesh.nodes.emplace_back(x[0], x[1], x[2]);
   }
   for (mesh::Cell& cell : body.part.mesh.cells)
     for (int& node : cell)
-      if (node >= 0) node = body.place.at(node);
+      if (node >= 0) node = body.nodes.place(node);
 }
 
 /// Names a facet of a body: a cell of a boundary with nodes of its own.
 void name_facet(BodyBeingRead& reading, const std::vector<int>& cell, const std::string& name) {
   if (cell.size() < 2) return;
-  const auto a = reading.place.find(cell[0]), b = reading.place.find(cell[1]);
-  if (a != reading.place.end() && b != reading.place.end())
-    reading.part.mesh.names[std::minmax(a->second, b->second)].insert(name);
+  const int a = reading.nodes.place(cell[0]), b = reading.nodes.place(cell[1]);
+  if (a >= 0 && b >= 0) reading.part.mesh.names[std::minmax(a, b)].insert(name);
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ int corners_of_kind(int vtk_type) {
   return vtk_type == VTK_QUAD || vtk_type == VTK_QUADRATIC_QUAD ? 4 : 0;
 }
 
-/// A solid being read, with the place of each of its nodes.
+/// A solid being read, with the points that are its nodes.
 struct SolidBeingRead {
   RawSolid solid;
-  std::map<int, int> place;
+  UsedPoints nodes;
 };
 
 void add_solid_cell(SolidBeingRead& body, mesh::SolidKind kind, const std::vector<int>& nodes,
@@ -37,7 +37,7 @@ void add_solid_cell(SolidBeingRead& body, mesh::SolidKind kind, const std::vecto
   RawSolidMesh& mesh = body.solid.mesh;
   if (!mesh.cells.empty() && mesh.kind != kind) refuse(path, "the cells of a body must be of one kind");
   mesh.kind = kind;
-  for (int node : nodes) body.place[node] = -1;
+  body.nodes.add(nodes);
   mesh::SolidCell& cell = mesh.cells.emplace_back();
   cell.fill(-1);
   std::copy(nodes.begin(), nodes.end(), cell.begin());
@@ -45,23 +45,22 @@ void add_solid_cell(SolidBeingRead& body, mesh::SolidKind kind, const std::vecto
 
 /// Nodes in the order of the file, and cells by their places.
 void place_solid_nodes(SolidBeingRead& body, vtkDataArray& positions) {
-  for (auto& [node, place] : body.place) {
-    place = static_cast<int>(body.solid.mesh.nodes.size());
+  body.nodes.number();
+  for (const int node : body.nodes.all()) {
     double x[3];
     positions.GetTuple(node, x);
     body.solid.mesh.nodes.emplace_back(x[0], x[1], x[2]);
   }
   for (mesh::SolidCell& cell : body.solid.mesh.cells)
     for (int& node : cell)
-      if (node >= 0) node = body.place.at(node);
+      if (node >= 0) node = body.nodes.place(node);
 }
 
 void name_solid_facet(SolidBeingRead& body, const std::vector<int>& nodes, int count, const std::string& name) {
   FacetCorners corners{-1, -1, -1, -1};
   for (int k = 0; k < count; ++k) {
-    const auto found = body.place.find(nodes[k]);
-    if (found == body.place.end()) return;
-    corners[k] = found->second;
+    corners[k] = body.nodes.place(nodes[k]);
+    if (corners[k] < 0) return;
   }
   std::sort(corners.begin(), corners.end());
   body.solid.mesh.names[corners].insert(name);

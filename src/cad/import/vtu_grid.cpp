@@ -13,6 +13,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -112,6 +113,16 @@ vtkDataArray& positions_in(vtkUnstructuredGrid& grid, const std::string& path) {
   if (positions->GetNumberOfComponents() != 3 || positions->GetNumberOfTuples() != grid.GetNumberOfPoints())
     refuse(path, "the positions of points must have three components each");
   return *positions;
+}
+
+void UsedPoints::number() {
+  std::sort(used_.begin(), used_.end());
+  used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+}
+
+int UsedPoints::place(int point) const {
+  const auto found = std::lower_bound(used_.begin(), used_.end(), point);
+  return found != used_.end() && *found == point ? static_cast<int>(found - used_.begin()) : -1;
 }
 
 }  // namespace reye::cad

@@ -24,4 +24,17 @@ std::vector<std::vector<int>> nodes_of_cells(vtkUnstructuredGrid& grid, const st
 /// Where the points are: on X where the file says that, else as drawn; three components each.
 vtkDataArray& positions_in(vtkUnstructuredGrid& grid, const std::string& path);
 
+/// The points that the cells of a body refer to, in the order of the file.
+class UsedPoints {
+ public:
+  void add(const std::vector<int>& points) { used_.insert(used_.end(), points.begin(), points.end()); }
+  /// To be called once all are added.
+  void number();
+  const std::vector<int>& all() const { return used_; }
+  int place(int point) const;  ///< -1 for a point of no cell
+
+ private:
+  std::vector<int> used_;
+};
+
 }  // namespace reye::cad

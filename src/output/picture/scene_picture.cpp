@@ -28,27 +28,25 @@ Points points_of(const mesh::Mesh& mesh, const mesh::Chain& chain) {
   return x;
 }
 
-/// The edges of the elements that are seen; none where they would be a grey field.
+/// The edges between the elements that are seen; none where they would be a grey field. Two cells run along an edge in
+/// opposite directions; edges of the outline are drawn with it.
 void draw_mesh(const mesh::Mesh& mesh, Canvas& canvas) {
   constexpr std::size_t most = 5000;
   constexpr double least_pixels = 3.0;
-  std::vector<std::pair<int, int>> seen;
+  std::vector<std::pair<Vec2, Vec2>> edges;
+  double length = 0.0;
   const int n = mesh::corners(mesh.kind);
   for (const auto& cell : mesh.cells)
     for (int k = 0; k < n; ++k) {
-      const int a = cell[k], b = cell[(k + 1) % n];
-      if (!canvas.seen().holds(mesh.X[a]) && !canvas.seen().holds(mesh.X[b])) continue;
-      seen.emplace_back(std::min(a, b), std::max(a, b));
+      const int from = cell[k], to = cell[(k + 1) % n];
+      const Vec2 &a = mesh.X[from], &b = mesh.X[to];
+      if (from > to || (!canvas.seen().holds(a) && !canvas.seen().holds(b))) continue;
+      if (edges.size() == most) return;
+      edges.emplace_back(a, b);
+      length += (a - b).norm();
     }
-  std::sort(seen.begin(), seen.end());
-  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  double length = 0.0;
-  for (const auto& [a, b] : seen) length += (mesh.X[a] - mesh.X[b]).norm();
-  const auto count = static_cast<double>(seen.size());
-  if (seen.empty() || seen.size() > most || length * canvas.pixels_per_mm() < least_pixels * count) return;
-  std::vector<std::pair<Vec2, Vec2>> edges;
-  for (const auto& [a, b] : seen) edges.emplace_back(mesh.X[a], mesh.X[b]);
-  canvas.edges(edges, "#b9c1ca", 0.6);
+  if (length * canvas.pixels_per_mm() < least_pixels * static_cast<double>(edges.size())) return;
+  if (!edges.empty()) canvas.edges(edges, "#b9c1ca", 0.6);
 }
 
 void draw_boundary(const sim::Problem& p, int body, const std::string& name, const char* colour, double thick,

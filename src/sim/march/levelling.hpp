@@ -38,7 +38,8 @@ concept Levelled = requires(Run& run, double cycles, bool ends) {
 };
 
 /// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. Returns the last
-/// change, 0 where a play did not end. `first`: the change by the first play.
+/// change, 0 where a play did not end, unbounded where nothing is carried on the way. `first`: the change by the first
+/// play.
 template <Levelled Run>
 double level_by_halves(double cycles, bool last, Run& run, double& first) {
   constexpr int fewest = 2, most = 8;
@@ -48,7 +49,9 @@ double level_by_halves(double cycles, bool last, Run& run, double& first) {
     if (!run.play(cycles, false)) return 0.0;
     const double now = run.change();
     (k > fewest ? apart : first) = now;
-    if (!last && !std::isfinite(now)) break;  // what carries nothing shows no pressures
+    if (last || std::isfinite(now)) continue;
+    apart = now;  // what carries nothing shows no pressures
+    break;
   }
   return run.play(cycles, true) ? apart : 0.0;
 }
