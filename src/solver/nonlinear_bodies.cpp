@@ -12,7 +12,9 @@ namespace {
 constexpr int most_halvings = 5;    ///< of a step that turns an element inside out
 constexpr int most_shortened = 3;   ///< of one that makes the imbalance grow
 constexpr double unbalanced = 0.1;  ///< of the forces: a smaller imbalance does not show that a step is too long
-constexpr double asymmetric = 0.8;  ///< share of the imbalance due to a symmetric part from which on tangents are exact
+constexpr double asymmetric =
+    0.8;                       ///< share of the imbalance due to a symmetric part from which on tangents are exact,
+constexpr double slow = 0.03;  ///< where symmetric ones reduce the imbalance to no less than this share
 
 }  // namespace
 
@@ -25,6 +27,7 @@ void NonlinearBodies::begin(const System& system, const SolverState& before, con
   any_ = false;
   interior_.assign(system.bodies.size(), {});
   linearised_.resize(system.bodies.size());
+  linearised_of_.assign(system.bodies.size(), 0.0);
   for (std::size_t b = 0; b < interior_.size(); ++b) {
     if (!body(b)) continue;
     any_ = true;
@@ -55,6 +58,7 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
   for_each([&](std::size_t b, const body::NonlinearBody& own) {
     own.linearise(before_->interiors[b], interior_[b], part(own, b, q), controls_->load_factors[b], linearised_[b],
                   tangent);
+    linearised_of_[b] = linearised_[b].interior_residual;
   });
   anchor_ = q;
   anchor_lambda_ = lambda;
@@ -63,7 +67,10 @@ void NonlinearBodies::linearise(const base::TwoPart& q, const Multipliers& lambd
 void NonlinearBodies::linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent) {
   for_each([&](std::size_t b, const body::NonlinearBody& own) {
     auto& at = linearised_[b];
-    const bool exact = tangent == body::Tangent::exact || own.left_out(at) > asymmetric * at.interior_residual;
+    const double imbalance = at.interior_residual;
+    const bool exact = tangent == body::Tangent::exact ||
+                       (imbalance > slow * linearised_of_[b] && own.left_out(at) > asymmetric * imbalance);
+    linearised_of_[b] = imbalance;
     own.linearise_again(before_->interiors[b], at, exact ? body::Tangent::exact : tangent);
   });
   anchor_ = q;

@@ -71,6 +71,7 @@ class NonlinearBodies {
   std::vector<base::TwoPart> interior_;  ///< y per body, empty but for nonlinear ones
   std::vector<Vector> last_step_;        ///< of the interiors in the last accepted increment
   std::vector<Linearised> linearised_;   ///< about the anchor
+  std::vector<double> linearised_of_;    ///< per body: its imbalance where its tangent was made
   base::TwoPart anchor_;
   Multipliers anchor_lambda_;
 };
