@@ -12,9 +12,9 @@ namespace {
 constexpr int most_halvings = 5;    ///< of a step that turns an element inside out
 constexpr int most_shortened = 3;   ///< of one that makes the imbalance grow
 constexpr double unbalanced = 0.1;  ///< of the forces: a smaller imbalance does not show that a step is too long
-constexpr double asymmetric =
-    0.8;                       ///< share of the imbalance due to a symmetric part from which on tangents are exact,
-constexpr double slow = 0.03;  ///< where symmetric ones reduce the imbalance to no less than this share
+/// Share of the imbalance that is due to a symmetric part, and share of that before which is left, from which on
+/// tangents are exact.
+constexpr double asymmetric = 0.8, slow = 0.03;
 
 }  // namespace
 
