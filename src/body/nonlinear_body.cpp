@@ -1,3 +1,4 @@
+#include <span>
 #include <utility>
 
 #include "base/formatted.hpp"
@@ -33,6 +34,16 @@ struct NonlinearBody::Impl : NonlinearEquations {
     out.interior_residual = interior() > 0 ? tangent.r.head(interior()).cwiseAbs().maxCoeff() : 0.0;
     out.force_scale = tangent.f.largest;
     out.deformation = tangent.displacement().size() > 0 ? tangent.displacement().cwiseAbs().maxCoeff() : 0.0;
+  }
+
+  /// r_c of the unknowns v, of all cells or of those with `wanted`.
+  Vector retained_residual(const Interior& before, const Vector& v, const Vector& load_factors,
+                           std::span<const char> wanted) const {
+    const Vector u = displacement(v);
+    fem::InternalForce f;
+    named([&] { fem::internal_force(mesh(), solid, u, {before.history, before.F0}, f, nullptr, wanted); });
+    const Vector r = expansion(v).transpose() * unbalanced(f, u, load_factors);
+    return r.tail(columns.retained);
   }
 };
 
@@ -122,11 +133,15 @@ std::string NonlinearBody::least_balanced(const Linearised& at) const {
 
 Vector NonlinearBody::retained_residual(const Interior& before, const TwoPart& y, const TwoPart& q,
                                         const Vector& load_factors) const {
-  const Vector v = impl_->deformation(y, q), u = impl_->displacement(v);
-  fem::InternalForce f;
-  impl_->named([&] { fem::internal_force(impl_->mesh(), impl_->solid, u, {before.history, before.F0}, f); });
-  const Vector r = impl_->expansion(v).transpose() * impl_->unbalanced(f, u, load_factors);
-  return r.tail(dofs());
+  return impl_->retained_residual(before, impl_->deformation(y, q), load_factors, {});
+}
+
+Vector NonlinearBody::at_supports(const Interior& before, const TwoPart& y, const TwoPart& q,
+                                  const Vector& load_factors) const {
+  const Vector r = impl_->retained_residual(before, impl_->deformation(y, q), load_factors, impl_->supported);
+  Vector carried = Vector::Zero(dofs());
+  for (const SupportColumn& support : support_columns()) carried[support.column] = r[support.column];
+  return carried;
 }
 
 Interior NonlinearBody::accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const {

@@ -19,6 +19,18 @@ NonlinearLoad make_load(const mesh::Mesh& mesh, const BodyInput& input, fem::Bou
   return {fem::load_vector(mesh, input.analysis, load), std::move(pressure)};
 }
 
+std::vector<char> cells_at_supports(const mesh::Mesh& mesh, const Columns& columns) {
+  std::vector<char> of_support(static_cast<std::size_t>(columns.interior + columns.retained), 0);
+  for (const auto& support : columns.supports)
+    of_support[static_cast<std::size_t>(columns.interior + support.column)] = 1;
+  std::vector<char> supported(mesh.cells.size(), 0);
+  for (std::size_t cell = 0; cell < supported.size(); ++cell)
+    for (int a = 0; a < mesh::nodes_per_cell(mesh.kind); ++a)
+      for (const Term& term : columns.terms[static_cast<std::size_t>(mesh.cells[cell][a])])
+        supported[cell] |= of_support[static_cast<std::size_t>(term.column)];
+  return supported;
+}
+
 template <class DeadLoad>
 NonlinearLoad make_load(const mesh::Mesh& mesh, const BodyInput& input, const DeadLoad& load) {
   return {fem::load_vector(mesh, input.analysis, load), {}};
@@ -39,6 +51,7 @@ NonlinearEquations::NonlinearEquations(ShapePtr s, const BodyInput& input)
     names.push_back({load.name, load.history});
     loads.push_back(make_load(shape->mesh, input, load));
   });
+  supported = cells_at_supports(shape->mesh, columns);
 }
 
 bool NonlinearEquations::symmetric() const {

@@ -26,6 +26,7 @@ struct NonlinearEquations {
   std::vector<LoadColumn> names;
   std::vector<NonlinearLoad> loads;
   Translation translation, outer;  ///< of all unknowns, of the retained
+  std::vector<char> supported;     ///< per cell: whether a support moves a node of it
 
   NonlinearEquations(ShapePtr shape, const BodyInput& input);
 

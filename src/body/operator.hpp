@@ -260,6 +260,8 @@ class NonlinearBody {
   /// r_c alone, the forces on the retained dofs. Needs no factorisation.
   Vector retained_residual(const Interior& before, const TwoPart& y, const TwoPart& q,
                            const Vector& load_factors) const;
+  /// Of it what supports carry, zero elsewhere: from the cells beside them alone.
+  Vector at_supports(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors) const;
   /// y with the history that the deformation from `before` to (y, q) leaves.
   Interior accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const;
   /// The new F0 when x = X + u of an accepted state becomes the new X (fem::deformation). Finite strain only.

@@ -34,7 +34,7 @@ History virgin(const Mesh& mesh, const Solid& solid) {
 }
 
 void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, InternalForce& f,
-                    std::vector<char>* yields) {
+                    std::vector<char>* yields, std::span<const char> wanted) {
   clear(mesh, f);
   if (yields) yields->assign(mesh.cells.size(), 0);
   const bool bar = barred(solid, mesh.kind), may_yield = yields && !before.history.empty();
@@ -52,8 +52,8 @@ void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const
       if (may_yield) (*yields)[now] |= after.accumulated > old.accumulated;
       fe += p.dx.template topRows<Strain::stresses>().transpose().lazyProduct(p.volume * s);
     };
-    for_each_cell<Strain, n>(mesh, solid, u, before.F0, begin, point,
-                             [&](int cell, const auto&) { add_force(mesh, cell, fe, f); });
+    for_each_cell<Strain, n>(
+        mesh, solid, u, before.F0, begin, point, [&](int cell, const auto&) { add_force(mesh, cell, fe, f); }, wanted);
   });
 }
 

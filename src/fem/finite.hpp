@@ -41,9 +41,9 @@ struct InternalForce {
 /// f = sum int P : Grad v dV (finite) or int sigma : eps(v) dV (small), from the state before the increment; with F0, P
 /// on X is 1/det(F0) P(F) F0^T at F = (I + Grad u) F0.
 /// Throws base::SolveError naming cell, Gauss point and its place on X where the material cannot take the deformation.
-/// `yields`, if given: per cell, whether a Gauss point of it yields at u.
+/// `yields`, if given: per cell, whether a Gauss point of it yields at u. Of all cells or of those with `wanted`.
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
-                    InternalForce& f, std::vector<char>* yields = nullptr);
+                    InternalForce& f, std::vector<char>* yields = nullptr, std::span<const char> wanted = {});
 
 /// K = df/du, made by `pattern.zero()`, of all cells or of those with `wanted`, where the pattern may be that of a mesh
 /// of them alone; nothing is allocated. Errors as above.

@@ -147,7 +147,7 @@ Vector reactions(const System& system, const SolverState& state, const Controls&
     const Vector r = std::visit(
         [&](const auto& o) {
           if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::NonlinearBody>)
-            return o.retained_residual(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
+            return o.at_supports(state.interiors[b], state.interiors[b].y, q, controls.load_factors[b]);
           else if constexpr (std::is_same_v<std::decay_t<decltype(o)>, body::LinearBody>)
             return o.at_supports(q, controls.load_factors[b]);
           else

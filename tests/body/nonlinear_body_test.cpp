@@ -156,6 +156,17 @@ TEST_P(nonlinear_body, retained_residual_is_virtual_work) {
   EXPECT_LT((r.tail(body_.dofs()) - carried).norm(), 1e-7 * carried.norm());
 }
 
+// What supports carry must be the retained residual in their columns, and nothing stands in the others.
+TEST_P(nonlinear_body, supports_carry_their_share_of_the_residual) {
+  const Vector all = body_.retained_residual(s_.before, s_.y, s_.q, s_.factors);
+  const Vector carried = body_.at_supports(s_.before, s_.y, s_.q, s_.factors);
+  Vector expected = Vector::Zero(all.size());
+  ASSERT_FALSE(body_.support_columns().empty());
+  for (const auto& support : body_.support_columns()) expected[support.column] = all[support.column];
+  EXPECT_GT(expected.norm(), 0.0);
+  EXPECT_LT((carried - expected).norm(), 1e-14 * all.norm());
+}
+
 // The condensed step must be the step of the full sparse system, supports imposed.
 TEST_P(nonlinear_body, condensed_step_equals_full_step) {
   const auto columns = body::number_columns(mesh_, input_);

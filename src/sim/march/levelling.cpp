@@ -4,15 +4,15 @@
 
 namespace reye::sim {
 
-std::optional<Warning> uneven(const scene::Step& step, double cycle, double left) {
-  if (!(left > alike) || !std::isfinite(left)) return std::nullopt;
+std::optional<Warning> uneven(const scene::Step& step, double cycle, double change) {
+  if (!(change > alike) || !std::isfinite(change)) return std::nullopt;
   return Warning{
       "pressures", "step " + step.name,
-      base::formatted("pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they still change by "
-                      "so much as the short cycles that level what is shown become shorter. The wear is not "
+      base::formatted("pressures shown at cycle %g are uncertain by %.2g %% (root mean square): they still changed "
+                      "as much from one to the next of the short cycles that level what is shown. The wear is not "
                       "concerned. Let a step end at this cycle",
-                      cycle, 100.0 * left),
-      left};
+                      cycle, 100.0 * change),
+      change};
 }
 
 }  // namespace reye::sim

@@ -11,24 +11,21 @@
 /// The short cycles that level the end of a block where it is shown, whatever the dimension.
 namespace reye::sim {
 
-/// How far pressures (root mean square) may be from those of ever shorter levelling cycles: at the end of a step, and
-/// where a block is shown on the way.
+/// The change of pressures (root mean square) from one levelling cycle to the next below which they repeat: at the end
+/// of a step, and where a block is shown on the way.
 inline constexpr double repeated = 0.01, alike = 0.03;
 
 /// The way a block was played before its levelling cycles.
 enum class PlayedBefore { in_halves, continued };
 
-/// Cycles of the play before the levelling cycles over these, at least.
-constexpr double played_over_levelling(PlayedBefore before) {
-  return (before == PlayedBefore::in_halves ? 0.5 : TwoStep{most_ratio}.played()) / levelling;
+/// The change of pressures by one play of all levelling cycles up to which they are shown on the way. Where increments
+/// wear more than the bodies yield, pressures are off by as much as the play is long: of a change c, from a play of at
+/// least the share b of the block to one of the share l, l / (b - l) c is left, here at most 0.05. Of what is uneven
+/// less is left, some fifth of c.
+constexpr double at_once(PlayedBefore before) {
+  const double least = before == PlayedBefore::in_halves ? 0.5 : TwoStep{most_ratio}.played();
+  return 0.05 * (least - levelling) / levelling;
 }
-
-/// What a play of `cycles` leaves of a change of pressures, from one play to another. Where increments wear more than
-/// the bodies yield, pressures are off by as much as a play is long; of what is uneven less is left, some fifth.
-constexpr double left_of(double change, double from, double to, double cycles) { return change * cycles / (from - to); }
-
-/// The change of pressures by one play of all levelling cycles up to which they are shown on the way: 0.05 is left.
-constexpr double at_once(PlayedBefore before) { return 0.05 / left_of(1.0, played_over_levelling(before), 1.0, 1.0); }
 
 /// A run whose end is levelled. `play`: some cycles, false where they do not come to their end; `ends`: they are the
 /// last. `change`: of the pressures in the last play, unbounded where nothing is carried at the ends of cycles.
@@ -40,23 +37,23 @@ concept Levelled = requires(Run& run, double cycles, bool ends) {
   static_cast<bool>(run.restore(run.kept()));
 };
 
-/// Plays `cycles` as short ones, each half of what is left, until one with the rest leaves pressures close enough to
-/// those of shorter ones, eight at most. Returns what is left, 0 where a play did not end, unbounded where nothing is
-/// carried on the way. `first`: the change by the first play.
+/// Plays `cycles` as short ones, each half of what is left, until pressures repeat, eight at most. Returns the last
+/// change, 0 where a play did not end, unbounded where nothing is carried on the way. `first`: the change by the first
+/// play.
 template <Levelled Run>
-double level_by_halves(double cycles, bool last, PlayedBefore before, Run& run, double& first) {
-  constexpr int most = 8;
-  double from = played_over_levelling(before) * cycles, left = 1.0;
-  for (int k = 2; k <= most && left > (last ? repeated : alike); ++k) {
+double level_by_halves(double cycles, bool last, Run& run, double& first) {
+  constexpr int fewest = 2, most = 8;
+  double apart = 1.0;
+  for (int k = fewest; k <= most && apart >= (last ? repeated : alike); ++k) {
     cycles *= 0.5;
     if (!run.play(cycles, false)) return 0.0;
-    const double change = run.change();
-    if (k == 2) first = change;
-    left = left_of(change, from, cycles, cycles);
-    from = cycles;
-    if (!last && !std::isfinite(change)) break;  // what carries nothing shows no pressures
+    const double now = run.change();
+    (k > fewest ? apart : first) = now;
+    if (last || std::isfinite(now)) continue;
+    apart = now;  // what carries nothing shows no pressures
+    break;
   }
-  return run.play(cycles, true) ? left : 0.0;
+  return run.play(cycles, true) ? apart : 0.0;
 }
 
 /// Plays the levelling cycles: on the way all at once, and by halves where that fails or changes pressures by more than
@@ -73,13 +70,13 @@ double level(double cycles, bool last, PlayedBefore before, Run& run, bool& trie
     if (!run.restore(start)) return 0.0;
   }
   double first = std::numeric_limits<double>::infinity();
-  const double left = level_by_halves(cycles, last, before, run, first);
+  const double left = level_by_halves(cycles, last, run, first);
   if (!tries && first <= 0.5 * at_once(before)) tries_at_once = true;
   return left;
 }
 
-/// What a reader must know of pressures that are shown so far from those of shorter levelling cycles; nothing where
-/// that is little.
-std::optional<Warning> uneven(const scene::Step& step, double cycle, double left);
+/// What a reader must know of pressures that are shown and have changed so much in the last levelling cycle; nothing
+/// where they have repeated.
+std::optional<Warning> uneven(const scene::Step& step, double cycle, double change);
 
 }  // namespace reye::sim
