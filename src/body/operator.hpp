@@ -248,8 +248,7 @@ class NonlinearBody {
   /// r at another state, condensed by the tangent of `at`, for chord steps. Needs no factorisation.
   void measure(const Interior& before, const TwoPart& y, const TwoPart& q, const Vector& load_factors,
                Linearised& at) const;
-  /// Largest interior force that the tangent of `at` leaves out, where it is a symmetric part, of the step from where
-  /// it was made to where `measure` was called last: what of `interior_residual` is due to that.
+  /// What of `interior_residual` is due to the tangent of `at` being a symmetric part, since it was made there.
   double left_out(const Linearised& at) const;
   Vector interior_step(const Linearised& at, const Vector& dq) const;
   /// What follows does not depend on the states at which it was linearised before.
@@ -266,8 +265,7 @@ class NonlinearBody {
   Interior accepted(const Interior& before, const TwoPart& y, const TwoPart& q) const;
   /// The new F0 when x = X + u of an accepted state becomes the new X (fem::deformation). Finite strain only.
   std::vector<material::Gradient<double>> deformation(const Interior& now, const TwoPart& q) const;
-  /// The elastic states, on which stress and yielding depend, of an accepted state per Gauss point; empty without
-  /// history.
+  /// Per Gauss point of an accepted state what stress and yielding depend on; empty without history.
   std::vector<material::ElasticState> elastic_states(const Interior& now, const TwoPart& q) const;
   /// The history with which the deformation (y, q) from F0 leaves these elastic states (fem::compatible).
   std::vector<material::PlasticState> compatible(const Interior& now, const TwoPart& q,

@@ -34,7 +34,7 @@ Checkpoint checkpoint(const std::string& payload) {
 
 /// The container of a body.
 std::string sealed(const std::string& body) {
-  std::string head("REYECKP5");
+  std::string head("REYECKP6");
   for (const std::uint64_t value : {static_cast<std::uint64_t>(body.size()), checksum(body)})
     for (int i = 0; i < 8; ++i) head += static_cast<char>((value >> (8 * i)) & 0xff);
   return head + body;
@@ -92,6 +92,16 @@ TEST(Checkpoint, TruncatedAtAnyByteFallsBack) {
     ASSERT_EQ(search.found->payload, "old") << size;
     ASSERT_TRUE(holds(reasons(search), "truncated")) << size;
   }
+}
+
+// Signs that change in two numbers must change the checksum, as must zeros at the end and an exchange of words.
+TEST(Checksum, SeesWhatCouldCancel) {
+  const std::string bytes = "0123456789abcdef01234567";
+  std::string signs = bytes, exchanged = "89abcdef0123456701234567";
+  signs[7] = static_cast<char>(signs[7] ^ 0x80);
+  signs[15] = static_cast<char>(signs[15] ^ 0x80);
+  for (const auto& other : {signs, exchanged, bytes + '\0', bytes.substr(0, 23)})
+    EXPECT_NE(checksum(other), checksum(bytes)) << other;
 }
 
 // With any byte altered, the file is refused and the previous one taken.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view magic = "REYECKP5";
+constexpr std::string_view magic = "REYECKP6";
 std::string file_in(const std::string& dir, const char* name) {
   return (fs::path(dir) / "checkpoint" / (std::string(name) + ".bin")).string();
 }

@@ -64,7 +64,7 @@ std::map<std::string, std::string> files_of_run(const std::string& dir, std::uin
 /// Replaces a current checkpoint that was refused by the previous one, so that the next save keeps it.
 void restore_previous(const std::string& dir);
 
-/// The container alone: 8 bytes of magic, length and FNV-1a checksum of the body, then the body.
+/// The container alone: 8 bytes of magic, length and checksum of the body, then the body.
 std::string packed(const Checkpoint& checkpoint);
 
 /// The checkpoint in a container of any origin; throws std::runtime_error with the reason where it is damaged or of a

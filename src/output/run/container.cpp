@@ -35,15 +35,15 @@ std::string unsealed(std::string_view magic, const std::string& bytes, const std
   const std::size_t same = magic.size() - 1;  // of it, in every layout of the container
   if (bytes.compare(0, same, magic, 0, same) != 0)
     throw std::runtime_error("altered: not " + what + " of this program");
+  if (bytes.compare(0, magic.size(), magic) != 0)
+    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") +
+                             commit() + ", cannot read");
   const std::string_view view(bytes);
   const std::uint64_t length = from_little_endian(view.substr(8, 8));
   if (view.size() - head_size < length) throw std::runtime_error("truncated");
   if (view.size() - head_size > length) throw std::runtime_error("altered: longer than it was written");
   if (from_little_endian(view.substr(16, 8)) != checksum(view.substr(head_size)))
     throw std::runtime_error("altered: wrong checksum");
-  if (bytes.compare(0, magic.size(), magic) != 0)
-    throw std::runtime_error(std::string("written by an older program, whose layout this one, built from commit ") +
-                             commit() + ", cannot read");
   return bytes.substr(head_size);
 }
 

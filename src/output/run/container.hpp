@@ -4,7 +4,7 @@
 
 namespace reye::output {
 
-/// Bytes in a container: 8 bytes of magic, length and FNV-1a checksum of the body, then the body.
+/// Bytes in a container: 8 bytes of magic, length and checksum of the body, then the body.
 std::string sealed(std::string_view magic, const std::string& body);
 
 /// The body of a whole container with this magic. The last byte of the magic is its layout: one of another layout is

@@ -16,7 +16,7 @@ namespace reye::output {
 
 namespace {
 
-constexpr std::string_view meshes_magic = "REYEMSH1";
+constexpr std::string_view meshes_magic = "REYEMSH2";
 
 std::string meshes_file(const std::string& dir) {
   return (std::filesystem::path(dir) / "checkpoint" / "meshes.bin").string();
