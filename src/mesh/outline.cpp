@@ -38,7 +38,11 @@ Edges edges_of(std::size_t nodes, CellKind kind, const std::vector<Cell>& cells)
   Edges edges;
   edges.first.assign(nodes + 1, 0);
   for (const Cell& cell : cells)
-    for (int i = 0; i < n; ++i) ++edges.first[static_cast<std::size_t>(cell[i]) + 1];
+    for (int i = 0; i < n; ++i) {
+      if (cell[i] < 0 || static_cast<std::size_t>(cell[i]) >= nodes)
+        throw base::MeshError("a cell names node " + std::to_string(cell[i]) + ", which does not exist");
+      ++edges.first[static_cast<std::size_t>(cell[i]) + 1];
+    }
   std::partial_sum(edges.first.begin(), edges.first.end(), edges.first.begin());
   edges.all.resize(edges.first.back());
   auto next = edges.first;

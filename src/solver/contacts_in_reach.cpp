@@ -13,8 +13,7 @@ namespace {
 
 constexpr Reach::Margin reach_margin{.nodes = 6, .active_per_node = 16};
 constexpr Reach::Margin wide_margin{.nodes = 24, .active_per_node = 4};
-constexpr double worth_narrowing =
-    0.6;  ///< of the nodes in reach; a window leaves out most columns of the others anyway
+constexpr double worth_narrowing = 0.6;  ///< of the nodes in reach; a window leaves out most of the others anyway
 
 /// Of linear bodies columns out of reach are condensed out; of others a wide reach costs a few integrals, and to find
 /// after an increment that contact has outrun it costs several tangents.

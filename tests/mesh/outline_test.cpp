@@ -28,6 +28,15 @@ TEST(outline, doubled_cell_is_refused) {
   EXPECT_THROW(outline_of(mesh.X, mesh.kind, mesh.cells), base::MeshError);
 }
 
+// Cells that name a node that does not exist must be refused, not read beyond the nodes.
+TEST(outline, nodes_that_do_not_exist_are_refused) {
+  Mesh mesh = squares(2);
+  for (const int node : {-1, mesh.node_count()}) {
+    mesh.cells[0][1] = node;
+    EXPECT_THROW(outline_of(mesh.X, mesh.kind, mesh.cells), base::MeshError) << node;
+  }
+}
+
 // Chosen edges that follow one another must make one chain, also across the node at which the loop's list begins.
 TEST(outline, chains_run_across_the_start_of_the_loop) {
   const std::vector<Chain> loop{{0, 1, 2, 3, 4, 0}};
