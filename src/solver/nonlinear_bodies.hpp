@@ -24,7 +24,8 @@ class NonlinearBodies {
   /// out or a stress cannot be found.
   void linearise(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
   /// The tangent at q where `renew` has measured. Where symmetric parts are asked for, a body gets the exact tangent if
-  /// most of what is unbalanced inside it is what its last symmetric part has left out. Errors as above.
+  /// most of what is unbalanced inside it is what its last symmetric part has left out, and that is not little of what
+  /// it was made for. Errors as above.
   void linearise_again(const base::TwoPart& q, const Multipliers& lambda, body::Tangent tangent);
   /// Moves the interiors after the change of q since the anchor and measures the imbalance there; where that fails, or
   /// the imbalance is far larger, half the step is tried, and so on. The tangent stays. Returns why no step succeeds,

@@ -6,8 +6,8 @@
 
 namespace reye::output {
 
-/// FNV-1a checksum of the size and of words of eight bytes, the last one filled up with zeros: it changes with any
-/// single altered byte, and almost certainly with several.
+/// A checksum in the way of FNV-1a, of the size and of words of eight bytes, the last one filled up with zeros: it
+/// changes with any single altered word, and almost certainly with several.
 inline std::uint64_t checksum(std::string_view bytes) {
   constexpr std::uint64_t prime = 1099511628211ull;
   std::uint64_t hash = (14695981039346656037ull ^ bytes.size()) * prime;
