@@ -18,6 +18,9 @@ constexpr int longest_wait = 256;  ///< tangents of all cells before another div
 /// Turn and stretch since its tangent was kept at which a cell counts as changed: the error of Newton's steps, times
 /// the square of slenderness in bending.
 constexpr double much = 0.005;
+/// That of a single cell, whose tangent is then made again: Newton's steps leave a thousandth, less than steps with
+/// kept tangents may.
+constexpr double hardly = 0.001;
 
 /// The columns of a sparse matrix that are listed.
 SparseMatrix chosen(const SparseMatrix& B, const std::vector<int>& columns) {
@@ -60,7 +63,11 @@ void widen(const mesh::Mesh& mesh, const std::vector<std::vector<int>>& cells_of
 }  // namespace
 
 CondensedTangent::CondensedTangent(const NonlinearEquations& of)
-    : cells_of_(static_cast<std::size_t>(of.mesh().node_count())), last_(of.mesh().cells.size(), -remembered) {
+    : cells_of_(static_cast<std::size_t>(of.mesh().node_count())),
+      cells_(fem::cell_tangents(of.mesh())),
+      made_for_(base::Matrix::Zero(8, of.mesh().cell_count())),
+      yielded_(of.mesh().cells.size(), 1),
+      last_(of.mesh().cells.size(), -remembered) {
   for (int cell = 0; cell < of.mesh().cell_count(); ++cell)
     for (int a = 0; a < mesh::nodes_per_cell(of.mesh().kind); ++a)
       cells_of_[static_cast<std::size_t>(of.mesh().cells[cell][a])].push_back(cell);
@@ -70,6 +77,7 @@ void CondensedTangent::forget() {
   divided_ = false;
   rest_.reset();
   kept_at_.resize(0);
+  yielded_.assign(yielded_.size(), 1);
   last_.assign(last_.size(), -remembered);
   made_ = divided_at_ = whole_until_ = 0;
   wait_ = 4;
@@ -81,6 +89,7 @@ void CondensedTangent::measure(const NonlinearEquations& of, const Interior& bef
   at_.u = of.displacement(v);
   at_.load_factors = load_factors;
   of.named([&] { fem::internal_force(of.mesh(), of.solid, at_.u, {before.history, before.F0}, f, &at_.yields); });
+  for (std::size_t cell = 0; cell < yielded_.size(); ++cell) yielded_[cell] |= at_.yields[cell];
   at_.unbalanced = of.unbalanced(f, at_.u, load_factors);
   if (at_.B.size() == 0 || of.turns()) at_.B = of.expansion(v);
   r = at_.B.transpose() * at_.unbalanced;
@@ -114,10 +123,43 @@ bool CondensedTangent::divides(const NonlinearEquations& of) const {
   return !follows && made_ > whole_until_;
 }
 
+/// Makes the tangents of those cells that have yielded, or turned or stretched, since theirs was made; where exact ones
+/// are asked for, of all that are wanted.
+void CondensedTangent::renew_cells(const NonlinearEquations& of, const Interior& before, Tangent tangent,
+                                   const Flags& wanted) {
+  const auto& mesh = of.mesh();
+  const int corners = mesh::corners(mesh.kind);
+  const auto has_moved = [&](std::size_t cell) {
+    const auto& nodes = mesh.cells[cell];
+    const auto since = [&](int a) -> base::Vec2 {
+      return at_.u.segment<2>(2 * nodes[a]) - made_for_.col(static_cast<Eigen::Index>(cell)).segment<2>(2 * a);
+    };
+    for (int a = 0; a < corners; ++a) {
+      const int b = (a + 1) % corners;
+      if ((since(b) - since(a)).norm() > hardly * (mesh.X[nodes[b]] - mesh.X[nodes[a]]).norm()) return true;
+    }
+    return false;
+  };
+  Flags due(wanted.size());
+  const bool exact = tangent == Tangent::exact;
+  for (std::size_t cell = 0; cell < due.size(); ++cell) {
+    due[cell] = wanted[cell] && (yielded_[cell] || (of.turns() && (exact || has_moved(cell))));
+    if (due[cell]) yielded_[cell] = 1;  // until it is made: what follows may throw
+  }
+  of.named([&] { fem::renew(mesh, of.solid, at_.u, {before.history, before.F0}, due, cells_); });
+  for (std::size_t cell = 0; cell < due.size(); ++cell) {
+    if (!due[cell]) continue;
+    yielded_[cell] = at_.yields[cell];
+    for (int a = 0; a < corners; ++a)
+      made_for_.col(static_cast<Eigen::Index>(cell)).segment<2>(2 * a) = at_.u.segment<2>(2 * mesh.cells[cell][a]);
+  }
+}
+
 void CondensedTangent::make_whole(const NonlinearEquations& of, const Interior& before, Tangent tangent) {
   const auto& [v, u, load_factors, unbalanced, B, yields] = at_;
   if (whole_.K.size() == 0) whole_.K = of.pattern.zero();
-  of.named([&] { fem::tangent(of.mesh(), of.solid, u, {before.history, before.F0}, of.pattern, whole_.K); });
+  renew_cells(of, before, tangent, Flags(yielded_.size(), 1));
+  fem::assemble(of.mesh(), cells_, {}, of.pattern, whole_.K);
   of.subtract_load_tangent(u, load_factors, whole_.K);
   algebra::congruence(whole_.K, B, whole_.reduced);
   add_to_diagonal(of.turning(unbalanced, v), whole_.reduced);
@@ -162,7 +204,8 @@ bool CondensedTangent::divide(const NonlinearEquations& of, const Interior& befo
     for (const int cell : cells_of_[node])
       if (changing_[static_cast<std::size_t>(cell)])
         for (const Term& term : of.columns.terms[node]) inside[static_cast<std::size_t>(term.column)] = 0;
-  of.named([&] { fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, of.pattern, whole_.K, kept); });
+  renew_cells(of, before, tangent, kept);
+  fem::assemble(of.mesh(), cells_, kept, of.pattern, whole_.K);
   try {
     SparseMatrix reduced;
     algebra::congruence(whole_.K, at_.B, reduced);
@@ -222,9 +265,8 @@ bool CondensedTangent::make_rest(const NonlinearEquations& of, const Interior& b
   } else if (of.turns()) {
     rest_->B = chosen(at_.B, rest_->columns);
   }
-  of.named([&] {
-    fem::tangent(of.mesh(), of.solid, at_.u, {before.history, before.F0}, rest_->pattern, rest_->K, changing_);
-  });
+  renew_cells(of, before, tangent, changing_);
+  fem::assemble(of.mesh(), cells_, changing_, rest_->pattern, rest_->K);
   algebra::congruence(rest_->K, rest_->B, rest_->reduced);
   rest_->reduced += rest_->kept_stiffness;
   add_to_diagonal(of.turning(at_.unbalanced, at_.v)(rest_->columns), rest_->reduced);

@@ -10,8 +10,9 @@ namespace reye::body {
 
 /// The tangent of a nonlinear body, condensed to its retained columns. Only tangents that change are made again: of
 /// cells that yield or have turned or stretched, and those around them. The others keep their tangent in a superelement
-/// until one of them yields, too. Residuals are always those of all cells, so that Newton's solution does not depend on
-/// which ones those are.
+/// until one of them yields, too. Of those that are made again, single cells keep theirs while they are elastic and
+/// have hardly turned or stretched. Residuals are always those of all cells, so that Newton's solution does not depend
+/// on which ones those are.
 class CondensedTangent {
  public:
   explicit CondensedTangent(const NonlinearEquations& of);
@@ -62,6 +63,7 @@ class CondensedTangent {
   };
 
   bool divides(const NonlinearEquations& of) const;
+  void renew_cells(const NonlinearEquations& of, const Interior& before, Tangent tangent, const Flags& wanted);
   void make_whole(const NonlinearEquations& of, const Interior& before, Tangent tangent);
   bool make_rest(const NonlinearEquations& of, const Interior& before, Tangent tangent);
   bool divide(const NonlinearEquations& of, const Interior& before, Tangent tangent);
@@ -74,6 +76,9 @@ class CondensedTangent {
   Whole whole_;
   std::optional<Rest> rest_;
   bool divided_ = false;   ///< whether the present tangent is that of `rest_`
+  base::Matrix cells_;     ///< tangents of single cells (fem::cell_tangents)
+  base::Matrix made_for_;  ///< per cell a column: displacements of its corners for which its tangent was made
+  Flags yielded_;          ///< per cell: when its tangent was made, or since; or it has none
   Flags changing_;         ///< per cell
   std::vector<int> last_;  ///< per cell: number of the last tangent at which it changed
   Vector kept_at_;         ///< u at which tangents were kept

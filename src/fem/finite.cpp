@@ -4,6 +4,7 @@
 
 namespace reye::fem {
 
+using base::Matrix;
 using base::SparseMatrix;
 
 namespace {
@@ -45,34 +46,67 @@ void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const
       now = cell;
       fe.setZero();
     };
-    const auto point = [&](const auto& p, int, int number) {
+    const auto point = [&](const auto& p, const auto&, int number) {
       const PlasticState& old = state_of(before.history, number);
       PlasticState after = old;
       const auto s = stress_at<Strain>(solid, bar, p.x, old, may_yield ? &after : nullptr);
       if (may_yield) (*yields)[now] |= after.accumulated > old.accumulated;
-      fe += p.dx.template topRows<Strain::stresses>().transpose().lazyProduct(p.volume * s);
+      Strain::add_force(p, Stresses<Strain>(p.volume * s), fe);
     };
     for_each_cell<Strain, n>(
         mesh, solid, u, before.F0, begin, point, [&](int cell, const auto&) { add_force(mesh, cell, fe, f); }, wanted);
   });
 }
 
-void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, const Pattern& pattern,
-             SparseMatrix& K, std::span<const char> wanted) {
-  K.coeffs().setZero();
+namespace {
+
+/// Calls take(cell, df_e/du_e) for every cell, or those with `wanted`.
+template <class Take>
+void for_each_tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, Take take,
+                      std::span<const char> wanted) {
   const bool bar = barred(solid, mesh.kind);
-  const int count = mesh::nodes_per_cell(mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     Eigen::Matrix<double, 2 * n, 2 * n> Ke;
-    const auto point = [&](const auto& p, int, int number) {
+    const auto point = [&](const auto& p, const auto& samples, int number) {
       const auto D = slope_at<Strain>(solid, bar, p.x, state_of(before.history, number));
-      const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * D.lazyProduct(p.dx);
-      Ke += p.dx.template topRows<Strain::stresses>().transpose().lazyProduct(ds);
+      const auto& dx = Strain::derivative(samples, p);
+      const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * D.lazyProduct(dx);
+      Ke += dx.template topRows<Strain::stresses>().transpose().lazyProduct(ds);
     };
     for_each_cell<Strain, n>(
-        mesh, solid, u, before.F0, [&](int) { Ke.setZero(); }, point,
-        [&](int cell, const auto&) { pattern.add_cell(Ke, mesh.cells[cell], count, K); }, wanted);
+        mesh, solid, u, before.F0, [&](int) { Ke.setZero(); }, point, [&](int cell, const auto&) { take(cell, Ke); },
+        wanted);
   });
+}
+
+}  // namespace
+
+void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, const Pattern& pattern,
+             SparseMatrix& K) {
+  K.coeffs().setZero();
+  const int count = mesh::nodes_per_cell(mesh.kind);
+  const auto add = [&](int cell, const auto& Ke) { pattern.add_cell(Ke, mesh.cells[cell], count, K); };
+  for_each_tangent(mesh, solid, u, before, add, {});
+}
+
+Matrix cell_tangents(const Mesh& mesh) {
+  const int size = mesh::order(mesh.kind) == 1 ? 8 : 16;
+  return Matrix::Zero(size * size, mesh.cell_count());
+}
+
+void renew(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before,
+           std::span<const char> wanted, Matrix& of_cells) {
+  const auto keep = [&](int cell, const auto& Ke) { of_cells.col(cell) = Ke.reshaped(); };
+  for_each_tangent(mesh, solid, u, before, keep, wanted);
+}
+
+void assemble(const Mesh& mesh, const Matrix& of_cells, std::span<const char> wanted, const Pattern& pattern,
+              SparseMatrix& K) {
+  K.coeffs().setZero();
+  const int count = mesh::nodes_per_cell(mesh.kind), size = mesh::order(mesh.kind) == 1 ? 8 : 16;
+  for (int cell = 0; cell < mesh.cell_count(); ++cell)
+    if (wanted.empty() || wanted[cell])
+      pattern.add_cell(of_cells.col(cell).reshaped(size, size), mesh.cells[cell], count, K);
 }
 
 }  // namespace reye::fem

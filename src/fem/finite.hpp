@@ -45,10 +45,19 @@ struct InternalForce {
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
                     InternalForce& f, std::vector<char>* yields = nullptr, std::span<const char> wanted = {});
 
-/// K = df/du, made by `pattern.zero()`, of all cells or of those with `wanted`, where the pattern may be that of a mesh
-/// of them alone; nothing is allocated. Errors as above.
+/// K = df/du, made by `pattern.zero()`; nothing is allocated. Errors as above.
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
-             const Pattern& pattern, base::SparseMatrix& K, std::span<const char> wanted = {});
+             const Pattern& pattern, base::SparseMatrix& K);
+
+/// The same cell by cell, of which some may be those of another state: df_e/du_e column by column, a cell in each column
+/// of the matrix.
+base::Matrix cell_tangents(const mesh::Mesh& mesh);  ///< zero
+/// Makes those with `wanted` at u. Errors as above.
+void renew(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
+           std::span<const char> wanted, base::Matrix& of_cells);
+/// K of the cells with `wanted`; the pattern may be that of a mesh of them alone.
+void assemble(const mesh::Mesh& mesh, const base::Matrix& of_cells, std::span<const char> wanted,
+              const Pattern& pattern, base::SparseMatrix& K);
 
 /// History after the deformation u; errors as above.
 History updated(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before);

@@ -70,7 +70,7 @@ inline base::SolveError located(const Mesh& mesh, int cell, int point, const bas
   return base::SolveError(place + std::string(error.what()));
 }
 
-/// For every cell, or those with `wanted`: begin(cell), then for each Gauss point point(sample, its number in the cell,
+/// For every cell, or those with `wanted`: begin(cell), then for each Gauss point point(sample, samples of the cell,
 /// its number in the mesh), then end(cell, samples).
 template <class Strain, int n, class Begin, class Point, class End>
 void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, Begin begin,
@@ -83,7 +83,7 @@ void for_each_cell(const Mesh& mesh, const Solid& solid, const Vector& u, const 
     begin(cell);
     for (int g = 0; g < samples.count; ++g) {
       try {
-        point(samples.points[g], g, cell * static_cast<int>(in_cell) + g);
+        point(samples.points[g], samples, cell * static_cast<int>(in_cell) + g);
       } catch (const base::SolveError& error) {
         throw located(mesh, cell, g, error);
       }

@@ -13,7 +13,7 @@ History updated(const Mesh& mesh, const Solid& solid, const Vector& u, const Gau
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     for_each_cell<Strain, n>(
         mesh, solid, u, before.F0, [](int) {},
-        [&](const auto& p, int, int number) {
+        [&](const auto& p, const auto&, int number) {
           stress_at<Strain>(solid, bar, p.x, before.history[number], &after[number]);
         },
         [](int, const auto&) {});
@@ -28,7 +28,9 @@ template <class At>
 void for_each_point(const Mesh& mesh, const Solid& solid, const Vector& u, const CellPrestrain F0, At at) {
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
-    const auto point = [&](const auto& p, int, int number) { at(Strain::seen(bar, as_array<Strain>(p.x)), p, number); };
+    const auto point = [&](const auto& p, const auto&, int number) {
+      at(Strain::seen(bar, as_array<Strain>(p.x)), p, number);
+    };
     for_each_cell<Strain, n>(
         mesh, solid, u, F0, [](int) {}, point, [](int, const auto&) {});
   });
@@ -71,7 +73,7 @@ Prestrain deformation(const Mesh& mesh, const Solid& solid, const Vector& u, con
   const auto run = [&]<int n>(std::integral_constant<int, n>) {
     for_each_cell<FiniteStrain, n>(
         mesh, solid, u, F0, [](int) {},
-        [&](const auto& p, int, int) { F.push_back(FiniteStrain::seen(bar, as_array<FiniteStrain>(p.x))); },
+        [&](const auto& p, const auto&, int) { F.push_back(FiniteStrain::seen(bar, as_array<FiniteStrain>(p.x))); },
         [](int, const auto&) {});
   };
   mesh::order(mesh.kind) == 1 ? run(std::integral_constant<int, 4>{}) : run(std::integral_constant<int, 8>{});
@@ -83,16 +85,17 @@ NodalState nodal_state(const Mesh& mesh, const Solid& solid, const Vector& u, co
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     Eigen::Matrix<double, 5, 4> values = Eigen::Matrix<double, 5, 4>::Zero();  // column: Gauss point
-    const auto point = [&](const auto& p, int g, int number) {
+    int g = 0;
+    const auto point = [&](const auto& p, const auto&, int number) {
       const PlasticState& state = state_of(gauss.history, number);
       const Stress sigma = Strain::cauchy(solid, bar, as_array<Strain>(p.x), state);
-      values.col(g) << sigma[0], sigma[1], sigma[2], sigma[3], state.accumulated;
+      values.col(g++) << sigma[0], sigma[1], sigma[2], sigma[3], state.accumulated;
     };
     for_each_cell<Strain, n>(
-        mesh, solid, u, gauss.F0, [](int) {}, point,
+        mesh, solid, u, gauss.F0, [&](int) { g = 0; }, point,
         [&](int cell, const auto& samples) {
           double volume = 0.0;
-          for (int g = 0; g < samples.count; ++g) volume += samples.points[g].volume;
+          for (int k = 0; k < samples.count; ++k) volume += samples.points[k].volume;
           average.add(cell, values, volume);
         });
   });

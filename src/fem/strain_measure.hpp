@@ -14,7 +14,8 @@
 #include "material/stress.hpp"
 
 /// The two strain measures of a cell, each one list of inputs x(u) per Gauss point and one stress function of x whose
-/// result is work conjugate to the leading entries of x.
+/// result is work conjugate to the leading entries of x. A sample of them holds x and `volume`, weight * det J * (1 or
+/// 2 pi r), the content of unstressed material; `add_force` adds (dx/du)^T s, `derivative` is dx/du of the cell.
 namespace reye::fem {
 
 /// A cell with n nodes (4 in first order, 8 in second; unused ones zero): positions on X and displacements.
@@ -24,22 +25,13 @@ struct CellState {
   Eigen::Matrix<double, 2 * n, 1> u = Eigen::Matrix<double, 2 * n, 1>::Zero();
 };
 
-/// Inputs at a Gauss point, their derivative by the displacements of the cell, and weight * det J * (1 or 2 pi r), the
-/// content of unstressed material.
-template <int inputs, int n>
-struct Sample {
-  Eigen::Matrix<double, inputs, 1> x;
-  Eigen::Matrix<double, inputs, 2 * n> dx;
-  double volume = 0.0;
-};
-
 /// F0 of the Gauss points of a cell, or none.
 using CellPrestrain = std::span<const material::Gradient<double>>;
 
-/// At most four Gauss points.
-template <int inputs, int n>
+/// At most four Gauss points of a cell.
+template <class Sample>
 struct Samples {
-  std::array<Sample<inputs, n>, 4> points;
+  std::array<Sample, 4> points;
   int count = 0;
 };
 
@@ -52,17 +44,34 @@ struct SmallStrain {
   static constexpr int inputs = 4, stresses = 4;
 
   template <int n>
-  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+  struct Sample {
+    Eigen::Matrix<double, 4, 1> x;
+    Eigen::Matrix<double, 4, 2 * n> B;
+    double volume = 0.0;
+  };
+
+  template <int n>
+  static Samples<Sample<n>> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
                                     CellPrestrain) {
     const CellStrains<n> strains = strain_points<n>(mesh, cell, solid.analysis, solid.cure);
-    Samples<inputs, n> s;
+    Samples<Sample<n>> s;
     for (s.count = 0; s.count < strains.count; ++s.count) {
       auto& p = s.points[s.count];
-      p.dx = strains.points[s.count].B;
-      p.x = p.dx.lazyProduct(state.u);
+      p.B = strains.points[s.count].B;
+      p.x = p.B.lazyProduct(state.u);
       p.volume = strains.points[s.count].volume;
     }
     return s;
+  }
+
+  template <int n>
+  static void add_force(const Sample<n>& p, const Eigen::Matrix<double, 4, 1>& s, Eigen::Matrix<double, 2 * n, 1>& f) {
+    f += p.B.transpose().lazyProduct(s);
+  }
+
+  template <int n>
+  static const Eigen::Matrix<double, 4, 2 * n>& derivative(const Samples<Sample<n>>&, const Sample<n>& p) {
+    return p.B;
   }
 
   template <class T>
@@ -87,14 +96,87 @@ struct SmallStrain {
 struct FiniteStrain {
   static constexpr int inputs = 6, stresses = 5;
 
+  /// dN/dX and N/R of the nodes of a cell at one of its points; the latter zero but in axisymmetry.
   template <int n>
-  static Samples<inputs, n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
-                                    CellPrestrain F0) {
-    Samples<inputs, n> s;
-    for (const RulePoint& point : tabulated_rule(mesh.kind)) add_sample(cell, solid, state, point, s);
+  struct Gradients {
+    Eigen::Matrix<double, n, 2> dN;
+    Eigen::Matrix<double, n, 1> ring;
+
+    material::Gradient<double> of(const Eigen::Matrix<double, 2 * n, 1>& u) const {
+      material::Gradient<double> H{};
+      for (int a = 0; a < n; ++a) {
+        H[0] += u[2 * a] * dN(a, 0);
+        H[1] += u[2 * a] * dN(a, 1);
+        H[2] += u[2 * a + 1] * dN(a, 0);
+        H[3] += u[2 * a + 1] * dN(a, 1);
+        H[4] += u[2 * a] * ring[a];
+      }
+      return H;
+    }
+
+    /// Adds H(u)^T Q as a function of u.
+    void add_transposed(const material::Gradient<double>& Q, Eigen::Matrix<double, 2 * n, 1>& f) const {
+      for (int a = 0; a < n; ++a) {
+        f[2 * a] += Q[0] * dN(a, 0) + Q[1] * dN(a, 1) + Q[4] * ring[a];
+        f[2 * a + 1] += Q[2] * dN(a, 0) + Q[3] * dN(a, 1);
+      }
+    }
+  };
+
+  template <int n>
+  struct Sample {
+    Eigen::Matrix<double, 6, 1> x;
+    double volume = 0.0;
+    Gradients<n> at;
+    const material::Gradient<double>* F0 = nullptr;  ///< none where X is unstressed
+  };
+
+  /// J0 at the centre as a function of u: its derivative is (H at the centre)^T `cofactor`.
+  template <int n>
+  struct CellSamples : Samples<Sample<n>> {
+    Gradients<n> centre{Eigen::Matrix<double, n, 2>::Zero(), Eigen::Matrix<double, n, 1>::Zero()};
+    material::Gradient<double> cofactor{};
+  };
+
+  template <int n>
+  static CellSamples<n> samples(const Mesh& mesh, int cell, const Solid& solid, const CellState<n>& state,
+                                CellPrestrain F0) {
+    CellSamples<n> s;
+    for (const RulePoint& point : tabulated_rule(mesh.kind)) {
+      auto& p = s.points[s.count++];
+      p.volume = gradients(cell, solid.analysis, state, point, p.at);
+      const auto H = p.at.of(state.u);
+      p.x << H[0], H[1], H[2], H[3], H[4], 0.0;
+    }
     const double growth = F0.empty() ? 1.0 : start_unstressed(solid.analysis, F0, s);
     if (barred(solid, mesh.kind)) add_centre(cell, solid, state, growth, s);
     return s;
+  }
+
+  /// (H F0)^T P is H^T (P F0^T).
+  template <int n>
+  static void add_force(const Sample<n>& p, const Eigen::Matrix<double, 5, 1>& P, Eigen::Matrix<double, 2 * n, 1>& f) {
+    if (!p.F0) return p.at.add_transposed({P[0], P[1], P[2], P[3], P[4]}, f);
+    const auto& F = *p.F0;
+    p.at.add_transposed({P[0] * F[0] + P[1] * F[1], P[0] * F[2] + P[1] * F[3], P[2] * F[0] + P[3] * F[1],
+                         P[2] * F[2] + P[3] * F[3], P[4] * F[4]},
+                        f);
+  }
+
+  template <int n>
+  static Eigen::Matrix<double, 6, 2 * n> derivative(const CellSamples<n>& cell, const Sample<n>& p) {
+    Eigen::Matrix<double, 6, 2 * n> dx;
+    Eigen::Matrix<double, 2 * n, 1> row;
+    for (int i = 0; i < 5; ++i) {
+      Eigen::Matrix<double, 5, 1> unit = Eigen::Matrix<double, 5, 1>::Unit(i);
+      row.setZero();
+      add_force<n>(p, unit, row);
+      dx.row(i) = row;
+    }
+    row.setZero();
+    cell.centre.add_transposed(cell.cofactor, row);
+    dx.row(5) = row;
+    return dx;
   }
 
   /// The input of the law: F, or F-bar.
@@ -129,35 +211,21 @@ struct FiniteStrain {
   }
 
  private:
-  /// Gradient operator (H11, H12, H21, H22, H33) = G u and the volume weight.
+  /// Returns the volume weight.
   template <int n>
-  static double gradient(int cell, Analysis analysis, const CellState<n>& state, const RulePoint& point,
-                         Eigen::Matrix<double, 5, 2 * n>& G) {
+  static double gradients(int cell, Analysis analysis, const CellState<n>& state, const RulePoint& point,
+                          Gradients<n>& at) {
     const auto dN_dxi = point.dN_dxi.template topRows<n>();
     const Eigen::Matrix2d J = dN_dxi.transpose().lazyProduct(state.X);  // row i: dX/dxi_i
     const double det = J.determinant();
     if (!(det > 0.0)) throw base::MeshError("cell " + std::to_string(cell) + " has a Jacobian that is not positive");
-    const Eigen::Matrix<double, n, 2> dN = dN_dxi.lazyProduct(Eigen::Matrix2d(J.inverse().transpose()));
+    at.dN = dN_dxi.lazyProduct(Eigen::Matrix2d(J.inverse().transpose()));
     const double R = point.N.template head<n>().dot(state.X.col(0));
-    G.setZero();
-    for (int a = 0; a < n; ++a) {
-      G(0, 2 * a) = G(2, 2 * a + 1) = dN(a, 0);
-      G(1, 2 * a) = G(3, 2 * a + 1) = dN(a, 1);
-      if (analysis == Analysis::axisymmetric) G(4, 2 * a) = point.N[a] / R;
-    }
+    if (analysis == Analysis::axisymmetric)
+      at.ring = point.N.template head<n>() / R;
+    else
+      at.ring.setZero();
     return point.at.weight * det * base::out_of_plane(analysis, R);
-  }
-
-  template <int n>
-  static void add_sample(int cell, const Solid& solid, const CellState<n>& state, const RulePoint& point,
-                         Samples<inputs, n>& s) {
-    auto& p = s.points[s.count++];
-    Eigen::Matrix<double, 5, 2 * n> G;
-    p.volume = gradient(cell, solid.analysis, state, point, G);
-    p.x.template head<5>() = G.lazyProduct(state.u);
-    p.x[5] = 0.0;
-    p.dx.template topRows<5>() = G;
-    p.dx.row(5).setZero();
   }
 
   /// Content per content of unstressed material; the thickness of plane stress is counted as it was unstressed.
@@ -165,21 +233,21 @@ struct FiniteStrain {
     return material::plane_determinant(F0) * (analysis == Analysis::plane_stress ? 1.0 : F0[4]);
   }
 
-  /// Makes (I + G u) F0 - I = G u F0 + F0 - I of G u. Returns the growth of the cell from unstressed to X.
+  /// Makes (I + H) F0 - I = H F0 + F0 - I of H. Returns the growth of the cell from unstressed to X.
   template <int n>
-  static double start_unstressed(Analysis analysis, CellPrestrain F0, Samples<inputs, n>& s) {
+  static double start_unstressed(Analysis analysis, CellPrestrain F0, CellSamples<n>& s) {
     double on_X = 0.0, unstressed = 0.0;
     for (int g = 0; g < s.count; ++g) {
       const auto& F = F0[g];
-      Eigen::Matrix<double, 5, 5> right = Eigen::Matrix<double, 5, 5>::Zero();
-      right.block<2, 2>(0, 0) << F[0], F[2], F[1], F[3];
-      right.block<2, 2>(2, 2) = right.block<2, 2>(0, 0);
-      right(4, 4) = F[4];
       auto& p = s.points[g];
-      p.x.template head<5>() = right.lazyProduct(p.x.template head<5>()).eval();
+      p.F0 = &F;
       const auto start = material::without_unit(F);
-      for (int i = 0; i < 5; ++i) p.x[i] += start[i];
-      p.dx.template topRows<5>() = right.lazyProduct(p.dx.template topRows<5>()).eval();
+      const double H11 = p.x[0], H12 = p.x[1], H21 = p.x[2], H22 = p.x[3];
+      p.x[0] = H11 * F[0] + H12 * F[2] + start[0];
+      p.x[1] = H11 * F[1] + H12 * F[3] + start[1];
+      p.x[2] = H21 * F[0] + H22 * F[2] + start[2];
+      p.x[3] = H21 * F[1] + H22 * F[3] + start[3];
+      p.x[4] = p.x[4] * F[4] + start[4];
       on_X += p.volume;
       p.volume /= content(analysis, F);
       unstressed += p.volume;
@@ -187,22 +255,14 @@ struct FiniteStrain {
     return on_X / unstressed;
   }
 
-  /// J0 - 1 and its derivative, equal at all points.
+  /// J0 - 1, equal at all points, and its derivative.
   template <int n>
-  static void add_centre(int cell, const Solid& solid, const CellState<n>& state, double growth,
-                         Samples<inputs, n>& s) {
-    Eigen::Matrix<double, 5, 2 * n> G;
-    gradient(cell, solid.analysis, state, centre_of_quad4(), G);
-    material::Gradient<double> H;
-    Eigen::Map<Eigen::Matrix<double, 5, 1>>(H.data()) = G.lazyProduct(state.u);
-    const auto F = material::with_unit(H);
-    Eigen::Matrix<double, 1, 5> cofactor;
-    cofactor << F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], material::plane_determinant(F);
-    const Eigen::Matrix<double, 1, 2 * n> dJ = cofactor.lazyProduct(G);
-    for (int g = 0; g < s.count; ++g) {
-      s.points[g].x[5] = growth * material::dilation(H) + (growth - 1.0);
-      s.points[g].dx.row(5) = growth * dJ;
-    }
+  static void add_centre(int cell, const Solid& solid, const CellState<n>& state, double growth, CellSamples<n>& s) {
+    gradients(cell, solid.analysis, state, centre_of_quad4(), s.centre);
+    const auto H = s.centre.of(state.u), F = material::with_unit(H);
+    s.cofactor = {F[4] * F[3], -F[4] * F[2], -F[4] * F[1], F[4] * F[0], material::plane_determinant(F)};
+    for (double& entry : s.cofactor) entry *= growth;
+    for (int g = 0; g < s.count; ++g) s.points[g].x[5] = growth * material::dilation(H) + (growth - 1.0);
   }
 
   template <class T>
