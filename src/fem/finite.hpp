@@ -49,8 +49,8 @@ void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vect
 void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
              const Pattern& pattern, base::SparseMatrix& K);
 
-/// The same cell by cell, of which some may be those of another state: df_e/du_e column by column, a cell in each column
-/// of the matrix.
+/// Tangents df_e/du_e of single cells, of which some may be those of another state: a cell in each column of the
+/// matrix, column by column.
 base::Matrix cell_tangents(const mesh::Mesh& mesh);  ///< zero
 /// Makes those with `wanted` at u. Errors as above.
 void renew(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,

@@ -168,7 +168,10 @@ bool Reach::encloses(int contact, const contact::Interface& face) const {
     }
     if (!face.active(j)) continue;
     if (!face.touching(j)) return false;  // another contact, which was out of reach there, has it
-    if (rim(setup.secondary, near_secondary, j)) return false;
+    // The normals at its neighbours, along which their facets are projected, depend on one node more.
+    for (int facet : {setup.secondary.before[j], setup.secondary.after[j]})
+      for (int k : facet < 0 ? mortar::LineFacet{j, -1, -1} : setup.secondary.facets[facet])
+        if (k >= 0 && (!near_secondary[k] || rim(setup.secondary, near_secondary, k))) return false;
     for (const auto& [l, M] : face.rows()[j].M)
       if (!near_primary[l] || rim(setup.primary, near_primary, l)) return false;
   }

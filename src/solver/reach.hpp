@@ -35,8 +35,8 @@ struct Reach {
   /// Per global column: whether it moves nothing but nodes of these bodies out of reach.
   std::vector<char> columns_out(const System& system, Bodies of) const;
 
-  /// No node at the rim of the reach is active or met, and none beyond it is overlapped, in a contact integrated on all
-  /// of its nodes.
+  /// No active node is at the rim of the reach or beside a node there, no met one at the rim, and none beyond it is
+  /// overlapped, in a contact integrated on all of its nodes.
   bool encloses(int contact, const contact::Interface& face) const;
 
   bool operator==(const Reach&) const = default;

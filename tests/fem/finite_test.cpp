@@ -52,6 +52,28 @@ TEST_P(solid, tangent_is_the_derivative) {
   }
 }
 
+// Tangents of single cells must add up to that of all, wherever they were made: half of them here, half at another
+// state. Cells that are left out add nothing.
+TEST_P(solid, tangent_is_the_sum_of_its_cells) {
+  const auto mesh = patch_mesh(param().kind);
+  const Vector u = bent(mesh), other = 0.5 * u;
+  const fem::Pattern pattern(mesh);
+  const auto virgin = fem::virgin(mesh, of());
+  std::vector<char> even(mesh.cells.size()), odd(mesh.cells.size());
+  for (std::size_t cell = 0; cell < even.size(); ++cell) odd[cell] = !(even[cell] = cell % 2 == 0);
+  base::Matrix of_cells = fem::cell_tangents(mesh);
+  fem::renew(mesh, of(), u, virgin, std::vector<char>(mesh.cells.size(), 1), of_cells);
+  auto whole = pattern.zero(), sum = pattern.zero(), part = pattern.zero();
+  fem::tangent(mesh, of(), u, virgin, pattern, whole);
+  fem::assemble(mesh, of_cells, {}, pattern, sum);
+  EXPECT_EQ((sum - whole).norm(), 0.0);
+  fem::renew(mesh, of(), other, virgin, odd, of_cells);
+  fem::assemble(mesh, of_cells, even, pattern, part);
+  fem::renew(mesh, of(), u, virgin, odd, of_cells);
+  fem::assemble(mesh, of_cells, odd, pattern, sum);
+  EXPECT_LT((part + sum - whole).norm(), 1e-14 * whole.norm());
+}
+
 // A uniform deformation must be in balance with its tractions at every node, and be recovered as stress at the nodes.
 TEST_P(solid, uniform_state_is_in_balance) {
   const auto mesh = patch_mesh(param().kind);

@@ -159,6 +159,37 @@ Assembly wide_slider(double drag, const body::BodyInput& slider = support::elast
   return a;
 }
 
+// Contact that grows in one increment up to the nodes out of reach must carry the tractions that it carries among all
+// nodes, wherever it ends: the normals beside its last node depend on one node more.
+TEST(condensation, contact_that_grows_to_its_reach) {
+  const auto a = wide_slider(0.0);
+  const auto system = support::system_of(a);
+  const auto pressed = [&](double depth) {
+    auto deeper = a;
+    deeper.inputs[1].supports[0].y = support::moved(-depth);
+    return support::controls_of(deeper, system, 1.0);
+  };
+  solver::NewtonOptions all;
+  all.limit_reach = false;
+  for (int k = 0; k <= 40; ++k) {
+    const double depth = 2e-4 + 2e-5 * k;
+    solver::Newton limited, whole(all);
+    auto state = support::fresh(system), other = state;
+    for (double now : {1e-4, 1.01e-4, depth}) {  // from the second one on the reach is limited
+      const auto one = limited.solve(system, state, pressed(now)), two = whole.solve(system, other, pressed(now));
+      ASSERT_TRUE(one.report.converged && two.report.converged) << depth;
+      state = one.state;
+      other = two.state;
+    }
+    double largest = 0.0, apart = 0.0;
+    for (std::size_t j = 0; j < other.contacts[0].lambda.size(); ++j) {
+      largest = std::max(largest, other.contacts[0].lambda[j].norm());
+      apart = std::max(apart, (state.contacts[0].lambda[j] - other.contacts[0].lambda[j]).norm());
+    }
+    EXPECT_LT(apart, 1e-9 * largest) << depth;
+  }
+}
+
 /// The steps that Newton takes with nodes in reach, and with all of them.
 struct Steps {
   int limited, whole;

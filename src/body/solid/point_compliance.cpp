@@ -34,14 +34,14 @@ void PointCompliance::add(const Vector& force, Eigen::Ref<Vector> u) const {
     u.noalias() += R_ * motion;
     return;
   }
-  constexpr int rows_at_once = 512;
+  constexpr int rows_at_once = 4096;  // fewer would not be read as a stream
   base::side_by_side(static_cast<int>(rows_), rows_at_once, [&](int top, int bottom) {
     for (Eigen::Index first = 0; first < force.size(); first += 3) {  // most points are open
       Eigen::Index end = first;
       while (end < force.size() && !force.segment<3>(end).isZero(0.0)) end += 3;
       if (end > first)
-        u.segment(top, bottom - top).noalias() +=
-            C_.block(top, first, bottom - top, end - first) * force.segment(first, end - first);
+        algebra::add_product(C_.block(top, first, bottom - top, end - first), force.segment(first, end - first),
+                             u.segment(top, bottom - top));
       first = end;
     }
   });
