@@ -1,5 +1,6 @@
 #include "body/solid/point_compliance.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "algebra/gathered_product.hpp"
@@ -34,7 +35,8 @@ void PointCompliance::add(const Vector& force, Eigen::Ref<Vector> u) const {
     u.noalias() += R_ * motion;
     return;
   }
-  constexpr int rows_at_once = 4096;  // fewer would not be read as a stream
+  constexpr int shares = 4;  // more would be too short to be read as streams
+  const int rows_at_once = std::max(1, (static_cast<int>(rows_) + shares - 1) / shares);
   base::side_by_side(static_cast<int>(rows_), rows_at_once, [&](int top, int bottom) {
     for (Eigen::Index first = 0; first < force.size(); first += 3) {  // most points are open
       Eigen::Index end = first;
