@@ -16,7 +16,7 @@ base::Matrix product_transposed(const DenseView& A, const DenseView& B);  ///< A
 /// C += factor A B, without a copy of the product.
 void add_product(double factor, const DenseView& A, const DenseView& B, Eigen::Ref<base::Matrix> C);
 
-/// y += A x, by BLAS: a matrix beyond the caches is then read in three quarters of the time.
+/// y += A x, by BLAS, which reads a matrix beyond the caches faster than Eigen does.
 void add_product(const DenseView& A, const Eigen::Ref<const base::Vector>& x, Eigen::Ref<base::Vector> y);
 
 }  // namespace reye::algebra

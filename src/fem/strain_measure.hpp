@@ -114,7 +114,7 @@ struct FiniteStrain {
       return H;
     }
 
-    /// Adds H(u)^T Q as a function of u.
+    /// Adds the forces on the nodes that do the work of Q on H.
     void add_transposed(const material::Gradient<double>& Q, Eigen::Matrix<double, 2 * n, 1>& f) const {
       for (int a = 0; a < n; ++a) {
         f[2 * a] += Q[0] * dN(a, 0) + Q[1] * dN(a, 1) + Q[4] * ring[a];
