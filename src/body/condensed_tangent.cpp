@@ -48,6 +48,15 @@ mesh::Mesh cells_of(const mesh::Mesh& mesh, const std::vector<char>& wanted) {
   return part;
 }
 
+/// Whether an edge of a cell has turned or stretched by a share of its length. `moved(corner)`: its displacement.
+template <class Moved>
+bool has_moved(const mesh::Mesh& mesh, std::size_t cell, double share, Moved moved) {
+  const auto& nodes = mesh.cells[cell];
+  for (int a = mesh::corners(mesh.kind) - 1, b = 0; b < mesh::corners(mesh.kind); a = b++)
+    if ((moved(b) - moved(a)).norm() > share * (mesh.X[nodes[b]] - mesh.X[nodes[a]]).norm()) return true;
+  return false;
+}
+
 /// Adds the rings of cells around those that are marked.
 void widen(const mesh::Mesh& mesh, const std::vector<std::vector<int>>& cells_of, std::vector<char>& marked) {
   const int count = mesh::nodes_per_cell(mesh.kind);
@@ -130,21 +139,16 @@ void CondensedTangent::renew_cells(const NonlinearEquations& of, const Interior&
                                    const Flags& wanted) {
   const auto& mesh = of.mesh();
   const int corners = mesh::corners(mesh.kind);
-  const auto has_moved = [&](std::size_t cell) {
-    const auto& nodes = mesh.cells[cell];
-    const auto since = [&](int a) -> base::Vec2 {
-      return at_.u.segment<2>(2 * nodes[a]) - made_for_.col(static_cast<Eigen::Index>(cell)).segment<2>(2 * a);
-    };
-    for (int a = 0; a < corners; ++a) {
-      const int b = (a + 1) % corners;
-      if ((since(b) - since(a)).norm() > hardly * (mesh.X[nodes[b]] - mesh.X[nodes[a]]).norm()) return true;
-    }
-    return false;
+  const auto moved = [&](std::size_t cell) {
+    return has_moved(mesh, cell, hardly, [&](int a) -> base::Vec2 {
+      const auto made_for = made_for_.col(static_cast<Eigen::Index>(cell));
+      return at_.u.segment<2>(2 * mesh.cells[cell][a]) - made_for.segment<2>(2 * a);
+    });
   };
   Flags due(wanted.size());
   const bool exact = tangent == Tangent::exact;
   for (std::size_t cell = 0; cell < due.size(); ++cell) {
-    due[cell] = wanted[cell] && (yielded_[cell] || (of.turns() && (exact || has_moved(cell))));
+    due[cell] = wanted[cell] && (yielded_[cell] || (of.turns() && (exact || moved(cell))));
     if (due[cell]) yielded_[cell] = 1;  // until it is made: what follows may throw
   }
   of.named([&] { fem::renew(mesh, of.solid, at_.u, {before.history, before.F0}, due, cells_); });
@@ -173,15 +177,12 @@ CondensedTangent::Flags CondensedTangent::changed(const NonlinearEquations& of) 
   Flags marked = at_.yields;
   const auto& mesh = of.mesh();
   if (of.turns() && kept_at_.size() > 0) {
-    const int corners = mesh::corners(mesh.kind);
-    const auto moved = [&](int node) -> base::Vec2 {
-      return at_.u.segment<2>(2 * node) - kept_at_.segment<2>(2 * node);
-    };
     for (std::size_t cell = 0; cell < marked.size(); ++cell)
-      for (int a = 0; a < corners; ++a) {
-        const int from = mesh.cells[cell][a], to = mesh.cells[cell][(a + 1) % corners];
-        if ((moved(to) - moved(from)).norm() > much * (mesh.X[to] - mesh.X[from]).norm()) marked[cell] = 1;
-      }
+      if (has_moved(mesh, cell, much, [&](int a) -> base::Vec2 {
+            const int node = mesh.cells[cell][a];
+            return at_.u.segment<2>(2 * node) - kept_at_.segment<2>(2 * node);
+          }))
+        marked[cell] = 1;
   }
   for (std::size_t cell = 0; cell < marked.size(); ++cell)
     if (marked[cell]) last_[cell] = made_;

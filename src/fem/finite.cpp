@@ -60,6 +60,9 @@ void internal_force(const Mesh& mesh, const Solid& solid, const Vector& u, const
 
 namespace {
 
+/// Of a cell as `with_types` computes it.
+int cell_dofs(const Mesh& mesh) { return mesh::order(mesh.kind) == 1 ? 8 : 16; }
+
 /// Calls take(cell, df_e/du_e) for every cell, or those with `wanted`.
 template <class Take>
 void for_each_tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, Take take,
@@ -90,7 +93,7 @@ void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussS
 }
 
 Matrix cell_tangents(const Mesh& mesh) {
-  const int size = mesh::order(mesh.kind) == 1 ? 8 : 16;
+  const int size = cell_dofs(mesh);
   return Matrix::Zero(size * size, mesh.cell_count());
 }
 
@@ -103,7 +106,7 @@ void renew(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussSta
 void assemble(const Mesh& mesh, const Matrix& of_cells, std::span<const char> wanted, const Pattern& pattern,
               SparseMatrix& K) {
   K.coeffs().setZero();
-  const int count = mesh::nodes_per_cell(mesh.kind), size = mesh::order(mesh.kind) == 1 ? 8 : 16;
+  const int count = mesh::nodes_per_cell(mesh.kind), size = cell_dofs(mesh);
   for (int cell = 0; cell < mesh.cell_count(); ++cell)
     if (wanted.empty() || wanted[cell])
       pattern.add_cell(of_cells.col(cell).reshaped(size, size), mesh.cells[cell], count, K);
