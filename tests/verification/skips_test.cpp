@@ -92,7 +92,8 @@ void expect_same(const sim::State& a, const sim::State& b, const std::string& wh
 
 /// Fretting, coarse and short: partial slip, then wear with the shape following.
 std::string fretting(const Replacements& changes = {}) {
-  return replaced(scene_text("fretting_demo", {{"size_mm = 0.020", "size_mm = 0.04"},
+  return replaced(scene_text("fretting_demo", {{"jump = { tolerance = 0.01 }", "jump = 600"},
+                                               {"size_mm = 0.020", "size_mm = 0.04"},
                                                {"increments = 40", "increments = 16"},
                                                {"cycles = 18000", "cycles = 1800"}}),
                   changes);

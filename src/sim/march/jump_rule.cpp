@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/formatted.hpp"
 #include "sim/measure/limits.hpp"
 #include "sim/problem/two_step.hpp"
 
@@ -55,6 +56,19 @@ double next_jump(double jump, double share, double error, double tolerance, doub
 
 double to_continue(double jump, double before, double share_of_error) {
   return std::min(jump, (share_of_error < small_error ? most_ratio : usual_ratio) * before);
+}
+
+std::optional<Warning> uneven_jump(const scene::Step& step, double cycle, double cycles, double apart) {
+  constexpr double alike = 0.04;  // in `geo` 3.5 % went with pressures within 0.1 %, 3.8 % with 8.4 %, 9.7 % with 17 %
+  if (!(apart > alike)) return std::nullopt;
+  return Warning{
+      "pressures", "step " + step.name,
+      base::formatted("at cycle %g a cycle by itself wears %.2g %% otherwise, in the mean over the contact, than the "
+                      "block of %g cycles before it: in a block the first strokes do not see the wear of the later "
+                      "ones. Pressures are uncertain by up to some twice as much (root mean square), the shape of the "
+                      "scar by less. Write a smaller jump, or jump = { tolerance = 0.01 }",
+                      cycle, 100.0 * apart, cycles),
+      apart};
 }
 
 }  // namespace reye::sim

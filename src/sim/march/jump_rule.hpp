@@ -1,9 +1,11 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "sim/problem/records.hpp"
 
 /// The cycles of blocks under a tolerance, by the errors they make, whatever the dimension.
 namespace reye::sim {
@@ -45,5 +47,9 @@ double next_jump(double jump, double share, double error, double tolerance, doub
 /// Cycles of a block that is to continue one of `before` cycles (`two_step`), where errors would permit `jump`: more
 /// where the error of the run is a small share of the one that is allowed.
 double to_continue(double jump, double before, double share_of_error);
+
+/// What a reader must know of blocks of one size, of which the last one wore so much elsewhere than a cycle by itself
+/// does at its end (`worn_elsewhere`); nothing where that is little.
+std::optional<Warning> uneven_jump(const scene::Step& step, double cycle, double cycles, double apart);
 
 }  // namespace reye::sim

@@ -11,6 +11,7 @@
 #include "sim/march/recording.hpp"
 #include "sim/march/stick_edge.hpp"
 #include "sim/march/watch_block.hpp"
+#include "sim/march/watch_jump.hpp"
 #include "sim/march/work.hpp"
 #include "sim/measure/bond_traction.hpp"
 #include "sim/measure/corners.hpp"
@@ -143,6 +144,7 @@ class Runner {
     double cycle = 0.0, plastic_strain = 0.0;
     Counts counts;
     std::vector<std::vector<double>> slip;
+    Volumes removed;
   };
 
   bool remeshed_since(const BlockStart& start) const { return state_.counts.remeshes > start.counts.remeshes; }
@@ -162,7 +164,8 @@ class Runner {
 
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
-    const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_)};
+    const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_),
+                           removed_volumes(state_.solution.contacts)};
     BlockSpan span = next_span(p_.scene, step, state_);
     if (observer_.progress)
       span.increments_of_run = static_cast<double>(state_.counts.increments) + work_left(p_, state_).increments;
@@ -188,6 +191,7 @@ class Runner {
     const bool stop = watch_limits(p_, state_, *system_of(p_, state_, cache_), start.cycle, middle);
     const bool last = stop || step_over(step, state_);
     if (last && under_tolerance(step)) watch_tolerance(step, state_, observer_);
+    if (last) watch_jump(p_, state_, cache_, step, start.removed, state_.cycle - start.cycle, observer_);
     PlayedBlock played{start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)};
     if (step.cycles > 0.0) {
       played.share = state_.step_cycles / step.cycles;

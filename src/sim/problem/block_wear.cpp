@@ -1,6 +1,7 @@
 #include "sim/problem/block_wear.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace reye::sim {
@@ -9,6 +10,21 @@ bool same_sizes(const Volumes& a, const Volumes& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one[0].size() == other[0].size() && one[1].size() == other[1].size();
   });
+}
+
+double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after, double cycles) {
+  double worst = 0.0;
+  for (std::size_t c = 0; c < end.size(); ++c)
+    for (std::size_t side = 0; side < 2; ++side) {
+      double apart = 0.0, worn = 0.0;
+      for (std::size_t j = 0; j < end[c][side].size(); ++j) {
+        const double in_cycle = after[c][side][j] - end[c][side][j];
+        apart += std::abs((end[c][side][j] - start[c][side][j]) / cycles - in_cycle);
+        worn += in_cycle;
+      }
+      if (worn > 0.0) worst = std::max(worst, apart / worn);
+    }
+  return worst;
 }
 
 void CourseOfWear::note(double progress, Volumes removed, const Volumes& at_start) {

@@ -39,6 +39,12 @@ double fitted(const scene::FrameRules& frames, double cycle, double jump, double
 
 bool under_tolerance(const scene::Step& step) { return step.cycles > 0.0 && step.jump_tolerance > 0.0 && step.wear; }
 
+bool last_to_jump(const std::vector<scene::Step>& steps, const scene::Step& step) {
+  if (!step.wear || !(step.cycles > 1.0) || !(step.jump > 1.0) || under_tolerance(step)) return false;
+  return std::none_of(&step + 1, steps.data() + steps.size(),
+                      [](const scene::Step& later) { return later.wear && later.cycles > 0.0; });
+}
+
 bool history_due(int every_blocks, long number, bool last) { return number == 1 || last || number % every_blocks == 0; }
 
 }  // namespace reye::sim

@@ -15,6 +15,7 @@
 #include "sim/solid/solid_recording.hpp"
 #include "sim/solid/solid_reshape.hpp"
 #include "sim/solid/solid_stick_edge.hpp"
+#include "sim/solid/solid_watch_jump.hpp"
 
 namespace reye::sim {
 
@@ -171,6 +172,7 @@ class March {
     if (step.wear && step.cycles > 0.0) warn_of_stick_edge(problem_, player_->system(), state_, observer_);
     const bool stop = watch_solid_limits(problem_, player_->system(), before.cycle, outcome.middle, state_);
     const bool last = stop || is_over(step, state_);
+    if (last) watch_jump(problem_, *player_, state_, step, state_.cycle - before.cycle, observer_);
     const double share = pending_share(player_->system(), state_);
     if (const double cycles = state_.cycle - before.cycle; cycles > 0.0)
       state_.share_per_cycle = std::max(0.0, share - waiting) / cycles;
