@@ -5,12 +5,12 @@
 #include <tuple>
 
 #include "base/formatted.hpp"
-#include "sim/march/seen_in_gaps.hpp"
 #include "sim/march/watch_contacts.hpp"
 #include "sim/measure/bond_traction.hpp"
 #include "sim/measure/figures.hpp"
 #include "sim/measure/frame.hpp"
 #include "sim/measure/nodal_depth.hpp"
+#include "sim/measure/seen_in_gaps.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/rules.hpp"
@@ -18,6 +18,7 @@
 #include "sim/problem/timer.hpp"
 #include "sim/reshape/approach.hpp"
 #include "sim/reshape/depth.hpp"
+#include "sim/reshape/equilibrate.hpp"
 #include "sim/reshape/renew.hpp"
 #include "sim/reshape/shape.hpp"
 
@@ -183,6 +184,21 @@ void tell_progress(const Playing& block, const Problem& problem, const State& st
   block.observer.progress(p);
 }
 
+/// The increments of a continued play see all that it is expected to wear, from its start on: bodies settle into that
+/// wear in one motion. No cycle makes it, but the first increment would, and its slip would count in all cycles of the
+/// play: under a force on an inclined face as much as the strokes themselves. `from`, `to`: progress from which on the
+/// wear is seen, before and after; in parts where Newton does not find the whole of it, halved up to `depth` times.
+std::string settle_ahead(const Problem& problem, State& state, Cache& cache, const BlockSpan& span, double from,
+                         double to, int depth) {
+  const auto held = held_tractions(*system_of(problem, state, cache), state);
+  std::string failure = re_equilibrate(problem, state, cache, span, held, to);
+  if (failure.empty() || depth == 0) return failure;
+  ++state.counts.cutbacks;
+  const double middle = 0.5 * (from + to);
+  failure = settle_ahead(problem, state, cache, span, from, middle, depth - 1);
+  return failure.empty() ? settle_ahead(problem, state, cache, span, middle, to, depth - 1) : failure;
+}
+
 }  // namespace
 
 void keep_counts(State& start, const Counts& played) {
@@ -216,6 +232,10 @@ Outcome play_increments(const Problem& problem, State state, Cache& cache, const
     block.worn.cycles = span.jump;
   }
   cache.newton.reset();
+  if (span.continued)
+    if (auto failure = settle_ahead(problem, state, cache, span, 1.0, 0.0, problem.scene.max_cutbacks);
+        !failure.empty())
+      return {std::move(state), std::move(failure), false};
   begin_watch(problem, state);
   const auto ends = span.ends.empty() ? increment_ends(problem.scene, *span.step) : span.ends;
   double from = 0.0;

@@ -1,6 +1,7 @@
 #include "sim/reshape/equilibrate.hpp"
 
 #include "base/formatted.hpp"
+#include "sim/measure/seen_in_gaps.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/scene_line.hpp"
@@ -56,9 +57,10 @@ double soft(const contact::Setup& setup, const contact::ContactState& contact) {
 
 solver::SolveResult held_equilibrium(const Problem& problem, const State& state, const solver::System& system,
                                      Cache& cache, const BlockSpan& span, const std::vector<HeldTraction>& held,
-                                     bool on_springs) {
+                                     bool on_springs, double ahead = 0.0) {
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);
+  if (span.continued) set_seen_in_gaps(controls, problem, state, system, span, ahead);
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     auto& o = controls.contacts[c];
     o.held = true;
@@ -101,11 +103,11 @@ std::string equilibrate_on_springs(const Problem& problem, State& state, Cache& 
 }
 
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
-                           const std::vector<HeldTraction>& held) {
+                           const std::vector<HeldTraction>& held, double ahead) {
   const auto system = unyielding(*timed_system(problem, state, cache));
   std::vector<std::vector<contact::ContactStatus>> status;
   for (const auto& contact : state.solution.contacts) status.push_back(contact.status);
-  auto result = held_equilibrium(problem, state, system, cache, span, held, false);
+  auto result = held_equilibrium(problem, state, system, cache, span, held, false, ahead);
   state.counts.equilibrium_iterations += result.report.solves;
   if (!result.report.converged)
     return scene_line(problem.scene, "step " + span.step->name) +

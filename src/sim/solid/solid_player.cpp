@@ -125,21 +125,6 @@ void SolidPlayer::redraw(SolidRunState& state, SolidMeshes meshes, Touchable tou
   state.last_wear = {};
 }
 
-std::string SolidPlayer::settle(SolidRunState& state, const scene::Step& step) const {
-  fit(state);
-  auto target = target_at(problem_, system(), state.solution, state.factors, step, {state.cycle, 1.0}, 1.0, 1.0);
-  for (auto& wearing : target.wear) wearing.on = false;
-  const solver::SolidOptions options{.max_newton = 2 * problem_.scene.max_newton};
-  auto solution = solver::solve_increment(system(), state.solution, target, options);
-  state.mortar_s += solution.mortar_s;
-  state.interface_s += solution.interface_s;
-  state.counts.equilibrium_iterations += solution.iterations;
-  if (!solution.converged) return "the state cannot be solved on the fresh mesh: " + solution.reason;
-  state.solved = std::move(solution);
-  state.solution = state.solved->state;
-  return {};
-}
-
 SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const SolidObserver& observer) {
   bring_up(state);
   Playing play{span, observer, {std::move(state), {}, false}};
@@ -151,6 +136,8 @@ SolidOutcome SolidPlayer::play(SolidRunState state, const SolidSpan& span, const
   }
   const auto ends = solid_increment_ends(problem_.scene, *span.step);
   const auto count = static_cast<int>(ends.size());
+  if (now.increment == 0) play.outcome.failure = settle_ahead(now, span);
+  if (!play.outcome.failure.empty()) return std::move(play.outcome);
   while (now.increment < count) {
     const auto k = static_cast<std::size_t>(now.increment);
     play.outcome.failure = play_between(play, k > 0 ? ends[k - 1] : 0.0, ends[k], problem_.scene.max_cutbacks);

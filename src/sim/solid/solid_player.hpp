@@ -45,6 +45,8 @@ class SolidPlayer {
   void bring_up(SolidRunState& state) const;
   /// Places the points by the state's tractions, and carries the gap onto the present shapes.
   void fit(SolidRunState& state) const;
+  std::string settle_for(SolidRunState& state, solver::SolidTarget target) const;
+  std::string settle_ahead(SolidRunState& state, const SolidSpan& span) const;
   std::string play_between(Playing& play, double from, double to, int depth);
   std::string solve(Playing& play, const std::map<std::string, double>& factors, double from, double to);
   void accept(Playing& play, const std::map<std::string, double>& factors, double to);

@@ -46,6 +46,7 @@ struct SolidTarget {
   std::vector<Points3> slip;     ///< per contact and secondary point: slip that is imposed, besides that of the motion
   std::vector<double> friction;  ///< per contact
   std::vector<contact::SkinWearing> wear;  ///< per contact
+  bool keeps_shear = false;                ///< shear is a given load: bodies settle in their gaps, and nothing slides
 };
 
 /// How an attempt begins. natural: what was closed stays closed in the first step, and sticks or slips by its old

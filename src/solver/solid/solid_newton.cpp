@@ -84,7 +84,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
     errors.push_back(relative);
     if (relative > from.most) return failed("the start is far from the solution", i, errors);
     const bool small = relative <= options.tolerance && error.balance <= balance_tolerance(target, options);
-    if (small && !changed && !iterate.shear_is_kept()) {
+    if (small && !changed && (target.keeps_shear || !iterate.shear_is_kept())) {
       iterate.finish();
       SolidSolution solution = iterate.take();
       solution.iterations = i;
@@ -93,7 +93,7 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
       solution.interface_s = iterate.interface_s;
       return solution;
     }
-    if (iterate.shear_is_kept() && !changed && relative < 1e-3) {
+    if (iterate.shear_is_kept() && !target.keeps_shear && !changed && relative < 1e-3) {
       iterate.let_shear_go();
       iterate.classify();
       changed = true;
@@ -112,12 +112,21 @@ SolidSolution attempt(const SolidSystem& system, const SolidState& old, const So
   }
 }
 
+/// Points that were in contact and are stay what they were: while shear is kept nothing decides it.
+void keep_status(const SolidState& old, SolidState& now) {
+  constexpr auto open = contact::SkinStatus::open;
+  for (std::size_t c = 0; c < now.status.size(); ++c)
+    for (std::size_t j = 0; j < now.status[c].size(); ++j)
+      if (now.status[c][j] != open && old.status[c][j] != open) now.status[c][j] = old.status[c][j];
+}
+
 }  // namespace
 
 SolidSolution solve_increment(const SolidSystem& system, const SolidState& old, const SolidTarget& target,
                               const SolidOptions& options) {
   const bool first = !touched(old);
-  const std::span<const Try> tries = first ? std::span<const Try>(first_touch) : std::span<const Try>(later);
+  std::span<const Try> tries = first ? std::span<const Try>(first_touch) : std::span<const Try>(later);
+  if (target.keeps_shear) tries = std::span<const Try>(first_touch).first(1);
   SolidSolution solution;
   int spent = 0;
   bool given_up = first;  // else the natural start was tried to its end
@@ -134,6 +143,7 @@ SolidSolution solve_increment(const SolidSystem& system, const SolidState& old, 
     given_up = given_up || (!solution.errors.empty() && solution.errors.back() > from.most);
   }
   solution.iterations = spent;
+  if (target.keeps_shear && solution.converged) keep_status(old, solution.state);
   return solution;
 }
 

@@ -1,4 +1,4 @@
-#include "sim/march/seen_in_gaps.hpp"
+#include "sim/measure/seen_in_gaps.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,14 +10,17 @@ namespace reye::sim {
 
 namespace {
 
-/// Adds what contacts are expected to wear from progress `to` on, where the play is continued: they see it already.
+/// Adds what contacts are expected to wear from progress `to` on, where the play is continued: they see it already. Not
+/// where they have got other nodes.
 void see_ahead(solver::Controls& controls, const Problem& problem, const State& state, const BlockSpan& span,
                double to) {
   if (!span.continued) return;
   const auto& expected = *span.continued->expected;
+  auto volumes = expected.after(to, span.jump / expected.cycles);
+  if (!same_sizes(volumes, removed_volumes(state.solution.contacts))) return;
   State ahead;
   ahead.shapes = state.shapes;
-  for (auto& [secondary, primary] : expected.after(to, span.jump / expected.cycles)) {
+  for (auto& [secondary, primary] : volumes) {
     auto& contact = ahead.solution.contacts.emplace_back();
     contact.pending_secondary = std::move(secondary);
     contact.pending_primary = std::move(primary);
