@@ -1,5 +1,8 @@
 #include "sim/reshape/equilibrate.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "base/formatted.hpp"
 #include "sim/measure/seen_in_gaps.hpp"
 #include "sim/measure/why_failed.hpp"
@@ -22,6 +25,14 @@ void hold_shear(const contact::Setup& setup, const contact::ContactState& contac
     const bool offers = contact.status[j] != contact::ContactStatus::inactive && setup.freedom[j].free == 2;
     if (offers && (o.anchor < 0 || o.held_pressure[j] > o.held_pressure[o.anchor])) o.anchor = static_cast<int>(j);
   }
+}
+
+/// Nodes that slide still do, with the shear that friction allows at their new pressure, as they will at the end of the
+/// next cycle.
+void let_slide(const contact::ContactState& contact, contact::IncrementOptions& o) {
+  for (std::size_t j = 0; j < o.held_shear.size(); ++j)
+    if (o.held_shear[j] != 0.0 && contact.status[j] == contact::ContactStatus::slip)
+      o.held_shear[j] = std::copysign(std::numeric_limits<double>::infinity(), o.held_shear[j]);  // cut to the bound
 }
 
 /// True when a body of the contact is free to move along it but for friction.
@@ -68,6 +79,7 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
     o.wear = false;
     hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
     if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
+    if (span.continued && o.anchor < 0) let_slide(state.solution.contacts[c], o);
     if (on_springs) o.compliance = soft(system.contacts[c], state.solution.contacts[c]);
   }
   Timer timer(cache, "solver");

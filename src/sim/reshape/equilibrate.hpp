@@ -18,7 +18,8 @@ struct HeldTraction {
 std::vector<HeldTraction> held_tractions(const solver::System& system, const State& state);
 
 /// Brings the state to equilibrium on its shapes with the shear as given load, whose nodal resultant is kept; where the
-/// span is continued, on what its play is expected to wear from progress `ahead` on, too. Returns a failure in words.
+/// span is continued, on what its play is expected to wear from progress `ahead` on, too, and nodes that slide have the
+/// shear that friction allows. Returns a failure in words.
 std::string re_equilibrate(const Problem& problem, State& state, Cache& cache, const BlockSpan& span,
                            const std::vector<HeldTraction>& held, double ahead = 0.0);
 
