@@ -60,10 +60,10 @@ sim::SolidProblem wedge(double tolerance, double jump) {
 // long blocks under a tolerance wear must be what short ones of one size do. (The slip of settling, counted in all
 // cycles of a block, made it a seventh too much.)
 TEST(Settling, IsNoSlipOfTheCyclesThatABlockStandsFor) {
-  const auto controlled = blade("{ tolerance = 0.01 }"), fine = blade("5000");
+  const auto controlled = blade("{ tolerance = 0.01 }"), fine = blade("2500");
   const auto volume = [](const verification::Played& run) { return run.contact().secondary.worn_area; };
   EXPECT_LT(controlled.summary.counts.cycles_solved, 50);
-  EXPECT_NEAR(volume(controlled) / volume(fine), 1.0, 0.03);
+  EXPECT_NEAR(volume(controlled) / volume(fine), 1.0, 0.02);
   EXPECT_LT(controlled.contact().ledger_relative_error.value(), 1e-12);
 }
 
