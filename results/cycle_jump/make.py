@@ -9,6 +9,7 @@ import wear_case as case
 
 COARSE = [("size_mm = 0.010", "size_mm = 0.040")]
 TOLERANCES = [0.03, 0.01, 0.003, 0.001]
+BESIDE = [0.0016, 0.0013, 0.0011, 0.0008]  # for the slope: where a node at the rim begins to wear decides single errors of 0.1 %
 JUMPS = [2000, 1000, 500, 200, 100]
 SIDES = ["secondary", "primary"]
 
@@ -64,7 +65,7 @@ fixed = {jump: case.run("fretting_mccoll", f"jump_{jump}", COARSE + [("jump = 10
          for jump in JUMPS + [20, 10, 5]}
 exact = extrapolated([fixed[20], fixed[10], fixed[5]])
 tolerated = {t: case.run("fretting_mccoll_tolerance", f"tolerance_{t}", COARSE + ENDS + [("tolerance = 0.01", f"tolerance = {t}")])
-             for t in TOLERANCES}
+             for t in sorted(TOLERANCES + BESIDE, reverse=True)}
 
 measured = {"ledger_relative_error": max(r.contact["ledger_relative_error"] for r in tolerated.values())}
 rows = []
@@ -72,6 +73,8 @@ for t, run in tolerated.items():
     e, name = errors(depths(run), exact), f"tolerance_{t}"
     estimate, solved = run.summary["estimated_error"]["cycle_jump"], run.summary["counts"]["cycles_solved"] - 1
     rows.append(("tolerance", t, solved, run.summary["counts"]["refused_blocks"], estimate, *e.values(), run.summary["cpu_s"]))
+    if t in BESIDE:
+        continue
     measured[f"{name}_cycles_solved"] = solved
     measured[f"{name}_estimate"] = estimate
     measured[f"{name}_estimate_over_profile_error"] = estimate / e["profile"]
@@ -93,7 +96,7 @@ case.write_csv("reference.csv", ["side", "arc_length_mm", "depth_mm"],
 case.figure("""
 set logscale xy; set xlabel 'cycles solved, of 18 000'; set ylabel 'error of the profile, int |w - w_0| / area'
 plot 'errors_jump.csv' every ::1 using 3:9 with linespoints pt 7 title 'blocks of one size', \\
-     'errors_tolerance.csv' every ::1 using 3:9 with linespoints pt 7 lw 2 title 'blocks by tolerance 3, 1, 0.3, 0.1 %', \\
+     'errors_tolerance.csv' every ::1 using 3:9 with linespoints pt 7 lw 2 title 'blocks by tolerances of 3 to 0.08 %', \\
      'errors_tolerance.csv' every ::1 using 3:5 with linespoints pt 6 dashtype 2 title 'its estimate', \\
      'errors_tolerance.csv' every ::1 using 3:6 with linespoints pt 5 title 'its error of the largest depth'
 """)
