@@ -5,7 +5,6 @@
 using namespace reye;
 using verification::Played;
 using verification::played;
-using verification::replaced;
 using verification::scene_text;
 
 namespace {

@@ -67,7 +67,8 @@ TEST(Settling, IsNoSlipOfTheCyclesThatABlockStandsFor) {
   EXPECT_LT(controlled.contact().ledger_relative_error.value(), 1e-12);
 }
 
-// In space, too.
+// Solids that pulses of a force press along an inclined face must settle into its wear once as well: what long blocks
+// under a tolerance wear is what short ones of one size do.
 TEST(Settling, IsNoSlipOfTheCyclesThatABlockOfSolidsStandsFor) {
   const auto controlled = support::play(wedge(0.01, 200.0)), fine = support::play(wedge(0.0, 2000.0));
   const auto volume = [](const support::PlayedSolids& run) {

@@ -30,8 +30,8 @@ double fitted(const scene::FrameRules& frames, double cycle, double jump, double
 /// Whether the blocks of a step are chosen by the error they make.
 bool under_tolerance(const scene::Step& step);
 
-/// Whether a step jumps over cycles by blocks of one size, and none after it wears: what a run with such blocks shows
-/// in the end is theirs.
+/// Whether a step, one of `steps`, jumps over cycles by blocks of one size, and none after it wears: what a run with
+/// such blocks shows in the end is theirs.
 bool last_to_jump(const std::vector<scene::Step>& steps, const scene::Step& step);
 
 /// Whether the increments of a step's block, counted from 1, are rows of the history.
