@@ -120,6 +120,9 @@ class DenseCholesky {
 /// Replaces a dense symmetric positive definite matrix by its inverse, both triangles.
 /// Throws base::SolveError when A is not definite.
 void invert(Matrix& A);
+/// As `invert`; throws base::SolveError also where A is definite by round-off alone, as a stiffness is that nothing
+/// holds: its inverse has to return a vector to eight digits.
+void invert_held(Matrix& A);
 /// Replaces the Cholesky factor L of A, a lower triangle, by A^-1, both triangles.
 void invert_from_factor(Matrix& L);
 /// Puts the lower triangle of a square matrix into its upper one.

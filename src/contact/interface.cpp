@@ -132,12 +132,14 @@ void Interface::sum_rows() {
       for (const auto& [l, T] : at_.cover[j]) at_.spread[j] += T;
 }
 
-/// Normals, and the gap that earlier wear has opened.
+/// Normals, and the gap that earlier wear has opened; of nodes in reach that meet nothing neither is needed.
 void Interface::sum_start_of_increment() {
   const auto ns = static_cast<int>(at_.rows.size());
-  at_.normal.resize(ns);
+  const bool limited = !placement_.secondary_near.empty();
+  at_.normal.resize(ns, Vec2::Zero());
   at_.worn_gap.assign(ns, 0.0);
   for (int j = 0; j < ns; ++j) {
+    if (limited && record_of_[j] == std::array<int, 2>{-1, -1}) continue;
     const auto st = stencil(j);
     std::array<Pair<double>, 3> x;
     for (int i = 0; i < 3; ++i)

@@ -89,6 +89,11 @@ struct Depths {
   std::vector<double> secondary, primary;
 };
 
+/// What the linearisation of a contact contains: all of its derivatives, or those at integrals D, M and normals that
+/// are held, in which a node moves against the other side as the points that it weighs do. Near a solution these leave
+/// some hundredth of a step's error, at a fraction of the work.
+enum class Derivatives { all, held_integrals };
+
 /// The equations of one contact linearised about (x, lambda).
 struct Linearised {
   std::vector<Entry> force;  ///< d(contact force)/dx, row and column surface dofs
@@ -147,7 +152,7 @@ class Interface {
   /// Contact forces on the surface dofs: D^T lambda on the secondary, -M^T lambda on the primary side.
   Vector forces(const std::vector<Vec2>& lambda) const;
 
-  void linearise(const std::vector<Vec2>& lambda, Linearised& out);
+  void linearise(const std::vector<Vec2>& lambda, Linearised& out, Derivatives derivatives = Derivatives::all);
 
   /// The state after an accepted increment.
   ContactState accepted(const std::vector<Vec2>& lambda) const;
@@ -243,6 +248,8 @@ class Interface {
   template <class Add>
   void chain(int node, const Eleven& quantity, Add add) const;
   template <class Add>
+  void chain_relative(int node, const Vec2& slope, Add add) const;
+  template <class Add>
   void chain_normal(int node, double slope_x, double slope_y, Add add) const;
   template <class Add>
   void chain_motion(int node, double slope_x, double slope_y, Add add) const;
@@ -252,7 +259,8 @@ class Interface {
   void add_up(std::vector<WearEntry>& entries);
   void collect_primary_wear(int node, const Eleven& volume);
   void collect_wear_between(int node, const Eleven& volume);
-  void wear_entries(int node, double slope, std::vector<Entry>& out) const;
+  void cover_entries(int node, double slope, std::vector<Entry>& out) const;
+  void wear_entries(int node, double slope, std::vector<Entry>& out);
 
   const Setup* setup_ = nullptr;
   const ContactState* before_ = nullptr;
@@ -267,7 +275,8 @@ class Interface {
   /// Per node: record of the facet before (its end 1), after (its end 0); of a control point: of its facet, -1.
   std::vector<std::array<int, 2>> record_of_;
   std::vector<char> differentiated_;
-  std::vector<char> left_;  ///< per node: another contact's in this iteration
+  Derivatives derivatives_ = Derivatives::all;  ///< that `linearise` was asked for
+  std::vector<char> left_;                      ///< per node: another contact's in this iteration
   Integrals at_;
   Decision decision_, last_;
   Depths start_, depth_;             ///< before this increment's wear, and with it
@@ -276,6 +285,7 @@ class Interface {
   std::vector<Vec2> drawn_offset_;                            ///< of a bond, on X; empty until it is integrated
   std::vector<NodeConditions<double>> condition_;
   std::vector<std::vector<WearEntry>> primary_slope_, secondary_slope_;  ///< d(depth of a node)
+  std::vector<WearEntry> node_slope_;                                    ///< d(worn_others) of a node, work space
   std::vector<double> column_sum_;                                       ///< of `add_up`, zero between its calls
 };
 

@@ -50,6 +50,26 @@ void Interface::chain_normal(int node, double slope_x, double slope_y, Add add) 
     if (st.nodes[i / 2] >= 0) add(2 * st.nodes[i / 2] + i % 2, slope_x * n.x.d[i] + slope_y * n.y.d[i]);
 }
 
+/// add(column, value) for slope . d(sum_k off_jk (x_k - x_j) + sum_l M_jl (x_j - x_l))/dx at fixed integrals.
+template <class Add>
+void Interface::chain_relative(int node, const Vec2& slope, Add add) const {
+  if (slope.isZero(0.0)) return;
+  const auto both = [&](int first, double factor) {
+    add(first, factor * slope.x());
+    add(first + 1, factor * slope.y());
+  };
+  double own = 0.0;
+  for (const auto& [k, share] : at_.rows[node].off) {
+    own -= share;
+    both(2 * k, share);
+  }
+  for (const auto& [l, M] : at_.rows[node].M) {
+    own += M;
+    both(placement_.secondary_dofs() + 2 * l, -M);
+  }
+  both(2 * node, own);
+}
+
 /// add(column, value) for slope . d(motion)/dx, in the form that `motion` uses.
 template <class Add>
 void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) const {
@@ -86,6 +106,8 @@ void Interface::chain(int node, const Eleven& quantity, Add add) const {
   const int multipliers = placement_.dofs() + 2 * node;
   add(multipliers, d[lambda_x]);
   add(multipliers + 1, d[lambda_y]);
+  if (derivatives_ == Derivatives::held_integrals)
+    return chain_relative(node, Vec2(d[motion_x], d[motion_y]) - d[Direction::gap_] * at_.normal[node], add);
   chain_normal(node, d[normal_x], d[normal_y], add);
   chain_motion(node, d[motion_x], d[motion_y], add);
   if (d[Direction::gap_] == 0.0 && d[cover_D] == 0.0) return;
@@ -146,6 +168,7 @@ void Interface::collect_primary_wear(int node, const Eleven& volume) {
     const double factor = primary_volume(node, D, 1.0) * primary_opening(l);  // times T / D
     auto& slopes = primary_slope_[l];
     for (const auto& entry : own) slopes.push_back({entry.col, factor * T / D * entry.value});
+    if (derivatives_ == Derivatives::held_integrals) continue;
     for_records(node, [&, l = l, T = T](const FacetRecord& record, int e) {
       for (std::size_t k = 0; k < record.primaries.size(); ++k) {
         if (record.primaries[k] != l) continue;
@@ -172,9 +195,8 @@ void Interface::collect_wear_between(int node, const Eleven& volume) {
   }
 }
 
-/// slope . d(worn_others).
-void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) const {
-  if (slope == 0.0) return;
+/// slope . d(worn_others) at fixed wear, by the derivatives of the integrals.
+void Interface::cover_entries(int node, double slope, std::vector<Entry>& out) const {
   for_records(node, [&](const FacetRecord& record, int e) {
     for (int k = 0; k < record.count; ++k) {
       const int other = setup_->secondary.facets[record.facet][k];
@@ -191,14 +213,25 @@ void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) co
         out.push_back({2 * node, record.dofs[i], slope * depth * dM[i]});
     }
   });
-  for (const auto& [l, M] : at_.rows[node].M)
-    for (const auto& entry : primary_slope_[l]) out.push_back({2 * node, entry.col, slope * M * entry.value});
-  for (const auto& [k, share] : at_.rows[node].off)
-    if (setup_->between(k))
-      for (const auto& entry : secondary_slope_[k]) out.push_back({2 * node, entry.col, slope * share * entry.value});
 }
 
-void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
+/// slope . d(worn_others).
+void Interface::wear_entries(int node, double slope, std::vector<Entry>& out) {
+  if (slope == 0.0) return;
+  if (derivatives_ == Derivatives::all) cover_entries(node, slope, out);
+  node_slope_.clear();
+  for (const auto& [l, M] : at_.rows[node].M)
+    for (const auto& entry : primary_slope_[l]) node_slope_.push_back({entry.col, slope * M * entry.value});
+  for (const auto& [k, share] : at_.rows[node].off)
+    if (setup_->between(k))
+      for (const auto& entry : secondary_slope_[k]) node_slope_.push_back({entry.col, slope * share * entry.value});
+  add_up(node_slope_);
+  for (const auto& entry : node_slope_) out.push_back({2 * node, entry.col, entry.value});
+}
+
+void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out, Derivatives derivatives) {
+  const bool all = derivatives == Derivatives::all;
+  derivatives_ = derivatives;
   out.force.clear();
   out.rows.clear();
   if (setup_->options.bonded) return linearise_bond(out);
@@ -210,12 +243,12 @@ void Interface::linearise(const std::vector<Vec2>& lambda, Linearised& out) {
   for (int node = 0; node < static_cast<int>(at_.rows.size()); ++node) {
     if (!active(node)) continue;
     for (int r : record_of_[node])
-      if (r >= 0 && !differentiated_[r]) {
+      if (all && r >= 0 && !differentiated_[r]) {
         integrator_.differentiate(placement_, (*records_)[r]);
         differentiated_[r] = 1;
       }
     duals.emplace_back(node, node_duals(node, lambda));
-    force_entries(node, lambda[node], out.force);
+    if (all) force_entries(node, lambda[node], out.force);
   }
   if (wear_spreads())
     for (const auto& [node, c] : duals)

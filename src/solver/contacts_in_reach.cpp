@@ -75,6 +75,7 @@ void ContactsInReach::begin(const System& system, const SolverState& before, con
 }
 
 void ContactsInReach::limit_faces() {
+  placed_in_reach_ = false;
   for (std::size_t c = 0; c < faces_.size(); ++c) faces_[c].limit_to(reach_.secondary[c], reach_.primary[c]);
 }
 
@@ -135,7 +136,7 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
     auto& nodes = nodes_[c];
-    nodes.assign(setup.secondary_nodes.size() + setup.primary_nodes.size(), {});
+    if (everything || !placed_in_reach_) nodes.assign(setup.secondary_nodes.size() + setup.primary_nodes.size(), {});
     const auto put = [&](const contact::SurfaceNode& node, char near, PlacedNode& placed, Vec2& x) {
       if (!near && !everything) return;
       std::visit(
@@ -146,7 +147,8 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
           system.bodies[node.body]);
       for (int t = 0; t < placed.position.count; ++t)
         placed.column[t] = reduction_.index(system.offset[node.body] + placed.position.terms[t].column);
-      if (placed.position.angle >= 0) placed.angle = reduction_.index(system.offset[node.body] + placed.position.angle);
+      const int angle = placed.position.angle;
+      placed.angle = angle < 0 ? -1 : reduction_.index(system.offset[node.body] + angle);
       x = placed.position.x;
     };
     const auto ns = setup.secondary_nodes.size();
@@ -162,6 +164,7 @@ void ContactsInReach::integrate(const System& system, const Vector& q, bool ever
     }
     faces_[c].integrate(sides_[c].secondary, sides_[c].primary);
   }
+  placed_in_reach_ = !everything;
   divide(system.shared, faces_);
 }
 

@@ -44,6 +44,8 @@ class ContactsInReach {
   std::string passed_through() const;
 
   bool limited() const { return limited_; }
+  /// Whether the reach is kept for the next increment.
+  bool chosen() const { return chosen_; }
   const Reduction& reduction() const { return reduction_; }
   std::vector<contact::Interface>& faces() { return faces_; }
   const std::vector<contact::Interface>& faces() const { return faces_; }
@@ -66,6 +68,7 @@ class ContactsInReach {
   std::vector<contact::Interface> faces_;
   std::vector<Sides> sides_, start_;  ///< positions of the surface nodes, now and at the start of the increment
   std::vector<std::vector<PlacedNode>> nodes_;
+  bool placed_in_reach_ = false;  ///< those that stand in `nodes_` are the nodes in reach, and no others
 };
 
 }  // namespace reye::solver

@@ -47,7 +47,7 @@ void Increment::remember(const SolverState& before, const SolverState& accepted)
 
 void Increment::choose_reach(const System& system, const SolverState& before, bool everything, bool limited) {
   if (!contacts_.choose(system, before, everything, limited)) return;
-  window_.forget();
+  forget_columns();
   followed_ = false;
 }
 
@@ -65,7 +65,7 @@ bool Increment::look_ahead(const System& system, const SolverState& before, cons
     return false;
   const auto lambda = multipliers(before, controls, controls.guess);
   if (!contacts_.look_ahead(system, before, controls, lambda, before.q.high + dq)) return false;
-  window_.forget();
+  forget_columns();
   return true;
 }
 
@@ -101,8 +101,13 @@ void Increment::take_columns(const System& system, const Controls& controls) {
 }
 
 void Increment::change_columns(const System& system, const Controls& controls) {
-  window_.forget();
+  forget_columns();
   take_columns(system, controls);
+}
+
+void Increment::forget_columns() {
+  window_.forget();
+  compliance_.forget();
 }
 
 bool Increment::narrow(const System& system, const Controls& controls, base::TwoPart& q) {
@@ -192,82 +197,6 @@ bool Increment::accept(const System& system, const base::TwoPart& q, SolverState
   }
   state.interiors = nonlinear_.accepted(state.q);
   return true;
-}
-
-/// Gives the window the rotations of the bodies that turn.
-void Increment::turn_window(const System& system, const base::TwoPart& q) {
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int body = static_cast<int>(b);
-    const auto* turning = reduction().turning(body);
-    if (!turning) continue;
-    const auto own = reduction().of_body(body, q);
-    const auto& load = loads_.turning[b];
-    const double angle = turning->angle_of(own.high);
-    Vector forces = Vector::Zero(own.size());
-    if (turning->pivot[0] >= 0) {
-      const Vector v = reduction().deformation(body, q), f = load.at(angle);
-      for (int k : turning->pivot) forces[k] = reduction().stiffness(body).col(k).dot(v) - f[k];
-    }
-    window_.turn(body, own.high, forces, load.rate(angle));
-  }
-}
-
-/// Where no support names the angle of a body, the frame turns with its chord.
-void Increment::tie_angles(const System& system, const base::TwoPart& q) {
-  for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-    const int body = static_cast<int>(b), at = reduction().first(body);
-    const auto* turning = reduction().turning(body);
-    if (!turning || turning->chord.empty()) continue;
-    auto factors = turning->chord;
-    for (auto& [column, factor] : factors) column = window_.index(at + column);
-    condenser_.tie(window_.index(at + turning->angle), factors, -turning->chord_of(reduction().of_body(body, q).high));
-  }
-}
-
-Vector Increment::step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord) {
-  auto& faces = contacts_.faces();
-  if (!chord) {
-    const auto& derivatives = condenser_.linearise(faces, lambda_);
-    window_.choose(system, reduction(), nonlinear_,
-                   contacts_.limited() ? Reach::of_derivatives(faces, derivatives) : Reach::all(system));
-  }
-  if (!chord) turn_window(system, q);
-  const Window::Load load = window_.load(-balance_);
-  auto nodes = contacts_.nodes();
-  for (auto& of_contact : nodes)
-    for (auto& node : of_contact) {
-      for (int t = 0; t < node.position.count; ++t)
-        node.column[t] = node.column[t] < 0 ? -1 : window_.index(node.column[t]);
-      if (node.angle >= 0) node.angle = window_.index(node.angle);
-    }
-  if (chord) {
-    condenser_.again(load.inside);
-  } else {
-    condenser_.start(system, load.inside, faces, nodes);
-    for (std::size_t b = 0; b < system.bodies.size(); ++b) {
-      const int body = static_cast<int>(b), at = reduction().first(body);
-      if (const auto* rigid = std::get_if<body::RigidBody>(&system.bodies[b]))
-        condenser_.add_body(window_.first(body),
-                            rigid->tangent(q.high.segment(at, rigid->dofs()), controls.load_factors[b]));
-      else
-        condenser_.add_body(window_.first(body), window_.stiffness(body));
-      if (reduction().turning(body))
-        window_.add_turning(body, condenser_.tangent(window_.first(body), window_.stiffness(body).rows()));
-    }
-    for (const auto& spring : controls.springs)
-      condenser_.stiffen(window_.index(reduction().index(spring.column)), spring.stiffness);
-    for (std::size_t c = 0; c < faces.size(); ++c)
-      condenser_.add_contact(system, static_cast<int>(c), faces[c], nodes[c], lambda_[c], reduction(), window_, q.high);
-  }
-  condenser_.eliminate(system, faces, nodes);
-  for (const auto& [column, value] : controls.prescribed) {
-    const int at = reduction().index(column);
-    condenser_.fix(window_.index(at), value - q.high[at] - q.low[at]);
-  }
-  tie_angles(system, q);
-  const Vector dq = condenser_.solve();
-  for (std::size_t c = 0; c < faces.size(); ++c) condenser_.advance(static_cast<int>(c), dq, lambda_[c]);
-  return window_.expand(dq.head(load.inside.size()), load);
 }
 
 double Increment::way(const Vector& dq) const {

@@ -3,11 +3,15 @@
 #include <vector>
 
 #include "solver/active_set_watch.hpp"
+#include "solver/compliance_form.hpp"
 #include "solver/contacts_in_reach.hpp"
 #include "solver/nonlinear_bodies.hpp"
 #include "solver/report.hpp"
 
 namespace reye::solver {
+
+/// The matrix of a Newton step: a new one with all derivatives, a new one in compliance form, or that of the last step.
+enum class StepMatrix : unsigned char { exact, compliance, kept };
 
 /// The equations of one increment at (q, lambda), on the columns in reach, and the multipliers: an iteration places,
 /// decides, measures and solves them. Work space is kept between increments; so are the reach and the last increment,
@@ -46,9 +50,11 @@ class Increment {
   void follow(const System& system, const Controls& controls, base::TwoPart& q);
   /// Balance and conditions at (q, lambda).
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
+  /// Whether steps can be taken in compliance form, on columns in reach that serve more than one increment.
+  bool complies(const System& system);
   /// One semi-smooth Newton step about (q, lambda), or a chord step with the last matrix. Returns dq and updates
   /// lambda. Throws base::SolveError when the matrix is singular.
-  Vector step(const System& system, const Controls& controls, const base::TwoPart& q, bool chord);
+  Vector step(const System& system, const Controls& controls, const base::TwoPart& q, StepMatrix matrix);
   /// Whether `follow` has moved the reach since it was chosen: a start from the accepted state may need the one before.
   bool followed() const { return followed_; }
 
@@ -82,6 +88,7 @@ class Increment {
   const Reduction& reduction() const { return contacts_.reduction(); }
   Vector predicted_motion(const Controls& controls) const;
   void take_columns(const System& system, const Controls& controls);
+  void forget_columns();
   void change_columns(const System& system, const Controls& controls);
   std::vector<Vector> deformations(const System& system, const base::TwoPart& q) const;
   Vector residual(const System& system, const Controls& controls, const base::TwoPart& q,
@@ -98,6 +105,8 @@ class Increment {
   NonlinearBodies nonlinear_;
   Multipliers lambda_;
   Condenser condenser_;
+  ComplianceForm compliance_;
+  bool in_compliance_ = false;  ///< the last matrix
   Reduction::Loads loads_;
   Vector balance_, arm_;  ///< on the reduced columns
   Suspects suspects_;

@@ -65,8 +65,9 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
     attempts.push_back({Start::sticking, false});
   }
   SolveResult result;
-  int solves = 0, matrices = 0, tangents = 0;
-  for (const auto& attempt : attempts) {
+  int solves = 0, matrices = 0, compliant = 0, tangents = 0;
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    const Attempt attempt = attempts[k];
     // The previous start, or the prediction that it came from, may have moved the reach away from contact.
     if (attempt.from == Start::sheared || (ahead && attempt.from == Start::sticking) || increment_.followed())
       increment_.choose_reach(system, before, true, options_.limit_reach);
@@ -74,14 +75,18 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
         NewtonPath(increment_, options_, system, before, controls, attempt).follow(options_.limit_reach);
     solves += found.report.solves;
     matrices += found.report.matrices;
+    compliant += found.report.compliant;
     tangents += found.report.tangents;
     const bool converged = found.report.converged;
+    if (!converged && found.report.compliant > 0)
+      attempts.insert(attempts.begin() + static_cast<std::ptrdiff_t>(k) + 1, {attempt.from, false});
     if (converged || attempt.from != Start::sheared)
       result = std::move(found);  // a start that may not fit gives no reason
     if (converged) break;
   }
   result.report.solves = solves;
   result.report.matrices = matrices;
+  result.report.compliant = compliant;
   result.report.tangents = tangents;
   if (result.report.converged)
     increment_.remember(before, result.state);

@@ -28,7 +28,7 @@ constexpr int most_follows = 10;  ///< times in a path that another reach is cho
 constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
-constexpr double on_chord = 0.03;  ///< with the kept matrix of linear bodies, whose steps gain a thousand
+constexpr double little = 0.1;  ///< gain: share of the error that a step in compliance form leaves
 
 }  // namespace
 
@@ -65,6 +65,7 @@ double NewtonPath::error() const {
 bool NewtonPath::begin() {
   last_ = options_.max_iterations;
   limit_ = most_on_one_tangent;
+  exact_ = !attempt_.chords;
   try {
     q_ = increment_.begin(system_, before_, controls_, attempt_.from,
                           attempt_.chords ? Tangent::symmetric_part : Tangent::exact);
@@ -82,9 +83,13 @@ void NewtonPath::iterate() {
   decide();
   extend();
   if (!finite() || astray() || stands_still()) return;
+  judge_compliance();
   chord_ = may_keep_matrix();
   const bool is_met = met();
-  if (is_met && fresh()) return accept();
+  if (is_met && fresh()) {
+    polish();
+    return accept();
+  }
   const bool settled = is_met || settled_enough();
   if (increment_.nonlinear() && (settled || since_ == limit_ || watch_.stuck())) return renew(settled);
   if (iteration_ == last_ || watch_.stuck())
@@ -149,6 +154,20 @@ bool NewtonPath::stands_still() {
   return true;
 }
 
+/// A step in compliance form from the present status that gains too little shows that bodies give way to contact as
+/// fast as they touch, by the derivatives that are left out: from then on they are in the matrix.
+void NewtonPath::judge_compliance() {
+  const double now = error();
+  const bool judged = last_matrix_ == StepMatrix::compliance && row_.changes == 0 && iteration_ > 0;
+  if (judged && now > 1.0 && now > little * last_error_) exact_ = true;
+  last_error_ = now;
+}
+
+StepMatrix NewtonPath::next_matrix() {
+  if (chord_) return StepMatrix::kept;
+  return !exact_ && increment_.complies(system_) ? StepMatrix::compliance : StepMatrix::exact;
+}
+
 bool NewtonPath::may_keep_matrix() {
   const bool allowed = attempt_.chords && matrices_.allows(error(), row_.changes);
   const bool with_tangent = renewed() && keeps_tangent_ && row_.changes == 0;  // contact's matrix goes with the tangent
@@ -157,9 +176,8 @@ bool NewtonPath::may_keep_matrix() {
 
 /// The error, in tolerances, below which the equations hold.
 double NewtonPath::asked() const {
-  if (row_.changes > 0 || on_kept_tangent_) return on_kept;
-  if (!(on_chord_ && chord_)) return 1.0;
-  return increment_.nonlinear() ? on_kept : on_chord;
+  const bool by_chords = increment_.nonlinear() && last_matrix_ == StepMatrix::kept && chord_;
+  return row_.changes > 0 || on_kept_tangent_ || by_chords ? on_kept : 1.0;
 }
 
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
@@ -186,6 +204,14 @@ bool NewtonPath::settled_enough() const {
   return since_ > 0 && row_.changes == 0 && !cycling_ && left < std::min(share * imbalance_, coarse);
 }
 
+/// Where the last steps left a share of the error, which a new exact matrix would have squared, one more with the
+/// matrix at hand takes the state of linear bodies as far below the tolerances.
+void NewtonPath::polish() {
+  if (increment_.nonlinear() || last_matrix_ == StepMatrix::exact || !chord_) return;
+  q_ += increment_.step(system_, controls_, q_, StepMatrix::kept);
+  ++result_.report.solves;
+}
+
 /// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has
 /// found.
 void NewtonPath::accept() {
@@ -197,7 +223,7 @@ void NewtonPath::accept() {
   narrowing_ = false;
   matrices_.forget();
   tangents_.forget();  // contact's matrix, which goes with a kept tangent, is of other columns
-  on_chord_ = false;
+  last_matrix_ = StepMatrix::exact;
   if (++follows_ > most_follows)
     return end(Failure::no_convergence, increment_.not_found(system_, result_.report.table, options_, true));
   increment_.follow(system_, controls_, q_);
@@ -246,10 +272,11 @@ void NewtonPath::step(bool on_nearest) {
     increment_.measure(system_, controls_, q_, fresh());
   }
   try {
-    const Vector dq = increment_.step(system_, controls_, q_, chord_);
-    on_chord_ = chord_;
+    last_matrix_ = next_matrix();
+    result_.report.compliant += last_matrix_ == StepMatrix::compliance;
+    const Vector dq = increment_.step(system_, controls_, q_, last_matrix_);
     ++result_.report.solves;
-    result_.report.matrices += chord_ ? 0 : 1;
+    result_.report.matrices += last_matrix_ != StepMatrix::kept;
     q_ += dq;
     // Far away the rounding of S q hides that nothing is in balance.
     const double way = increment_.way(dq), bound = 1e3 * system_.extent;

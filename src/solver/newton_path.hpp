@@ -6,8 +6,8 @@
 
 namespace reye::solver {
 
-/// Options of one attempt at an increment: its start, and whether factorised matrices and tangents are kept while that
-/// is worth it.
+/// Options of one attempt at an increment: its start, and whether factorised matrices and tangents are kept, and
+/// derivatives left out, while that is worth it.
 struct Attempt {
   contact::Start from;
   bool chords;
@@ -31,10 +31,13 @@ class NewtonPath {
   bool finite();
   bool astray();
   bool stands_still();
+  void judge_compliance();
+  StepMatrix next_matrix();
   bool may_keep_matrix();
   double asked() const;
   bool met();
   bool settled_enough() const;
+  void polish();
   void accept();
   void renew(bool settled);
   bool linearise();
@@ -73,7 +76,10 @@ class NewtonPath {
   int still_ = 0;               ///< renewals in a row that changed nothing
   double imbalance_ = 0.0;      ///< of bodies and contact when the bodies were last measured, as a share of the forces
   ChordRule matrices_{0.1}, tangents_{0.03};
-  bool chord_ = false, on_chord_ = false;  ///< this step and the one before keep the matrix
+  bool chord_ = false;  ///< this step keeps the matrix
+  StepMatrix last_matrix_ = StepMatrix::exact;
+  bool exact_ = false;       ///< no step in compliance form any more
+  double last_error_ = 0.0;  ///< before the last step
   bool keeps_tangent_ = false, on_kept_tangent_ = false;
   double least_ = std::numeric_limits<double>::infinity();  ///< least imbalance so far
 };

@@ -40,9 +40,10 @@ struct SolveReport {
   Failure failure = Failure::no_convergence;  ///< none when converged
   std::string reason;                         ///< the failure in words, with numbers and places; empty when converged
   std::vector<Iteration> table;
-  int solves = 0;    ///< steps taken
-  int matrices = 0;  ///< built and factorised for them
-  int tangents = 0;  ///< linearisations of the nonlinear bodies
+  int solves = 0;     ///< steps taken
+  int matrices = 0;   ///< built and factorised for them
+  int compliant = 0;  ///< of these, in compliance form
+  int tangents = 0;   ///< linearisations of the nonlinear bodies
 };
 
 struct SolveResult {
