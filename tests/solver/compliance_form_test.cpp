@@ -145,19 +145,20 @@ TEST(compliance_form, needs_bodies_that_are_held) {
   }
 }
 
-// Where pressure is of the order of the modulus steps in compliance form gain little: Newton must go over to the exact
-// matrix by itself, and find its states in hardly more steps.
+// Where pressure is not small against the modulus steps in compliance form gain little: Newton must go over to the
+// exact matrix within an increment, and find the states of exact matrices in less than twice their steps.
 TEST(compliance_form, yields_to_the_exact_matrix_where_it_gains_little) {
-  const Options o{.by_force = false, .crown = 0.1};
-  const auto quick = played(o, 0.3, 0.3, true), exact = played(o, 0.3, 0.3, false);
-  int solves = 0, of_exact = 0, matrices = 0;
+  const Options o{.by_force = false, .crown = 0.2};
+  const auto quick = played(o, 0.1, 0.1, true), exact = played(o, 0.1, 0.1, false);
+  int solves = 0, of_exact = 0, gone_over = 0;
   for (std::size_t k = 0; k < quick.reports.size(); ++k) {
-    solves += quick.reports[k].solves;
-    matrices += quick.reports[k].matrices;
+    const auto& report = quick.reports[k];
+    solves += report.solves;
+    gone_over += report.compliant > 0 && report.compliant < report.matrices;
     of_exact += exact.reports[k].solves;
   }
-  EXPECT_GT(matrices, in_compliance_form(quick));
-  EXPECT_LE(solves, 2 * of_exact);
+  EXPECT_GE(gone_over, 2);
+  EXPECT_LT(solves, 2 * of_exact);
   expect_same(quick.end, exact.end);
 }
 
