@@ -34,19 +34,6 @@ Measured poorest_changed(const body::Shape& shape, const Points& x, double best,
   return poorest;
 }
 
-Measured largest_size_ratio(const body::Shape& shape, const Points& x) {
-  Measured largest{1.0};
-  const auto edge = static_cast<std::size_t>(mesh::order(shape.mesh.kind));  // from vertex to vertex
-  for (const auto& loop : shape.mesh.outline)
-    for (std::size_t i = 0; i + edge < loop.size(); i += edge) {
-      const double now = (x[loop[i + edge]] - x[loop[i]]).norm();
-      const double born = (shape.born->X[loop[i + edge]] - shape.born->X[loop[i]]).norm();
-      const double ratio = std::max(now / born, born / now);
-      if (ratio > largest.value) largest = {ratio, 0.5 * (shape.mesh.X[loop[i]] + shape.mesh.X[loop[i + edge]])};
-    }
-  return largest;
-}
-
 Measured largest_wear(const body::Shape& shape) {
   Measured largest;
   for (const auto& [node, wear] : wear_in_elements(shape.mesh, *shape.born))
@@ -95,6 +82,19 @@ void judge(Reason& worst, const MeshState& m, const Triggers& t, const std::stri
 }
 
 }  // namespace
+
+Measured largest_size_ratio(const body::Shape& shape, const Points& x) {
+  Measured largest{1.0};
+  const auto edge = static_cast<std::size_t>(mesh::order(shape.mesh.kind));  // from vertex to vertex
+  for (const auto& loop : shape.mesh.outline)
+    for (std::size_t i = 0; i + edge < loop.size(); i += edge) {
+      const double now = (x[loop[i + edge]] - x[loop[i]]).norm();
+      const double born = (shape.born->X[loop[i + edge]] - shape.born->X[loop[i]]).norm();
+      const double ratio = std::max(now / born, born / now);
+      if (ratio > largest.value) largest = {ratio, 0.5 * (shape.mesh.X[loop[i]] + shape.mesh.X[loop[i + edge]])};
+    }
+  return largest;
+}
 
 MeshState measure(const body::Shape& shape, const Points& x) {
   const auto degrees = [](const Points& X, mesh::CellKind kind, const mesh::Cell& cell) {

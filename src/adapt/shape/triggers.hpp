@@ -30,6 +30,9 @@ struct MeshState {
       0.0};  ///< wear since birth over the height of the element below then; the largest of all nodes
 };
 
+/// Of the lengths of a shape's outline facets with its nodes at `x`: `MeshState::size_ratio`.
+Measured largest_size_ratio(const body::Shape& shape, const base::Points& x);
+
 /// Measures a shape with its nodes at `x`: X itself, or X + u; the wear is always that on X.
 MeshState measure(const body::Shape& shape, const base::Points& x);
 

@@ -18,7 +18,7 @@ void apply_triggers(const Problem& problem, const State& state, const solver::Sy
   const auto& triggers = problem.scene.remesh.triggers;
   base::Points x = recovered(problem, state, system, b);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape.mesh.X[i];
-  reason.divide = adapt::measure(shape, x).size_ratio.value > triggers.size_ratio;
+  reason.divide = adapt::largest_size_ratio(shape, x).value > triggers.size_ratio;
   if (reason.text.empty()) reason.text = adapt::why_remesh(shape, can_renew(problem, b) ? nullptr : &x, triggers);
 }
 
