@@ -24,6 +24,15 @@ Reach::Margin margin(const System& system) {
              : wide_margin;
 }
 
+/// The reach round the contact, with what lies ahead where that adds so little that it costs less than to follow.
+Reach round_contact(const System& system, const SolverState& before, const std::vector<std::vector<char>>& ahead) {
+  constexpr double worth = 1.5;  // of the nodes
+  Reach now = Reach::round_contact(system, before.contacts, margin(system));
+  if (ahead.empty()) return now;
+  Reach with = Reach::round_contact(system, before.contacts, ahead, margin(system));
+  return with.nodes() > worth * now.nodes() ? now : with;
+}
+
 /// Nodes just out of reach move with their neighbour in reach. Otherwise a slide of more than a facet in one increment
 /// would reverse the facet at the rim, and with it the averaged normal beside it.
 void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, const std::vector<Vec2>& before,
@@ -36,11 +45,11 @@ void carry_rim(const mortar::Surface& surface, const std::vector<char>& near, co
 
 }  // namespace
 
-bool ContactsInReach::choose(const System& system, const SolverState& before, bool everything, bool limited) {
+bool ContactsInReach::choose(const System& system, const SolverState& before,
+                             const std::vector<std::vector<char>>& ahead, bool everything, bool limited) {
   if (chosen_ && !everything) return false;
   limited_ = limited;
-  take(system,
-       everything || !limited ? Reach::all(system) : Reach::round_contact(system, before.contacts, margin(system)));
+  take(system, everything || !limited ? Reach::all(system) : round_contact(system, before, ahead));
   chosen_ = !(reach_ == Reach::all(system)) || !limited;
   return true;
 }

@@ -14,9 +14,10 @@ class ContactsInReach {
     chosen_ = false;
     choices_ = 0;
   }
-  /// Chooses the nodes that take part; `limited`: those near the contact, unless `everything` is set. False: the choice
-  /// is unchanged.
-  bool choose(const System& system, const SolverState& before, bool everything, bool limited);
+  /// Chooses the nodes that take part; `limited`: those near the contact, and where they are few more those `ahead`
+  /// (`Controls`), unless `everything` is set. False: the choice is unchanged.
+  bool choose(const System& system, const SolverState& before, const std::vector<std::vector<char>>& ahead,
+              bool everything, bool limited);
   /// Chooses a reach round the contact at the predicted q, where it outruns the present one. False: it does not.
   /// `lambda`: the multipliers expected there.
   bool look_ahead(const System& system, const SolverState& before, const Controls& controls, const Multipliers& lambda,

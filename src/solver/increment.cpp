@@ -45,8 +45,9 @@ void Increment::remember(const SolverState& before, const SolverState& accepted)
   nonlinear_.remember(accepted);
 }
 
-void Increment::choose_reach(const System& system, const SolverState& before, bool everything, bool limited) {
-  if (!contacts_.choose(system, before, everything, limited)) return;
+void Increment::choose_reach(const System& system, const SolverState& before, const Controls& controls, bool everything,
+                             bool limited) {
+  if (!contacts_.choose(system, before, controls.ahead, everything, limited)) return;
   forget_columns();
   followed_ = false;
 }

@@ -25,7 +25,8 @@ class Increment {
   bool follows(const SolverState& before) const { return last_step_.size() == before.q.high.size(); }
 
   /// Chooses the contact nodes that take part; `limited`: those near the contact, unless `everything` is set.
-  void choose_reach(const System& system, const SolverState& before, bool everything, bool limited);
+  void choose_reach(const System& system, const SolverState& before, const Controls& controls, bool everything,
+                    bool limited);
 
   /// Moves the reach to where the predicted motion takes the contact, if that is out of it: Newton would find out at
   /// the end, and continue from there. True: the reach was moved.

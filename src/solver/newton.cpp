@@ -49,7 +49,7 @@ bool nonlinear(const System& system) {
 }  // namespace
 
 SolveResult Newton::solve(const System& system, const SolverState& before, const Controls& controls) {
-  increment_.choose_reach(system, before, turns_beyond_reach(system, before, controls), options_.limit_reach);
+  increment_.choose_reach(system, before, controls, turns_beyond_reach(system, before, controls), options_.limit_reach);
   const Start predicted = nonlinear(system) && !controls.guess ? Start::continued : Start::predicted;
   std::vector<Attempt> attempts;
   if (controls.guess || (controls.continues > 0.0 && increment_.follows(before)))
@@ -70,7 +70,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
     const Attempt attempt = attempts[k];
     // The previous start, or the prediction that it came from, may have moved the reach away from contact.
     if (attempt.from == Start::sheared || (ahead && attempt.from == Start::sticking) || increment_.followed())
-      increment_.choose_reach(system, before, true, options_.limit_reach);
+      increment_.choose_reach(system, before, controls, true, options_.limit_reach);
     SolveResult found =
         NewtonPath(increment_, options_, system, before, controls, attempt).follow(options_.limit_reach);
     solves += found.report.solves;
@@ -91,7 +91,7 @@ SolveResult Newton::solve(const System& system, const SolverState& before, const
   if (result.report.converged)
     increment_.remember(before, result.state);
   else if (increment_.followed())
-    increment_.choose_reach(system, before, true, options_.limit_reach);
+    increment_.choose_reach(system, before, controls, true, options_.limit_reach);
   return result;
 }
 

@@ -33,7 +33,7 @@ void widen(const mortar::Surface& surface, std::vector<char>& mark, int margin) 
 
 /// Adds one contact; false where none of its nodes is active.
 bool Reach::add(const contact::Setup& setup, const std::vector<ContactStatus>& status,
-                const std::vector<contact::MortarRow>& rows, Margin margin) {
+                const std::vector<contact::MortarRow>& rows, Margin margin, const std::vector<char>& ahead) {
   std::vector<char> near_secondary(setup.secondary.X.size(), 0), near_primary(setup.primary.X.size(), 0);
   int active = 0;
   for (std::size_t j = 0; j < near_secondary.size(); ++j) {
@@ -43,6 +43,8 @@ bool Reach::add(const contact::Setup& setup, const std::vector<ContactStatus>& s
     for (const auto& [l, M] : rows[j].M) near_primary[l] = 1;
   }
   const int wider = margin.nodes + (margin.active_per_node > 0 ? active / margin.active_per_node : 0);
+  for (std::size_t j = 0; j < ahead.size(); ++j)
+    if (ahead[j]) near_secondary[j] = 1;
   widen(setup.secondary, near_secondary, wider);
   for (std::size_t j = 0; j < near_secondary.size(); ++j)
     if (near_secondary[j])
@@ -57,6 +59,14 @@ Reach Reach::round_contact(const System& system, const std::vector<contact::Cont
   Reach reach;
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
     if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin)) return all(system);
+  return reach;
+}
+
+Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts,
+                           const std::vector<std::vector<char>>& ahead, Margin margin) {
+  Reach reach;
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin, ahead[c])) return all(system);
   return reach;
 }
 

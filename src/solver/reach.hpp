@@ -21,6 +21,9 @@ struct Reach {
   };
   /// The active nodes and those they meet, with a margin on either side. Everything while a contact has none.
   static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin);
+  /// As well round the nodes that are expected to touch, per contact.
+  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts,
+                             const std::vector<std::vector<char>>& ahead, Margin margin);
   static Reach round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin);
 
   /// The nodes that conditions and forces of active ones depend on or act on, by their derivatives. Of a contact
@@ -43,7 +46,7 @@ struct Reach {
 
  private:
   bool add(const contact::Setup& setup, const std::vector<contact::ContactStatus>& status,
-           const std::vector<contact::MortarRow>& rows, Margin margin);
+           const std::vector<contact::MortarRow>& rows, Margin margin, const std::vector<char>& ahead = {});
 };
 
 }  // namespace reye::solver

@@ -78,6 +78,8 @@ struct Controls {
   std::vector<Vector> load_factors;  ///< per body, per load of that body
   std::vector<contact::IncrementOptions> contacts;
   const Guess* guess = nullptr;
+  /// Per contact and secondary node: whether it is expected to touch in an increment from here on; empty: not known.
+  std::vector<std::vector<char>> ahead;
   double continues = 0.0;  ///< > 0: this increment continues as the last one did, this many times as far
 };
 

@@ -241,6 +241,42 @@ TEST(condensation, reach_goes_ahead_of_a_long_slide) {
       });
 }
 
+// A reach chosen with the nodes that are expected to touch must hold them with its margin, as well as the contact, and
+// lead to the states of all nodes.
+TEST(condensation, reach_holds_what_lies_ahead) {
+  const auto system = support::system_of(wide_slider(0.0));
+  solver::NewtonOptions all;
+  all.limit_reach = false;
+  solver::Newton limited, whole(all);
+  auto state = support::fresh(system), other = state;
+  std::vector<std::vector<char>> ahead;
+  for (double drag : {0.0, 0.07, 0.14, 0.0}) {
+    auto controls = support::controls_of(wide_slider(drag), system, 1.0);
+    const auto two = whole.solve(system, other, controls);
+    controls.ahead = ahead;
+    limited.reset();
+    const auto one = limited.solve(system, state, controls);
+    ASSERT_TRUE(one.report.converged && two.report.converged);
+    state = one.state;
+    other = two.state;
+    EXPECT_LT((state.q.high - other.q.high).lpNorm<Eigen::Infinity>(), 1e-9 * other.q.high.lpNorm<Eigen::Infinity>());
+    ahead.resize(1);
+    ahead[0].resize(state.contacts[0].status.size(), 0);
+    for (std::size_t j = 0; j < ahead[0].size(); ++j)
+      if (state.contacts[0].status[j] != contact::ContactStatus::inactive) ahead[0][j] = 1;
+  }
+  const solver::Reach::Margin margin{.nodes = 2, .active_per_node = 0};
+  const auto now = solver::Reach::round_contact(system, state.contacts, margin);
+  const auto with = solver::Reach::round_contact(system, state.contacts, ahead, margin);
+  EXPECT_GT(with.nodes(), now.nodes());
+  EXPECT_TRUE(with.holds(now));
+  const auto& facets = system.contacts[0].secondary.facets;
+  for (const auto& [a, b, c] : facets)
+    if (ahead[0][a] || ahead[0][b]) {
+      EXPECT_TRUE(with.secondary[0][a] && with.secondary[0][b]);
+    }
+}
+
 // Columns of a nonlinear body that contact does not need are condensed out of its tangent, and contact that outruns its
 // reach continues from the state that was found: both must change nothing, whether that tangent is symmetric or not.
 TEST(condensation, nonlinear_body_slides_past_the_rim_of_the_reach) {

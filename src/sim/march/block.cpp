@@ -81,6 +81,7 @@ solver::Controls asked(const Problem& problem, const State& state, const solver:
   const double last = block.last_length;
   if (last > 0.0 && !corner_at(problem.scene, *span.step, from)) controls.continues = (to - from) / last;
   if (span.cycles) controls.guess = recalled(state.recall, state.step, from, to);
+  if (span.cycles && from == 0.0) controls.ahead = touched(state.recall, state.step);
   return controls;
 }
 

@@ -8,6 +8,20 @@ const solver::Guess* recalled(const Recall& recall, int step, double from, doubl
   return &found->second;
 }
 
+std::vector<std::vector<char>> touched(const Recall& recall, int step) {
+  std::vector<std::vector<char>> result;
+  if (step != recall.step) return result;
+  for (const auto& [progress, guess] : recall.played) {
+    result.resize(guess.status.size());
+    for (std::size_t c = 0; c < result.size(); ++c) {
+      result[c].resize(guess.status[c].size(), 0);
+      for (std::size_t j = 0; j < result[c].size(); ++j)
+        if (guess.status[c][j] != contact::ContactStatus::inactive) result[c][j] = 1;
+    }
+  }
+  return result;
+}
+
 void note(Recall& recall, int step, double from, double to, const solver::SolverState& before,
           const solver::SolverState& after) {
   if (step != recall.step) recall = {step, {}};

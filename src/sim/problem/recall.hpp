@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "solver/system.hpp"
 
@@ -15,6 +16,10 @@ struct Recall {
 
 /// The guess for the increment of `step` between these progresses; null where it was not yet played on these meshes.
 const solver::Guess* recalled(const Recall& recall, int step, double from, double to);
+
+/// Per contact and secondary node: whether it touched in an increment of `step` when these were last played; empty
+/// where none was played on these meshes.
+std::vector<std::vector<char>> touched(const Recall& recall, int step);
 
 void note(Recall& recall, int step, double from, double to, const solver::SolverState& before,
           const solver::SolverState& after);

@@ -7,6 +7,7 @@
 #include "sim/measure/seen_in_gaps.hpp"
 #include "sim/measure/why_failed.hpp"
 #include "sim/problem/drive.hpp"
+#include "sim/problem/recall.hpp"
 #include "sim/problem/scene_line.hpp"
 #include "sim/problem/timer.hpp"
 #include "sim/reshape/approach.hpp"
@@ -72,6 +73,7 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
   auto controls = controls_at(problem, system, state.factors, *span.step, 1.0, 1.0, 1.0);
   count_from_renewal(controls, problem, system, state);
   if (span.continued) set_seen_in_gaps(controls, problem, state, system, span, ahead);
+  controls.ahead = touched(state.recall, state.step);  // the block that follows keeps this reach
   for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
     auto& o = controls.contacts[c];
     o.held = true;
