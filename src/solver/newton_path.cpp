@@ -28,7 +28,8 @@ constexpr int most_follows = 10;  ///< times in a path that another reach is cho
 constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
-constexpr double little = 0.1;  ///< gain: share of the error that a step in compliance form leaves
+constexpr double on_chord = 0.1;  ///< of linear bodies, with a kept matrix or in compliance form
+constexpr double little = 0.1;    ///< gain: share of the error that a step in compliance form leaves
 
 }  // namespace
 
@@ -86,10 +87,7 @@ void NewtonPath::iterate() {
   judge_compliance();
   chord_ = may_keep_matrix();
   const bool is_met = met();
-  if (is_met && fresh()) {
-    polish();
-    return accept();
-  }
+  if (is_met && fresh()) return accept();
   const bool settled = is_met || settled_enough();
   if (increment_.nonlinear() && (settled || since_ == limit_ || watch_.stuck())) return renew(settled);
   if (iteration_ == last_ || watch_.stuck())
@@ -176,8 +174,9 @@ bool NewtonPath::may_keep_matrix() {
 
 /// The error, in tolerances, below which the equations hold.
 double NewtonPath::asked() const {
-  const bool by_chords = increment_.nonlinear() && last_matrix_ == StepMatrix::kept && chord_;
-  return row_.changes > 0 || on_kept_tangent_ || by_chords ? on_kept : 1.0;
+  if (row_.changes > 0 || on_kept_tangent_) return on_kept;
+  if (increment_.nonlinear()) return last_matrix_ == StepMatrix::kept && chord_ ? on_kept : 1.0;
+  return last_matrix_ != StepMatrix::exact && chord_ ? on_chord : 1.0;
 }
 
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by
@@ -202,14 +201,6 @@ bool NewtonPath::settled_enough() const {
   const double share = on_kept_tangent_ ? beside : std::min(beside, square * imbalance_);
   const double left = std::max(row_.force, row_.condition);
   return since_ > 0 && row_.changes == 0 && !cycling_ && left < std::min(share * imbalance_, coarse);
-}
-
-/// Where the last steps left a share of the error, which a new exact matrix would have squared, one more with the
-/// matrix at hand takes the state of linear bodies as far below the tolerances.
-void NewtonPath::polish() {
-  if (increment_.nonlinear() || last_matrix_ == StepMatrix::exact || !chord_) return;
-  q_ += increment_.step(system_, controls_, q_, StepMatrix::kept);
-  ++result_.report.solves;
 }
 
 /// The state is the answer, unless contact has outrun its reach: then Newton continues round the contact that it has

@@ -37,7 +37,6 @@ class NewtonPath {
   double asked() const;
   bool met();
   bool settled_enough() const;
-  void polish();
   void accept();
   void renew(bool settled);
   bool linearise();
