@@ -53,6 +53,8 @@ class Increment {
   Iteration measure(const System& system, const Controls& controls, const base::TwoPart& q, bool fresh);
   /// Whether steps can be taken in compliance form, on columns in reach that serve more than one increment.
   bool complies(const System& system);
+  /// Whether the last matrix was in that form.
+  bool in_compliance() const { return in_compliance_; }
   /// One semi-smooth Newton step about (q, lambda), or a chord step with the last matrix. Returns dq and updates
   /// lambda. Throws base::SolveError when the matrix is singular.
   Vector step(const System& system, const Controls& controls, const base::TwoPart& q, StepMatrix matrix);

@@ -28,8 +28,9 @@ constexpr int most_follows = 10;  ///< times in a path that another reach is cho
 constexpr int most_kept_nearest = 3;  ///< times in a path that a node is kept in contact, of nodes that all open
 constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
-constexpr double on_chord = 0.1;  ///< of linear bodies, with a kept matrix or in compliance form
-constexpr double little = 0.1;    ///< gain: share of the error that a step in compliance form leaves
+constexpr double on_chord = 0.03;  ///< with a kept exact matrix of linear bodies, whose steps gain a thousand
+constexpr double in_form = 0.1;    ///< in compliance form, whose steps gain a hundred
+constexpr double little = 0.1;     ///< gain: share of the error that a step in compliance form leaves
 
 }  // namespace
 
@@ -176,7 +177,8 @@ bool NewtonPath::may_keep_matrix() {
 double NewtonPath::asked() const {
   if (row_.changes > 0 || on_kept_tangent_) return on_kept;
   if (increment_.nonlinear()) return last_matrix_ == StepMatrix::kept && chord_ ? on_kept : 1.0;
-  return last_matrix_ != StepMatrix::exact && chord_ ? on_chord : 1.0;
+  if (last_matrix_ == StepMatrix::exact || !chord_) return 1.0;
+  return increment_.in_compliance() ? in_form : on_chord;
 }
 
 /// Whether the equations hold, on an active set that is decided once more: early decisions leave out the wear by

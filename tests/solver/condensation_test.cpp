@@ -238,7 +238,8 @@ TEST(condensation, reach_goes_ahead_of_a_long_slide) {
         if (k > 1) {
           EXPECT_LE(steps.limited, steps.whole);
         }
-      });
+      },
+      support::elastic(2000.0, 0.25), false);
 }
 
 // A reach chosen with the nodes that are expected to touch must hold them with its margin, as well as the contact, and
