@@ -248,7 +248,7 @@ class Interface {
   template <class Add>
   void chain(int node, const Eleven& quantity, Add add) const;
   template <class Add>
-  void chain_relative(int node, const Vec2& slope, Add add) const;
+  void chain_relative(int node, const MortarRow& row, const Vec2& slope, Add add) const;
   template <class Add>
   void chain_normal(int node, double slope_x, double slope_y, Add add) const;
   template <class Add>

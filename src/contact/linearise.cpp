@@ -52,18 +52,18 @@ void Interface::chain_normal(int node, double slope_x, double slope_y, Add add) 
 
 /// add(column, value) for slope . d(sum_k off_jk (x_k - x_j) + sum_l M_jl (x_j - x_l))/dx at fixed integrals.
 template <class Add>
-void Interface::chain_relative(int node, const Vec2& slope, Add add) const {
+void Interface::chain_relative(int node, const MortarRow& row, const Vec2& slope, Add add) const {
   if (slope.isZero(0.0)) return;
   const auto both = [&](int first, double factor) {
     add(first, factor * slope.x());
     add(first + 1, factor * slope.y());
   };
   double own = 0.0;
-  for (const auto& [k, share] : at_.rows[node].off) {
+  for (const auto& [k, share] : row.off) {
     own -= share;
     both(2 * k, share);
   }
-  for (const auto& [l, M] : at_.rows[node].M) {
+  for (const auto& [l, M] : row.M) {
     own += M;
     both(placement_.secondary_dofs() + 2 * l, -M);
   }
@@ -81,22 +81,7 @@ void Interface::chain_motion(int node, double slope_x, double slope_y, Add add) 
     for (std::size_t i = 0; i < record.dofs.size(); ++i)
       add(record.dofs[i], sign * (slope_x * dx[i] + slope_y * dy[i]));
   });
-  if (drift) return;
-  const auto& reference = before_->reference[node];
-  const auto both = [&](int first, double factor) {
-    add(first, factor * slope_x);
-    add(first + 1, factor * slope_y);
-  };
-  double own = 0.0;
-  for (const auto& [k, share] : reference.off) {
-    own -= share;
-    both(2 * k, share);
-  }
-  for (const auto& [l, M] : reference.M) {
-    own += M;
-    both(placement_.secondary_dofs() + 2 * l, -M);
-  }
-  both(2 * node, own);
+  if (!drift) chain_relative(node, before_->reference[node], {slope_x, slope_y}, add);
 }
 
 /// add(column, value) for all dependencies of a node's scalar except the wear of others.
@@ -107,7 +92,8 @@ void Interface::chain(int node, const Eleven& quantity, Add add) const {
   add(multipliers, d[lambda_x]);
   add(multipliers + 1, d[lambda_y]);
   if (derivatives_ == Derivatives::held_integrals)
-    return chain_relative(node, Vec2(d[motion_x], d[motion_y]) - d[Direction::gap_] * at_.normal[node], add);
+    return chain_relative(node, at_.rows[node], Vec2(d[motion_x], d[motion_y]) - d[Direction::gap_] * at_.normal[node],
+                          add);
   chain_normal(node, d[normal_x], d[normal_y], add);
   chain_motion(node, d[motion_x], d[motion_y], add);
   if (d[Direction::gap_] == 0.0 && d[cover_D] == 0.0) return;

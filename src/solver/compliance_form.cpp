@@ -26,6 +26,11 @@ Matrix stiffness_of_supports(const Eigen::Ref<const Matrix>& S_ss, const Eigen::
 bool ComplianceForm::fits(const System& system, const Reduction& reduction) {
   if (std::exchange(tried_, true)) return fits_;
   fits_ = false;
+  const auto may = [](const body::Operator& body) {
+    const auto* linear = std::get_if<body::LinearBody>(&body);
+    return linear && !linear->turning();
+  };
+  if (!std::all_of(system.bodies.begin(), system.bodies.end(), may)) return false;
   parts_.assign(system.bodies.size(), {});
   body_of_.assign(static_cast<std::size_t>(reduction.size()), -1);
   for (std::size_t b = 0; b < parts_.size(); ++b) {
@@ -37,13 +42,12 @@ bool ComplianceForm::fits(const System& system, const Reduction& reduction) {
   return fits_ = true;
 }
 
-/// The compliance of a body, or false where it has none.
+/// The compliance of a linear body that keeps its direction, or false where it has none.
 bool ComplianceForm::take(const System& system, const Reduction& reduction, int body, Part& part) {
-  const auto* linear = std::get_if<body::LinearBody>(&system.bodies[body]);
-  if (!linear || linear->turning()) return false;
+  const auto& linear = std::get<body::LinearBody>(system.bodies[body]);
   const Matrix& S = reduction.stiffness(body);
   part.first = reduction.first(body);
-  part.supports = static_cast<int>(linear->support_columns().size());
+  part.supports = static_cast<int>(linear.support_columns().size());
   part.nodes = static_cast<int>(S.rows()) - part.supports;
   part.C = S.topLeftCorner(part.nodes, part.nodes);
   try {

@@ -29,7 +29,7 @@ Reach round_contact(const System& system, const SolverState& before, const std::
   constexpr double worth = 1.5;  // of the nodes
   Reach now = Reach::round_contact(system, before.contacts, margin(system));
   if (ahead.empty()) return now;
-  Reach with = Reach::round_contact(system, before.contacts, ahead, margin(system));
+  Reach with = Reach::round_contact(system, before.contacts, margin(system), ahead);
   return with.nodes() > worth * now.nodes() ? now : with;
 }
 

@@ -30,7 +30,8 @@ constexpr double on_kept =
     0.01;  ///< of the tolerances, for a step with a kept tangent: Newton's own step falls far below them
 constexpr double on_chord = 0.03;  ///< with a kept exact matrix of linear bodies, whose steps gain a thousand
 constexpr double in_form = 0.1;    ///< in compliance form, whose steps gain a hundred
-constexpr double little = 0.1;     ///< gain: share of the error that a step in compliance form leaves
+constexpr double little =
+    0.1;  ///< share of the error: a step in compliance form that leaves more has gained too little
 
 }  // namespace
 

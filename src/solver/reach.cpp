@@ -55,18 +55,13 @@ bool Reach::add(const contact::Setup& setup, const std::vector<ContactStatus>& s
   return active > 0;
 }
 
-Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin) {
+Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin,
+                           const std::vector<std::vector<char>>& ahead) {
   Reach reach;
   for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin)) return all(system);
-  return reach;
-}
-
-Reach Reach::round_contact(const System& system, const std::vector<contact::ContactState>& contacts,
-                           const std::vector<std::vector<char>>& ahead, Margin margin) {
-  Reach reach;
-  for (std::size_t c = 0; c < system.contacts.size(); ++c)
-    if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin, ahead[c])) return all(system);
+    if (!reach.add(system.contacts[c], contacts[c].status, contacts[c].reference, margin,
+                   ahead.empty() ? std::vector<char>() : ahead[c]))
+      return all(system);
   return reach;
 }
 

@@ -19,11 +19,10 @@ struct Reach {
   struct Margin {
     int nodes = 0, active_per_node = 0;
   };
-  /// The active nodes and those they meet, with a margin on either side. Everything while a contact has none.
-  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin);
-  /// As well round the nodes that are expected to touch, per contact.
-  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts,
-                             const std::vector<std::vector<char>>& ahead, Margin margin);
+  /// The active nodes, those `ahead` (`Controls`) and those they meet, with a margin on either side. Everything while a
+  /// contact has no active node.
+  static Reach round_contact(const System& system, const std::vector<contact::ContactState>& contacts, Margin margin,
+                             const std::vector<std::vector<char>>& ahead = {});
   static Reach round_contact(const System& system, const std::vector<contact::Interface>& contacts, Margin margin);
 
   /// The nodes that conditions and forces of active ones depend on or act on, by their derivatives. Of a contact

@@ -38,8 +38,6 @@ std::string written(vtkDataSet* data) {
   writer->SetInputData(data);
   writer->SetDataModeToBinary();
   writer->SetHeaderTypeToUInt64();
-  writer->SetIdTypeToInt32();     // no mesh here has 2^31 nodes, and half of the bytes are left to pack
-  writer->SetBlockSize(1 << 20);  // in the default of 32 kB the start of each block is felt
   writer->SetCompressor(compressor);
   writer->SetWriteToOutputString(true);
   if (!writer->Write()) throw std::runtime_error("a ParaView frame could not be encoded");
