@@ -63,10 +63,15 @@ namespace {
 /// Of a cell as `with_types` computes it.
 int cell_dofs(const Mesh& mesh) { return mesh::order(mesh.kind) == 1 ? 8 : 16; }
 
-/// Calls take(cell, df_e/du_e) for every cell, or those with `wanted`.
-template <class Take>
-void for_each_tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, Take take,
-                      std::span<const char> wanted) {
+}  // namespace
+
+Matrix cell_tangents(const Mesh& mesh) {
+  const int size = cell_dofs(mesh);
+  return Matrix::Zero(size * size, mesh.cell_count());
+}
+
+void renew(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before,
+           std::span<const char> wanted, Matrix& of_cells) {
   const bool bar = barred(solid, mesh.kind);
   with_types(mesh, solid, [&]<class Strain, int n>(Strain, std::integral_constant<int, n>) {
     Eigen::Matrix<double, 2 * n, 2 * n> Ke;
@@ -76,31 +81,10 @@ void for_each_tangent(const Mesh& mesh, const Solid& solid, const Vector& u, con
       const Eigen::Matrix<double, Strain::stresses, 2 * n> ds = p.volume * D.lazyProduct(dx);
       Ke += dx.template topRows<Strain::stresses>().transpose().lazyProduct(ds);
     };
+    const auto keep = [&](int cell, const auto&) { of_cells.col(cell) = Ke.reshaped(); };
     for_each_cell<Strain, n>(
-        mesh, solid, u, before.F0, [&](int) { Ke.setZero(); }, point, [&](int cell, const auto&) { take(cell, Ke); },
-        wanted);
+        mesh, solid, u, before.F0, [&](int) { Ke.setZero(); }, point, keep, wanted);
   });
-}
-
-}  // namespace
-
-void tangent(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before, const Pattern& pattern,
-             SparseMatrix& K) {
-  K.coeffs().setZero();
-  const int count = mesh::nodes_per_cell(mesh.kind);
-  const auto add = [&](int cell, const auto& Ke) { pattern.add_cell(Ke, mesh.cells[cell], count, K); };
-  for_each_tangent(mesh, solid, u, before, add, {});
-}
-
-Matrix cell_tangents(const Mesh& mesh) {
-  const int size = cell_dofs(mesh);
-  return Matrix::Zero(size * size, mesh.cell_count());
-}
-
-void renew(const Mesh& mesh, const Solid& solid, const Vector& u, const GaussState& before,
-           std::span<const char> wanted, Matrix& of_cells) {
-  const auto keep = [&](int cell, const auto& Ke) { of_cells.col(cell) = Ke.reshaped(); };
-  for_each_tangent(mesh, solid, u, before, keep, wanted);
 }
 
 void assemble(const Mesh& mesh, const Matrix& of_cells, std::span<const char> wanted, const Pattern& pattern,

@@ -45,17 +45,14 @@ struct InternalForce {
 void internal_force(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
                     InternalForce& f, std::vector<char>* yields = nullptr, std::span<const char> wanted = {});
 
-/// K = df/du, made by `pattern.zero()`; nothing is allocated. Errors as above.
-void tangent(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
-             const Pattern& pattern, base::SparseMatrix& K);
-
 /// Tangents df_e/du_e of single cells, of which some may be those of another state: a cell in each column of the
 /// matrix, column by column.
 base::Matrix cell_tangents(const mesh::Mesh& mesh);  ///< zero
-/// Makes those with `wanted` at u. Errors as above.
+/// Makes those of all cells, or of those with `wanted`, at u. Errors as above.
 void renew(const mesh::Mesh& mesh, const Solid& solid, const base::Vector& u, const GaussState& before,
            std::span<const char> wanted, base::Matrix& of_cells);
-/// K of the cells with `wanted`; the pattern may be that of a mesh of them alone.
+/// K = df/du of all cells, or of those with `wanted`, on the places of `pattern.zero()`; nothing is allocated. The
+/// pattern may be that of a mesh of them alone.
 void assemble(const mesh::Mesh& mesh, const base::Matrix& of_cells, std::span<const char> wanted,
               const Pattern& pattern, base::SparseMatrix& K);
 

@@ -135,7 +135,8 @@ inline constexpr Key step_cycles{
      "number of repetitions; 0: a load step, which does not count as a cycle"};
 inline constexpr Key step_jump{
     "step[].jump", Type::number, "", "1", at_least(1.0),
-     "cycles per block, equal for all blocks; by default 1, or with `accuracy` a tolerance; or a table:"};
+     "cycles per block; where a body yields, the first block is played in parts that double, from one cycle on, while it "
+     "shakes down; by default 1, or with `accuracy` a tolerance; or a table:"};
 inline constexpr Key accuracy{"accuracy", Type::number, "", "", {.low = 0.0, .high = 0.2, .low_open = true},
      "relative error asked for, of worn profiles, or of tractions without wear: a pilot run chooses the element size "
      "of fine zones without `size_mm`; wearing steps without `jump` get half of it as tolerance"};

@@ -10,6 +10,7 @@
 #include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
+#include "support/tangent.hpp"
 
 namespace {
 
@@ -49,8 +50,8 @@ struct Dense {
   Matrix ii, ic, ci, cc;
 
   Dense(const body::NonlinearEquations& of, const body::Interior& before, const Vector& v, Tangent tangent) {
-    base::SparseMatrix K = of.pattern.zero();
-    fem::tangent(of.mesh(), of.solid, of.displacement(v), {before.history, before.F0}, of.pattern, K);
+    const base::SparseMatrix K =
+        support::tangent(of.mesh(), of.solid, of.displacement(v), {before.history, before.F0}, of.pattern);
     const base::SparseMatrix B = of.expansion(v);
     Matrix all = B.transpose() * K * B;
     if (tangent == Tangent::symmetric_part) all = 0.5 * (all + all.transpose()).eval();

@@ -12,6 +12,7 @@
 #include "solids.hpp"
 #include "support/bodies.hpp"
 #include "support/meshes.hpp"
+#include "support/tangent.hpp"
 
 namespace {
 
@@ -176,10 +177,9 @@ TEST_P(nonlinear_body, condensed_step_equals_full_step) {
 
   const base::SparseMatrix B = columns.expansion();
   const fem::Pattern pattern(mesh_);
-  auto sparse = pattern.zero();
+  auto sparse = support::tangent(mesh_, solid(), B * unknowns(), s_.before.history, pattern);
   fem::InternalForce f;
   fem::internal_force(mesh_, solid(), B * unknowns(), s_.before.history, f);
-  fem::tangent(mesh_, solid(), B * unknowns(), s_.before.history, pattern, sparse);
   f.total -= 0.7 * loads(B * unknowns());
   if (input_.kinematics == Kinematics::finite)
     fem::FollowerPressure(mesh_, input_.analysis, input_.boundary_loads[0])

@@ -8,6 +8,7 @@
 #include "fem/element.hpp"
 #include "fem/finite.hpp"
 #include "support/meshes.hpp"
+#include "support/tangent.hpp"
 
 /// Solids, uniform states and a plain Newton for tests of the internal force.
 namespace reye::fem_tests {
@@ -90,12 +91,11 @@ inline Vector bent(const Mesh& mesh) {
 inline std::vector<double> newton(const Mesh& mesh, const fem::Solid& solid, const std::vector<int>& held,
                                   const Vector& f, Vector& u) {
   const fem::Pattern pattern(mesh);
-  auto K = pattern.zero();
   fem::InternalForce internal;
   std::vector<double> table;
   for (int iteration = 0; iteration < 25; ++iteration) {
     fem::internal_force(mesh, solid, u, fem::virgin(mesh, solid), internal);
-    fem::tangent(mesh, solid, u, fem::virgin(mesh, solid), pattern, K);
+    auto K = support::tangent(mesh, solid, u, fem::virgin(mesh, solid), pattern);
     Vector r = internal.total - f;
     for (int node : held) r.segment<2>(2 * node).setZero();
     table.push_back(r.norm() / internal.largest);
@@ -107,7 +107,6 @@ inline std::vector<double> newton(const Mesh& mesh, const fem::Solid& solid, con
       for (int dof : {2 * node, 2 * node + 1}) K.coeffRef(dof, dof) = 1.0;
     K.makeCompressed();
     u -= algebra::UnsymmetricSchur(K, 0).recover(r, Vector(0));
-    K = pattern.zero();
   }
   return table;
 }

@@ -45,10 +45,7 @@ class prestrain : public testing::TestWithParam<Case> {
   }
 
   base::SparseMatrix tangent(const Mesh& mesh, const Vector& u, const GaussState& before) const {
-    const fem::Pattern pattern(mesh);
-    auto K = pattern.zero();
-    fem::tangent(mesh, of(), u, before, pattern, K);
-    return K;
+    return support::tangent(mesh, of(), u, before, fem::Pattern(mesh));
   }
 };
 

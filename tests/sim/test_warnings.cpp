@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "played.hpp"
 #include "problem_of.hpp"
 #include "sim/march/watch_block.hpp"
@@ -86,15 +88,17 @@ TEST(Warnings, RunWithJumpedPlasticCycles) {
   const auto of = [](const std::string& cycles) {
     return warned(
         {{"E_MPa = 200e3",
-          "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 20.0, modulus_MPa = 2000.0 }\nE_MPa "
+          "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = 8.0, modulus_MPa = 2000.0 }\nE_MPa "
           "= 200e3"},
          {"force_N_per_mm = -20.0", "force_N_per_mm = -36.0"},
+         {"friction  = 0.3", "friction  = 0.6"},
          {"cycles = 40\njump = 10", cycles}});
   };
   const auto jumped = of("cycles = 20\njump = 10");
   EXPECT_EQ(jumped.summary.status, RunStatus::done) << jumped.summary.reason;
-  EXPECT_EQ(jumped.kinds, test::Kinds{"plastic, step wear"});
-  EXPECT_EQ(of("cycles = 2\njump = 1").kinds, test::Kinds{});
+  const auto missing = [](const test::Kinds& kinds) { return std::ranges::count(kinds, "plastic, step wear"); };
+  EXPECT_EQ(missing(jumped.kinds), 1);
+  EXPECT_EQ(missing(of("cycles = 20\njump = 1").kinds), 0);
 }
 
 // Strain beyond 1 % in bodies that small strain was not written for must be warned of, beyond 5 % end the run; where it

@@ -5,6 +5,7 @@
 
 #include "base/formatted.hpp"
 #include "sim/march/block.hpp"
+#include "sim/march/jump_rule.hpp"
 #include "sim/march/recording.hpp"
 #include "sim/problem/warnings.hpp"
 
@@ -24,6 +25,12 @@ void tell(const BlockSpan& span, double wanted, const std::string& failure, Stat
 }
 
 }  // namespace
+
+double next_fixed(const Problem& problem, const scene::Step& step, double whole, double done, bool yielded) {
+  const double left = whole - done;
+  if (!step.wear || !may_yield(problem) || left <= 1e-9 * whole) return whole;
+  return done == 0.0 || yielded ? std::min(std::max(unjumped, done), left) : left;
+}
 
 Outcome play_fixed(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {
   const double wanted = span.jump;

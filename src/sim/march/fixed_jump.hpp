@@ -7,6 +7,12 @@
 
 namespace reye::sim {
 
+/// Cycles of the next block of a step with a fixed jump of `whole` cycles, `done` of which are played. A body that
+/// yields shakes down in the first cycles, which no later one resembles: where one has `yielded`, the first block is
+/// played in parts, one cycle and then each as long as all before it, so that no cycle stands for more of them than the
+/// step has had. Where one may yield it is one cycle and, if none has, the rest.
+double next_fixed(const Problem& problem, const scene::Step& step, double whole, double done, bool yielded);
+
 /// Plays a block of as many cycles as the scene says. A block that wears and fails is repeated on a quarter of them,
 /// down to one; the blocks after it keep the number that worked (State::block_cycles), with a warning that names it. A
 /// block of one cycle that fails is a failure.

@@ -32,17 +32,20 @@ namespace reye::sim {
 namespace {
 
 /// The span with which the next block is tried.
-BlockSpan next_span(const scene::Scene& scene, const scene::Step& step, const State& state) {
+BlockSpan next_span(const Problem& problem, const scene::Step& step, const State& state) {
+  const scene::Scene& scene = problem.scene;
   BlockSpan span;
   span.step = &step;
   span.cycles = step.cycles > 0.0;
   span.last = true;
   if (!span.cycles) return span;
   const double left = remaining(step, state);
-  span.jump = std::min(state.block_cycles > 0.0 ? state.block_cycles : step.jump, left);
   if (under_tolerance(step))
     span.jump = fitted(scene.output.frames, state.cycle,
                        std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
+  else
+    span.jump = std::min(left, next_fixed(problem, step, state.block_cycles > 0.0 ? state.block_cycles : step.jump,
+                                          state.step_cycles, largest_plastic_strain(state) > 0.0));
   span.last = left - span.jump <= 1e-9 * step.cycles;
   const double done = state.step_cycles / step.cycles;
   span.level = frame_due(scene.output.frames, {.cycle_before = state.cycle,
@@ -166,7 +169,7 @@ class Runner {
   bool next_block(const scene::Step& step) {
     const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_),
                            removed_volumes(state_.solution.contacts)};
-    BlockSpan span = next_span(p_.scene, step, state_);
+    BlockSpan span = next_span(p_, step, state_);
     if (observer_.progress)
       span.increments_of_run = static_cast<double>(state_.counts.increments) + work_left(p_, state_).increments;
     Outcome outcome = play_to_limit(std::move(span));

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/march/fixed_jump.hpp"
 #include "sim/march/jump_rule.hpp"
+#include "sim/march/watch_block.hpp"
 #include "sim/measure/limits.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/ending.hpp"
@@ -44,8 +46,12 @@ double end_by_limits(const scene::Scene& scene, const State& state) {
   return end;
 }
 
-Work fixed_blocks(double left, double jump, double increments) {
-  const double blocks = std::ceil(left / jump - 1e-9);
+/// Blocks of a fixed jump of `whole` cycles from `done` cycles of a step on; `next`: cycles of one after so many.
+template <class Next>
+Work fixed_blocks(double until, double done, double whole, const Next& next, double increments) {
+  double blocks = 0.0;
+  for (; done < std::min(until, whole) * (1.0 - 1e-9); ++blocks) done += next(done);
+  if (until > done) blocks += std::ceil((until - done) / whole - 1e-9);
   return {blocks, blocks, blocks * increments};
 }
 
@@ -102,8 +108,10 @@ Work work_left(const Problem& problem, const State& state) {
       const auto& blocks = may_continue(problem.contacts) ? continued : in_halves;
       work += controlled_blocks(scene.output.frames, step, blocks, at, until, increments);
     } else {
-      const bool cut = present && state.block_cycles > 0.0;
-      work += fixed_blocks(until - at.done, cut ? state.block_cycles : step.jump, increments);
+      const double whole = present && state.block_cycles > 0.0 ? state.block_cycles : step.jump;
+      const bool yielded = !present || largest_plastic_strain(state) > 0.0;
+      const auto next = [&](double done) { return next_fixed(problem, step, whole, done, yielded); };
+      work += fixed_blocks(until, at.done, whole, next, increments);
       at.cycle += until - at.done;
     }
     at.done = 0.0;

@@ -154,8 +154,12 @@ std::string wear_of(const wear::Law& law) {
   return words;
 }
 
-std::string blocks_of(const scene::Step& step) {
-  if (step.jump_tolerance == 0.0) return base::formatted("of %g", step.jump);
+std::string blocks_of(const Problem& p, const scene::Step& step) {
+  if (step.jump_tolerance == 0.0) {
+    const bool parts = step.wear && step.jump > 1.0 && may_yield(p);
+    return base::formatted("of %g%s", step.jump,
+                           parts ? " (the first in parts that double, from one cycle on, while a body yields)" : "");
+  }
   return base::formatted("chosen for an error of %g %%, the first of %g", 100.0 * step.jump_tolerance, step.jump);
 }
 
@@ -240,7 +244,7 @@ void tell_step(const Problem& p, const scene::Step& step, Plan& plan) {
   if (step.level != 1.0) more += base::formatted(", its factors times %g", step.level);
   if (step.cycles > 0.0)
     plan.lines.push_back(base::formatted("step \"%s\": %g cycles in blocks %s, %d increments a cycle%s",
-                                         step.name.c_str(), step.cycles, blocks_of(step).c_str(), increments,
+                                         step.name.c_str(), step.cycles, blocks_of(p, step).c_str(), increments,
                                          more.c_str()));
   else
     plan.lines.push_back(base::formatted("step \"%s\": %d increments%s", step.name.c_str(), increments, more.c_str()));

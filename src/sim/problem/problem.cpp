@@ -10,6 +10,11 @@ bool is_nonlinear(const body::BodyInput& input) {
   return input.kinematics == base::Kinematics::finite || material::has_history(input.material);
 }
 
+bool may_yield(const Problem& problem) {
+  return std::any_of(problem.inputs.begin(), problem.inputs.end(),
+                     [](const body::BodyInput& input) { return material::has_history(input.material); });
+}
+
 std::optional<double> chosen_small_error(const Problem& problem) {
   std::optional<double> largest;
   for (std::size_t b = 0; b < problem.kinematics.size(); ++b)

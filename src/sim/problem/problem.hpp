@@ -70,6 +70,9 @@ struct Problem {
 /// Finite strain or a material with history: not condensed once, but linearised in every iteration.
 bool is_nonlinear(const body::BodyInput& input);
 
+/// Whether a body has a yield stress.
+bool may_yield(const Problem& problem);
+
 /// Whether wear is in the gap when pressures are found: that of every contact is implicit.
 bool wear_is_in_gaps(const Problem& problem);
 
