@@ -63,7 +63,7 @@ def main():
     for name, (cycles, changes) in LIVES.items():
         short = cycles / 75
         reference = play(f"{name}_exact", cycles, changes, f"{{ tolerance = 0.2, first = 1, most = {short} }}")
-        for newton in (30, 7):
+        for newton in (30, 5):
             for tolerance in TOLERANCES:
                 more = f"[solver]\nmax_newton = {newton}\n"
                 done = play(f"{name}_{newton}_{tolerance}", cycles, changes, f"{{ tolerance = {tolerance} }}", more)

@@ -65,7 +65,8 @@ TEST(Codes, PlainProgress) {
 // With --quiet a good run must print nothing at all.
 TEST(Codes, Quiet) {
   const WithScenes place;
-  const auto told = place.reye({"run", "wearing.toml", "--quiet"});
+  place.write("good.toml", test::changed(test::wearing, {{"jump = 100", "jump = 50"}}));
+  const auto told = place.reye({"run", "good.toml", "--quiet"});
   EXPECT_EQ(told.code, 0);
   EXPECT_EQ(told.out + told.err, "");
 }

@@ -22,7 +22,7 @@ void watch_jump(const Problem& problem, State& state, Cache& cache, const scene:
   quiet.interrupted = observer.interrupted;
   const Outcome cycle = play_increments(problem, state, cache, span, quiet);
   if (!cycle.failure.empty() || cycle.interrupted) return;
-  const double apart = worn_elsewhere(removed, at_end, removed_volumes(cycle.state.solution.contacts), cycles);
+  const double apart = worn_elsewhere(removed, at_end, removed_volumes(cycle.state.solution.contacts));
   if (auto warning = uneven_jump(step, state.cycle, cycles, apart)) warn(state, observer, std::move(*warning));
 }
 

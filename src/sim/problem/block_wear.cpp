@@ -2,9 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace reye::sim {
+
+namespace {
+
+double worn_between(std::span<const double> before, std::span<const double> after) {
+  double worn = 0.0;
+  for (std::size_t j = 0; j < after.size(); ++j) worn += after[j] - before[j];
+  return worn;
+}
+
+}  // namespace
 
 bool same_sizes(const Volumes& a, const Volumes& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
@@ -12,17 +23,17 @@ bool same_sizes(const Volumes& a, const Volumes& b) {
   });
 }
 
-double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after, double cycles) {
+double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after) {
   double worst = 0.0;
   for (std::size_t c = 0; c < end.size(); ++c)
     for (std::size_t side = 0; side < 2; ++side) {
-      double apart = 0.0, worn = 0.0;
-      for (std::size_t j = 0; j < end[c][side].size(); ++j) {
-        const double in_cycle = after[c][side][j] - end[c][side][j];
-        apart += std::abs((end[c][side][j] - start[c][side][j]) / cycles - in_cycle);
-        worn += in_cycle;
-      }
-      if (worn > 0.0) worst = std::max(worst, apart / worn);
+      const auto of = [&](const Volumes& volumes) { return std::span<const double>(volumes[c][side]); };
+      const double block = worn_between(of(start), of(end)), cycle = worn_between(of(end), of(after));
+      if (!(block > 0.0 && cycle > 0.0)) continue;
+      double apart = 0.0;
+      for (std::size_t j = 0; j < of(end).size(); ++j)
+        apart += std::abs((of(end)[j] - of(start)[j]) / block - (of(after)[j] - of(end)[j]) / cycle);
+      worst = std::max(worst, apart);
     }
   return worst;
 }

@@ -11,9 +11,10 @@ using Volumes = std::vector<std::array<std::vector<double>, 2>>;
 
 bool same_sizes(const Volumes& a, const Volumes& b);
 
-/// Where a cycle wears otherwise than the block before it did: sum |v_block / cycles - v_cycle| over sum v_cycle, of
-/// the worst side. Volumes removed at the start of the block, at its end and after the cycle.
-double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after, double cycles);
+/// How far a cycle wears other places than the block before it: sum over the points of
+/// |v_block / sum v_block - v_cycle / sum v_cycle|, of the worst side. Volumes removed at the start of the block, at
+/// its end and after the cycle. Shares, since volumes on moved outlines are those of other areas than in gaps.
+double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after);
 
 /// What a play has worn until a progress of it.
 struct WornUntil {

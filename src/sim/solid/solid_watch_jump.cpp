@@ -22,7 +22,7 @@ void watch_jump(const SolidProblem& problem, SolidPlayer& player, SolidRunState&
     return;
   }
   if (!cycle.failure.empty() || cycle.interrupted || !same_sizes(removed, at_end)) return;
-  const double apart = worn_elsewhere(removed, at_end, removed_volumes(cycle.state.solution.wear), cycles);
+  const double apart = worn_elsewhere(removed, at_end, removed_volumes(cycle.state.solution.wear));
   auto warning = uneven_jump(step, state.cycle, cycles, apart);
   if (!warning) return;
   const std::string text = in_words(*warning);
