@@ -14,11 +14,11 @@ using namespace reye;
 namespace {
 
 /// Two blocks that fret over 100 cycles in blocks of 40, of a metal with this yield stress.
-sim::Problem fretting_block(const std::string& yield_MPa) {
+sim::Problem fretting_block(const std::string& yield_MPa, const std::string& more = "") {
   return test::problem_of(test::with(
       test::block_scene, {{"E_MPa = 200e3", "law = \"hencky_j2\"\nhardening = { law = \"linear\", yield_MPa = " +
                                                 yield_MPa + ", modulus_MPa = 2000.0 }\nE_MPa = 200e3"},
-                          {"cycles = 40\njump = 10", "cycles = 100\njump = 40"}}));
+                          {"cycles = 40\njump = 10", "cycles = 100\njump = 40\n" + more}}));
 }
 
 /// The cycles at the ends of all blocks of a run, and the work that it said was left at the start of each.
@@ -48,6 +48,13 @@ TEST(FixedJump, BodiesShakeDownInPartsOfTheFirstBlock) {
   EXPECT_EQ(blocks_of(test::problem_of(test::block_scene)).ends, (Cycles{10, 20, 30, 40}));
 }
 
+// Once hardly anything flows the rest of a first block must be played at once, in a later step after one cycle.
+TEST(FixedJump, ABodyShakesDownOnce) {
+  const auto again = "[[step]]\nname = \"again\"\nplay = [\"stroke\"]\nincrements = 8\ncycles = 100\njump = 40\n";
+  const auto ends = blocks_of(fretting_block("12.0", again)).ends;
+  EXPECT_EQ(ends, (std::vector<double>{1, 2, 4, 40, 80, 100, 101, 140, 180, 200}));
+}
+
 // The blocks that are left must be counted with the parts of the first one.
 TEST(FixedJump, PartsAreWork) {
   using Counts = std::vector<double>;
@@ -59,12 +66,12 @@ TEST(FixedJump, PartsAreWork) {
 TEST(FixedJump, NextBlock) {
   const auto yields = fretting_block("5.0"), elastic = test::problem_of(test::block_scene);
   const auto& step = yields.scene.steps.back();
-  EXPECT_EQ(sim::next_fixed(elastic, elastic.scene.steps.back(), 10.0, 0.0, false), 10.0);
-  EXPECT_EQ(sim::next_fixed(yields, step, 40.0, 0.0, true), 1.0);
-  EXPECT_EQ(sim::next_fixed(yields, step, 2.5, 2.0, true), 0.5);
-  EXPECT_EQ(sim::next_fixed(yields, step, 40.0, 1.0, false), 39.0);
-  EXPECT_EQ(sim::next_fixed(yields, step, 5.0, 8.0, true), 5.0);
+  EXPECT_EQ(sim::next_fixed(elastic, elastic.scene.steps.back(), 10.0, 0.0, 0.0), 10.0);
+  EXPECT_EQ(sim::next_fixed(yields, step, 40.0, 0.0, 0.0), 1.0);
+  EXPECT_EQ(sim::next_fixed(yields, step, 2.5, 2.0, 1.0), 0.5);
+  EXPECT_EQ(sim::next_fixed(yields, step, 40.0, 1.0, 1e-4), 39.0);
+  EXPECT_EQ(sim::next_fixed(yields, step, 5.0, 8.0, 1.0), 5.0);
   auto no_wear = step;
   no_wear.wear = false;
-  EXPECT_EQ(sim::next_fixed(yields, no_wear, 40.0, 0.0, true), 40.0);
+  EXPECT_EQ(sim::next_fixed(yields, no_wear, 40.0, 0.0, 1.0), 40.0);
 }

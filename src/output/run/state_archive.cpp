@@ -104,7 +104,7 @@ std::vector<std::shared_ptr<body::Shape>> plain(const std::vector<body::ShapePtr
 
 template <class Archive, class State>
 void fields(Archive& archive, State& s) {
-  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_rate, s.block_cycles, s.levels_at_once,
+  archive(s.cycle, s.step, s.step_cycles, s.step_blocks, s.jump, s.jump_rate, s.block_cycles, s.flow, s.levels_at_once,
           s.last_wear, s.jump_error, s.factors, s.solution, s.recall, s.renewed_at, s.displaced, s.approached,
           s.life_cycles, s.life_error, s.limit_measure, s.limit_rate, s.small_strain_error, s.warnings, s.watch,
           s.bonds, s.counts, s.shown, s.cutback_reasons);

@@ -7,6 +7,7 @@
 #include "sim/march/block.hpp"
 #include "sim/march/jump_rule.hpp"
 #include "sim/march/recording.hpp"
+#include "sim/march/watch_block.hpp"
 #include "sim/problem/warnings.hpp"
 
 namespace reye::sim {
@@ -14,6 +15,7 @@ namespace reye::sim {
 namespace {
 
 constexpr double shorter = 0.25;  ///< of the cycles of a block that failed, for the next try
+constexpr double little = 0.01;   ///< share of all plastic strain that cycles may add which are played as one
 
 void tell(const BlockSpan& span, double wanted, const std::string& failure, State& state, const Observer& observer) {
   if (observer.log) observer.log("shortened: " + failure);
@@ -26,10 +28,17 @@ void tell(const BlockSpan& span, double wanted, const std::string& failure, Stat
 
 }  // namespace
 
-double next_fixed(const Problem& problem, const scene::Step& step, double whole, double done, bool yielded) {
+double next_fixed(const Problem& problem, const scene::Step& step, double whole, double done, double flow) {
   const double left = whole - done;
   if (!step.wear || !may_yield(problem) || left <= 1e-9 * whole) return whole;
-  return done == 0.0 || yielded ? std::min(std::max(unjumped, done), left) : left;
+  const bool first = done == 0.0, flows = flow * left > little;
+  return first || flows ? std::min(std::max(unjumped, done), left) : left;
+}
+
+double flow_since(const State& state, double before, bool same_points) {
+  const double now = mean_plastic_strain(state);
+  if (now == 0.0) return 0.0;
+  return same_points ? (now - before) / now : 1.0;
 }
 
 Outcome play_fixed(const Problem& problem, const State& state, Cache& cache, BlockSpan span, const Observer& observer) {

@@ -45,7 +45,7 @@ BlockSpan next_span(const Problem& problem, const scene::Step& step, const State
                        std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   else
     span.jump = std::min(left, next_fixed(problem, step, state.block_cycles > 0.0 ? state.block_cycles : step.jump,
-                                          state.step_cycles, largest_plastic_strain(state) > 0.0));
+                                          state.step_cycles, state.flow));
   span.last = left - span.jump <= 1e-9 * step.cycles;
   const double done = state.step_cycles / step.cycles;
   span.level = frame_due(scene.output.frames, {.cycle_before = state.cycle,
@@ -144,7 +144,7 @@ class Runner {
 
   /// What the end of a block is compared with.
   struct BlockStart {
-    double cycle = 0.0, plastic_strain = 0.0;
+    double cycle = 0.0, largest_strain = 0.0, mean_strain = 0.0;  // plastic
     Counts counts;
     std::vector<std::vector<double>> slip;
     Volumes removed;
@@ -157,7 +157,7 @@ class Runner {
     const bool same_meshes = !remeshed_since(start);
     const double solved = static_cast<double>(state_.counts.cycles_solved - start.counts.cycles_solved);
     if (step.cycles > 0.0 && same_meshes)
-      watch_plastic_strain(step, start.plastic_strain, (state_.cycle - start.cycle) / solved, state_, observer_);
+      watch_plastic_strain(step, start.largest_strain, (state_.cycle - start.cycle) / solved, state_, observer_);
     if (step.wear && step.cycles > 0.0 && same_meshes)
       warn_of_stick_edge(p_, *system_of(p_, state_, cache_), start.slip, state_, observer_);
     warn_of_block(p_, state_, observer_);
@@ -167,8 +167,9 @@ class Runner {
 
   /// False when the run ends here.
   bool next_block(const scene::Step& step) {
-    const BlockStart start{state_.cycle, largest_plastic_strain(state_), state_.counts, slip_paths(state_),
-                           removed_volumes(state_.solution.contacts)};
+    const BlockStart start{
+        state_.cycle,       largest_plastic_strain(state_),           mean_plastic_strain(state_), state_.counts,
+        slip_paths(state_), removed_volumes(state_.solution.contacts)};
     BlockSpan span = next_span(p_, step, state_);
     if (observer_.progress)
       span.increments_of_run = static_cast<double>(state_.counts.increments) + work_left(p_, state_).increments;
@@ -181,6 +182,7 @@ class Runner {
     row_.settle(p_, state_, *system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
+    state_.flow = flow_since(state_, start.mean_strain, !remeshed_since(start));
     if (const auto reason =
             watch_strain(p_, state_, *system_of(p_, state_, cache_), step_over(step, state_), observer_);
         !reason.empty())

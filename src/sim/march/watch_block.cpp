@@ -33,6 +33,13 @@ double largest_plastic_strain(const State& state) {
   return largest;
 }
 
+double mean_plastic_strain(const State& state) {
+  double sum = 0.0, points = 0.0;
+  for (const auto& interior : state.solution.interiors)
+    for (const auto& point : interior.history) sum += point.accumulated, ++points;
+  return points > 0.0 ? sum / points : 0.0;
+}
+
 void watch_tolerance(const scene::Step& step, State& state, const Observer& observer) {
   const double error = state.jump_error.value_or(0.0);
   if (error <= step.jump_tolerance) return;
@@ -45,14 +52,14 @@ void watch_tolerance(const scene::Step& step, State& state, const Observer& obse
 
 void watch_plastic_strain(const scene::Step& step, double before, double cycles, State& state,
                           const Observer& observer) {
-  const double now = largest_plastic_strain(state), missing = (cycles - 1.0) * (now - before);
-  if (missing <= 0.01 * now) return;
+  const double now = largest_plastic_strain(state), most_missing = (cycles - 1.0) * (now - before);
+  if (most_missing <= 0.01 * now) return;
   const std::string words = base::formatted(
-      "cycles that are jumped add no plastic strain: up to cycle %g its largest value grew "
-      "from %.3g to %.3g in cycles that stand for %.3g each, so that some %.2g is missing from this block alone; "
-      "jump = 1 plays every cycle",
-      state.cycle, before, now, cycles, missing);
-  warn(state, observer, {"plastic", "step " + step.name, words, missing / now});
+      "cycles that are jumped add no plastic strain, of which the run shows too little: up to cycle %g its largest "
+      "value "
+      "grew from %.3g to %.3g in cycles that stand for %.3g each; jump = 1 plays every cycle",
+      state.cycle, before, now, cycles);
+  warn(state, observer, {"plastic", "step " + step.name, words, most_missing / now});
 }
 
 std::string watch_strain(const Problem& problem, State& state, const solver::System& system, bool last,

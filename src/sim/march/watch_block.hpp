@@ -9,12 +9,15 @@
 namespace reye::sim {
 
 double largest_plastic_strain(const State& state);
+double mean_plastic_strain(const State& state);  ///< over all Gauss points
 
 /// Warns of a tolerance that was missed, with its value.
 void watch_tolerance(const scene::Step& step, State& state, const Observer& observer);
 
 /// Plastic strain grows in the cycles that are played, and no cycle that is jumped adds any: warns where more than a
-/// hundredth of it is missing. `before`: the largest at the start of the block; `cycles`: that a played one stands for.
+/// hundredth of it would be missing if each added as much. How much is missing the run cannot know: flow fades, and
+/// some of it follows the wear of the whole block. `before`: the largest at the start of the block; `cycles`: that a
+/// played one stands for.
 void watch_plastic_strain(const scene::Step& step, double before, double cycles, State& state,
                           const Observer& observer);
 

@@ -6,7 +6,6 @@
 
 #include "sim/march/fixed_jump.hpp"
 #include "sim/march/jump_rule.hpp"
-#include "sim/march/watch_block.hpp"
 #include "sim/measure/limits.hpp"
 #include "sim/problem/drive.hpp"
 #include "sim/problem/ending.hpp"
@@ -109,8 +108,7 @@ Work work_left(const Problem& problem, const State& state) {
       work += controlled_blocks(scene.output.frames, step, blocks, at, until, increments);
     } else {
       const double whole = present && state.block_cycles > 0.0 ? state.block_cycles : step.jump;
-      const bool yielded = !present || largest_plastic_strain(state) > 0.0;
-      const auto next = [&](double done) { return next_fixed(problem, step, whole, done, yielded); };
+      const auto next = [&](double done) { return next_fixed(problem, step, whole, done, present ? state.flow : 1.0); };
       work += fixed_blocks(until, at.done, whole, next, increments);
       at.cycle += until - at.done;
     }

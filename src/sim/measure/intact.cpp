@@ -94,7 +94,7 @@ void check_numbers_of_cycles(const State& state) {
           "it is under way and has not begun");
   require(finite(state.cycle) && state.cycle >= 0.0 && finite(state.step_cycles) && state.step_cycles >= 0.0 &&
               state.step_blocks >= 0 && finite(state.jump) && state.jump >= 0.0 && finite(state.jump_rate) &&
-              finite(state.jump_error) && finite(state.block_cycles) &&
+              finite(state.jump_error) && finite(state.block_cycles) && finite(state.flow) &&
               (state.block_cycles == 0.0 || state.block_cycles >= 1.0),
           "its number of cycles is not a number");
 }

@@ -35,6 +35,7 @@ struct State {
   double jump = 0.0;           ///< cycles that the next block is tried with under a tolerance; 0: the first
   double jump_rate = 0.0;      ///< error of the last block under a tolerance over its share of all wear; 0: none
   double block_cycles = 0.0;   ///< where a fixed jump was too long in this step, the cycles that worked; 0: none was
+  double flow = 0.0;           ///< share of all plastic strain that the last block added
   bool levels_at_once = true;  ///< one play is tried to level the next block that is shown on the way
   BlockWear<contact::ContactState> last_wear;  ///< of the last block under a tolerance in this step
   std::optional<double> jump_error;            ///< error of the blocks under a tolerance, as far as known
