@@ -36,11 +36,11 @@ sim::SolidProblem worn_ball(double jump) {
 
 // The shares of all wear of a block and of a cycle must be compared place by place, on the side where they differ most.
 TEST(WatchJump, WornElsewhere) {
-  const sim::Volumes start{{{{1.0, 2.0}, {0.0}}}}, end{{{{2.0, 4.0}, {1.0}}}}, after{{{{2.25, 4.25}, {1.1}}}};
+  const sim::Volumes block{{{{1.0, 2.0}, {1.0}}}}, cycle{{{{0.25, 0.25}, {0.1}}}};
   // Secondary: a third and two thirds for a half each; primary: all in one place.
-  EXPECT_NEAR(sim::worn_elsewhere(start, end, after), 2.0 / 6.0, 1e-14);
-  EXPECT_NEAR(sim::worn_elsewhere(start, end, {{{{2.1, 4.2}, {1.5}}}}), 0.0, 1e-14);
-  EXPECT_EQ(sim::worn_elsewhere(start, end, end), 0.0);  // a cycle that wears nothing says nothing
+  EXPECT_NEAR(sim::worn_elsewhere(block, cycle), 2.0 / 6.0, 1e-14);
+  EXPECT_NEAR(sim::worn_elsewhere(block, {{{{0.1, 0.2}, {0.5}}}}), 0.0, 1e-14);
+  EXPECT_EQ(sim::worn_elsewhere(block, {{{{0.0, 0.0}, {0.0}}}}), 0.0);  // a cycle that wears nothing says nothing
 }
 
 // Only the last step that wears is asked, and only where it jumps by blocks of one size.

@@ -10,10 +10,11 @@ using verification::scene_text;
 namespace {
 
 /// A cylinder that frets on a flat, in blocks of so many cycles, with frames at the start and the end of steps.
-Played fretting(const std::string& jump) {
+Played fretting(const std::string& jump, const std::string& more = "") {
   return played(scene_text("fretting_demo", {{"jump = { tolerance = 0.01 }", "jump = " + jump},
                                              {"every_cycles = 1800", "per_step = 0"},
-                                             {"increments = 40", "increments = 24"}}));
+                                             {"increments = 40", "increments = 24"}}) +
+                more);
 }
 
 /// What the run says of pressures that its blocks leave uneven; 0: nothing.
@@ -72,4 +73,14 @@ TEST(FixedJump, LongBlocksSayWhatPressuresAreOffBy) {
   EXPECT_EQ(coarse.summary.counts.cycles_solved, 30);
   EXPECT_EQ(coarse.records.back().cycle, 18000.0);
   EXPECT_LT(coarse.contact().ledger_relative_error.value(), 1e-12);
+}
+
+// Where the last block ends on a fresh mesh its blocks must be judged as those of a run that keeps its mesh are.
+TEST(FixedJump, AFreshMeshAtTheEndHidesNothing) {
+  const auto kept = fretting("1800"), fresh = fretting("1800", "[remesh]\nevery_blocks = 10\n");
+  EXPECT_EQ(kept.summary.counts.remeshes, 0);
+  ASSERT_EQ(fresh.records.back().cycle, 18000.0);
+  ASSERT_EQ(fresh.summary.counts.remeshes, 2);
+  EXPECT_GT(said(kept), 0.1);
+  EXPECT_NEAR(said(fresh) / said(kept), 1.0, 0.5);
 }

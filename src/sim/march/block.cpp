@@ -87,9 +87,9 @@ solver::Controls asked(const Problem& problem, const State& state, const solver:
 
 /// Notes what the play has worn until progress `to`; no more where a body has got other nodes.
 void note_course(Playing& block, const State& state, double to) {
-  auto removed = removed_volumes(state.solution.contacts);
+  const auto removed = removed_volumes(state.solution.contacts);
   if (same_sizes(removed, block.at_start))
-    block.worn.note(to, std::move(removed), block.at_start);
+    block.worn.note(to, removed, block.at_start);
   else
     block.at_start.clear();
 }

@@ -35,6 +35,11 @@ double next_fixed(const Problem& problem, const scene::Step& step, double whole,
   return first || flows ? std::min(std::max(unjumped, done), left) : left;
 }
 
+double next_fixed(const Problem& problem, const scene::Step& step, const State& state) {
+  const double whole = state.block_cycles > 0.0 ? state.block_cycles : step.jump;
+  return next_fixed(problem, step, whole, state.step_cycles, state.flow);
+}
+
 double flow_since(const State& state, double before, bool same_points) {
   const double now = mean_plastic_strain(state);
   if (now == 0.0) return 0.0;

@@ -13,6 +13,7 @@ namespace reye::sim {
 /// had. Where the rest of that block, by the `flow` of the last cycle, would add less than a hundredth of all plastic
 /// strain, it is played at once.
 double next_fixed(const Problem& problem, const scene::Step& step, double whole, double done, double flow);
+double next_fixed(const Problem& problem, const scene::Step& step, const State& state);  ///< where a run stands
 
 /// The share of all plastic strain that has been added since it was `before` in the mean; all of it where points are
 /// not those of before.

@@ -33,7 +33,7 @@ namespace {
 
 /// The span with which the next block is tried.
 BlockSpan next_span(const Problem& problem, const scene::Step& step, const State& state) {
-  const scene::Scene& scene = problem.scene;
+  const auto& frames = problem.scene.output.frames;
   BlockSpan span;
   span.step = &step;
   span.cycles = step.cycles > 0.0;
@@ -41,19 +41,17 @@ BlockSpan next_span(const Problem& problem, const scene::Step& step, const State
   if (!span.cycles) return span;
   const double left = remaining(step, state);
   if (under_tolerance(step))
-    span.jump = fitted(scene.output.frames, state.cycle,
-                       std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
+    span.jump = fitted(frames, state.cycle, std::min(state.jump > 0.0 ? state.jump : step.jump, step.jump_most), left);
   else
-    span.jump = std::min(left, next_fixed(problem, step, state.block_cycles > 0.0 ? state.block_cycles : step.jump,
-                                          state.step_cycles, state.flow));
+    span.jump = std::min(left, next_fixed(problem, step, state));
   span.last = left - span.jump <= 1e-9 * step.cycles;
   const double done = state.step_cycles / step.cycles;
-  span.level = frame_due(scene.output.frames, {.cycle_before = state.cycle,
-                                               .cycle = state.cycle + span.jump,
-                                               .number = state.step_blocks + 1,
-                                               .last = span.last,
-                                               .share_before = done,
-                                               .share = done + span.jump / step.cycles});
+  span.level = frame_due(frames, {.cycle_before = state.cycle,
+                                  .cycle = state.cycle + span.jump,
+                                  .number = state.step_blocks + 1,
+                                  .last = span.last,
+                                  .share_before = done,
+                                  .share = done + span.jump / step.cycles});
   return span;
 }
 
@@ -196,7 +194,9 @@ class Runner {
     const bool stop = watch_limits(p_, state_, *system_of(p_, state_, cache_), start.cycle, middle);
     const bool last = stop || step_over(step, state_);
     if (last && under_tolerance(step)) watch_tolerance(step, state_, observer_);
-    if (last) watch_jump(p_, state_, cache_, step, start.removed, state_.cycle - start.cycle, observer_);
+    if (last)
+      watch_jump(p_, state_, cache_, step, remeshed_since(start) ? Volumes{} : start.removed,
+                 state_.cycle - start.cycle, observer_);
     PlayedBlock played{start.cycle, state_.cycle, state_.step_blocks, last, remeshed_since(start)};
     if (step.cycles > 0.0) {
       played.share = state_.step_cycles / step.cycles;

@@ -2,20 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <numeric>
 #include <utility>
 
 namespace reye::sim {
-
-namespace {
-
-double worn_between(std::span<const double> before, std::span<const double> after) {
-  double worn = 0.0;
-  for (std::size_t j = 0; j < after.size(); ++j) worn += after[j] - before[j];
-  return worn;
-}
-
-}  // namespace
 
 bool same_sizes(const Volumes& a, const Volumes& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
@@ -23,26 +13,31 @@ bool same_sizes(const Volumes& a, const Volumes& b) {
   });
 }
 
-double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after) {
+Volumes worn_between(const Volumes& before, const Volumes& after) {
+  Volumes worn = after;
+  for (std::size_t c = 0; c < worn.size(); ++c)
+    for (std::size_t side = 0; side < 2; ++side)
+      for (std::size_t j = 0; j < worn[c][side].size(); ++j) worn[c][side][j] -= before[c][side][j];
+  return worn;
+}
+
+double worn_elsewhere(const Volumes& a, const Volumes& b) {
   double worst = 0.0;
-  for (std::size_t c = 0; c < end.size(); ++c)
+  for (std::size_t c = 0; c < a.size(); ++c)
     for (std::size_t side = 0; side < 2; ++side) {
-      const auto of = [&](const Volumes& volumes) { return std::span<const double>(volumes[c][side]); };
-      const double block = worn_between(of(start), of(end)), cycle = worn_between(of(end), of(after));
-      if (!(block > 0.0 && cycle > 0.0)) continue;
+      const auto &in_a = a[c][side], &in_b = b[c][side];
+      const double all_a = std::accumulate(in_a.begin(), in_a.end(), 0.0);
+      const double all_b = std::accumulate(in_b.begin(), in_b.end(), 0.0);
+      if (!(all_a > 0.0 && all_b > 0.0)) continue;
       double apart = 0.0;
-      for (std::size_t j = 0; j < of(end).size(); ++j)
-        apart += std::abs((of(end)[j] - of(start)[j]) / block - (of(after)[j] - of(end)[j]) / cycle);
+      for (std::size_t j = 0; j < in_a.size(); ++j) apart += std::abs(in_a[j] / all_a - in_b[j] / all_b);
       worst = std::max(worst, apart);
     }
   return worst;
 }
 
-void CourseOfWear::note(double progress, Volumes removed, const Volumes& at_start) {
-  for (std::size_t c = 0; c < removed.size(); ++c)
-    for (std::size_t side = 0; side < 2; ++side)
-      for (std::size_t j = 0; j < removed[c][side].size(); ++j) removed[c][side][j] -= at_start[c][side][j];
-  until.push_back({progress, std::move(removed)});
+void CourseOfWear::note(double progress, const Volumes& removed, const Volumes& at_start) {
+  until.push_back({progress, worn_between(at_start, removed)});
 }
 
 Volumes CourseOfWear::after(double progress, double factor) const {

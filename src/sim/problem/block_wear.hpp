@@ -11,10 +11,12 @@ using Volumes = std::vector<std::array<std::vector<double>, 2>>;
 
 bool same_sizes(const Volumes& a, const Volumes& b);
 
-/// How far a cycle wears other places than the block before it: sum over the points of
-/// |v_block / sum v_block - v_cycle / sum v_cycle|, of the worst side. Volumes removed at the start of the block, at
-/// its end and after the cycle. Shares, since volumes on moved outlines are those of other areas than in gaps.
-double worn_elsewhere(const Volumes& start, const Volumes& end, const Volumes& after);
+/// What has been removed between two states on the same points.
+Volumes worn_between(const Volumes& before, const Volumes& after);
+
+/// How far two plays wear other places: sum over the points of |v_a / sum v_a - v_b / sum v_b|, of the worst side.
+/// Shares, since volumes on moved outlines are those of other areas than in gaps.
+double worn_elsewhere(const Volumes& a, const Volumes& b);
 
 /// What a play has worn until a progress of it.
 struct WornUntil {
@@ -28,7 +30,7 @@ struct CourseOfWear {
   std::vector<WornUntil> until;
 
   /// Notes what has been removed in all until a progress; `at_start` of the play.
-  void note(double progress, Volumes removed, const Volumes& at_start);
+  void note(double progress, const Volumes& removed, const Volumes& at_start);
 
   /// What it has worn after a progress, times a factor: between increments by interpolation.
   Volumes after(double progress, double factor) const;

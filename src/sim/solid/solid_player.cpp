@@ -228,8 +228,8 @@ void SolidPlayer::accept(Playing& play, const std::map<std::string, double>& fac
 
 /// Notes what the play has worn so far; no more where points come to the contacts.
 void SolidPlayer::note_course(Playing& play, double to) {
-  auto removed = removed_volumes(play.outcome.state.solution.wear);
-  if (same_sizes(removed, play.at_start)) play.outcome.worn.note(to, std::move(removed), play.at_start);
+  const auto removed = removed_volumes(play.outcome.state.solution.wear);
+  if (same_sizes(removed, play.at_start)) play.outcome.worn.note(to, removed, play.at_start);
 }
 
 void SolidPlayer::record(const Playing& play, double to) const {

@@ -1,5 +1,6 @@
 #include "sim/solid/solid_watch_jump.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "sim/march/jump_rule.hpp"
@@ -11,19 +12,28 @@ namespace reye::sim {
 void watch_jump(const SolidProblem& problem, SolidPlayer& player, SolidRunState& state, const scene::Step& step,
                 double cycles, const SolidObserver& observer) {
   if (!last_to_jump(problem.scene.steps, step) || !(cycles > unjumped)) return;
+  const auto worn_in = [&](double jump) -> std::optional<Volumes> {
+    const SolidSpan span{.step = &step, .jump = jump, .cycles = true, .last = true, .recorded = false};
+    SolidObserver quiet;
+    quiet.interrupted = observer.interrupted;
+    for (int turn = 0; turn < 2; ++turn) {
+      const SolidOutcome play = player.play(state, span, quiet);
+      if (player.has_equations() && play.state.points != state.points) {  // contact has outrun them
+        state = player.brought_up(std::move(state));
+        player.settle(state, step);
+        continue;
+      }
+      if (!play.failure.empty() || play.interrupted) return std::nullopt;
+      return worn_between(removed_volumes(state.solution.wear), removed_volumes(play.state.solution.wear));
+    }
+    return std::nullopt;
+  };
+  const auto cycle = worn_in(unjumped);
+  if (!cycle) return;
   const auto removed = removed_volumes(state.block_wear), at_end = removed_volumes(state.solution.wear);
-  const SolidSpan span{.step = &step, .jump = unjumped, .cycles = true, .last = true, .recorded = false};
-  SolidObserver quiet;
-  quiet.interrupted = observer.interrupted;
-  const SolidOutcome cycle = player.play(state, span, quiet);
-  if (player.has_equations() && cycle.state.points != state.points) {  // contact has outrun them
-    state = player.brought_up(std::move(state));
-    player.settle(state, step);
-    return;
-  }
-  if (!cycle.failure.empty() || cycle.interrupted || !same_sizes(removed, at_end)) return;
-  const double apart = worn_elsewhere(removed, at_end, removed_volumes(cycle.state.solution.wear));
-  auto warning = uneven_jump(step, state.cycle, cycles, apart);
+  const auto block = removed == at_end ? worn_in(cycles) : worn_between(removed, at_end);  // equal on a fresh mesh
+  if (!block || !same_sizes(*block, *cycle)) return;
+  auto warning = uneven_jump(step, state.cycle, cycles, worn_elsewhere(*block, *cycle));
   if (!warning) return;
   const std::string text = in_words(*warning);
   if (warn(state.warnings, std::move(*warning)) && observer.log) observer.log("warning: " + text);
