@@ -105,7 +105,11 @@ class Fretting {
 
  private:
   void play(const scene::Step& step) {
-    const sim::BlockSpan span{&step, step.cycles > 0.0 ? step.jump : 1.0, step.cycles > 0.0};
+    const sim::BlockSpan span{
+        .step = &step,
+        .jump = step.cycles > 0.0 ? step.jump : 1.0,
+        .cycles = step.cycles > 0.0,
+        .moves = true};  // of several blocks that wait for one shape step no two would cost the same
     auto outcome = sim::play_block(problem, state, cache_, span, {});
     if (!outcome.failure.empty()) throw std::runtime_error(outcome.failure);
     state = std::move(outcome.state);
