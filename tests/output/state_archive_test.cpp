@@ -21,6 +21,26 @@ TEST(StateArchive, RecallReadsBack) {
   EXPECT_EQ(guess.status, kept.status);
 }
 
+// Where a run stands in the blocks of a step must come back from a checkpoint, or its next block would be another one.
+TEST(StateArchive, BlocksReadBack) {
+  sim::State state;
+  state.step_cycles = 12.0;
+  state.step_blocks = 5;
+  state.jump = 20.0;
+  state.jump_rate = 1.0 / 3.0;
+  state.block_cycles = 4.0;
+  state.flow = 0.1 / 3.0;
+  state.levels_at_once = false;
+  const auto back = output::state_from_bytes(output::state_to_bytes(state));
+  EXPECT_EQ(back.step_cycles, 12.0);
+  EXPECT_EQ(back.step_blocks, 5);
+  EXPECT_EQ(back.jump, 20.0);
+  EXPECT_EQ(back.jump_rate, 1.0 / 3.0);
+  EXPECT_EQ(back.block_cycles, 4.0);
+  EXPECT_EQ(back.flow, 0.1 / 3.0);
+  EXPECT_FALSE(back.levels_at_once);
+}
+
 // What the Gauss points of a nonlinear body know must come back from a checkpoint bit by bit.
 TEST(StateArchive, InteriorsReadBack) {
   sim::State state;
