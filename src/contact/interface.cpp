@@ -139,7 +139,7 @@ void Interface::sum_start_of_increment() {
   at_.normal.resize(ns, Vec2::Zero());
   at_.worn_gap.assign(ns, 0.0);
   for (int j = 0; j < ns; ++j) {
-    if (limited && record_of_[j] == std::array<int, 2>{-1, -1}) continue;
+    if (limited && !meets(j)) continue;
     const auto st = stencil(j);
     std::array<Pair<double>, 3> x;
     for (int i = 0; i < 3; ++i)

@@ -230,6 +230,8 @@ class Interface {
   double shear_before(int node) const;
   /// A node without multiplier whose share slides and wears with the nodes beside it.
   bool goes_with_neighbours(int node) const { return setup_->between(node) || left_[node]; }
+  /// Whether one of its facets faces the other side.
+  bool meets(int node) const { return record_of_[node][0] >= 0 || record_of_[node][1] >= 0; }
   void sum_rows();
   bool leave_out_slivers();
   void sum_start_of_increment();

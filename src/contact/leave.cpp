@@ -34,7 +34,7 @@ bool Interface::leave_out_slivers() {
   bool found = false;
   for (std::size_t j = 0; j < at_.rows.size(); ++j) {
     const int node = static_cast<int>(j);
-    if (placement_.cut[j] || record_of_[node] == std::array{-1, -1} || touching(node)) continue;
+    if (placement_.cut[j] || !meets(node) || touching(node)) continue;
     placement_.cut[j] = found = true;
     for (int r : record_of_[node])
       if (r >= 0) integrator_.renew(placement_, (*records_)[r]);

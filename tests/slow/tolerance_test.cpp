@@ -113,7 +113,7 @@ TEST(Tolerance, EstimateSurvivesCutBacks) {
     return state;
   };
   const auto exact = worn(run("{ tolerance = 0.2, first = 1, most = 5 }", ""));
-  for (const std::string newton : {"", "[solver]\nmax_newton = 6\n"}) {
+  for (const std::string newton : {"", "[solver]\nmax_newton = 5\n"}) {
     const auto state = run("{ tolerance = 0.01 }", newton);
     const auto now = worn(state);
     double apart = 0.0, all = 0.0;

@@ -158,12 +158,10 @@ std::string play(const Problem& problem, State& state, Cache& cache, Playing& bl
 
 double deepest_of_all(const Problem& problem, const solver::System& system, const State& state) {
   double depth = 0.0;
-  const auto shown = as_shown(problem, state);
-  for (std::size_t c = 0; c < system.contacts.size(); ++c) {
-    const auto& contact = shown[c];
-    depth = std::max({depth, deepest(system.contacts[c].secondary, contact.removed_secondary),
-                      deepest(system.contacts[c].primary, contact.removed_primary)});
-  }
+  const auto removed = removed_as_shown(problem, state);
+  for (std::size_t c = 0; c < system.contacts.size(); ++c)
+    depth = std::max({depth, deepest(system.contacts[c].secondary, removed[c][0]),
+                      deepest(system.contacts[c].primary, removed[c][1])});
   return depth;
 }
 

@@ -30,13 +30,13 @@ IncrementRecord figures_of(const Problem& problem, const State& state, const sol
 
 IncrementRecord wear_of(const Problem& problem, const solver::System& system, const State& state) {
   IncrementRecord r;
-  const auto shown = as_shown(problem, state);
+  const auto removed = removed_as_shown(problem, state);
   for (std::size_t c = 0; c < system.contacts.size(); ++c) {
     const auto& setup = system.contacts[c];
-    const auto& contact = shown[c];
+    const auto& contact = state.solution.contacts[c];
     ContactRow row;
-    row.depth_max_secondary_mm = deepest(setup.secondary, contact.removed_secondary);
-    row.depth_max_primary_mm = deepest(setup.primary, contact.removed_primary);
+    row.depth_max_secondary_mm = deepest(setup.secondary, removed[c][0]);
+    row.depth_max_primary_mm = deepest(setup.primary, removed[c][1]);
     row.energy_mJ = setup.options.wear.wears() ? contact.worn_work : contact.frictional_work;
     r.depth_max_secondary_mm = std::max(r.depth_max_secondary_mm, row.depth_max_secondary_mm);
     r.depth_max_primary_mm = std::max(r.depth_max_primary_mm, row.depth_max_primary_mm);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "sim/measure/sides.hpp"
@@ -121,8 +122,8 @@ std::vector<LeftByOthers> left_by_others(const Problem& problem, const State& st
   return left;
 }
 
-std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state) {
-  Contacts shown = state.solution.contacts;
+Volumes removed_as_shown(const Problem& problem, const State& state) {
+  Volumes shown = removed_volumes(state.solution.contacts);
   const auto left = left_by_others(problem, state);
   const auto add = [](std::vector<double>& removed, const std::vector<double>& others,
                       const std::vector<double>& waiting) {
@@ -130,9 +131,17 @@ std::vector<contact::ContactState> as_shown(const Problem& problem, const State&
       if (removed[k] > 0.0) removed[k] += contact::elsewhere(others, k) + contact::elsewhere(waiting, k);
   };
   for (std::size_t c = 0; c < left.size(); ++c) {
-    add(shown[c].removed_secondary, shown[c].others_secondary, left[c].waiting_secondary);
-    add(shown[c].removed_primary, shown[c].others_primary, left[c].waiting_primary);
+    add(shown[c][0], state.solution.contacts[c].others_secondary, left[c].waiting_secondary);
+    add(shown[c][1], state.solution.contacts[c].others_primary, left[c].waiting_primary);
   }
+  return shown;
+}
+
+std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state) {
+  Contacts shown = state.solution.contacts;
+  auto removed = removed_as_shown(problem, state);
+  for (std::size_t c = 0; c < shown.size(); ++c)
+    std::tie(shown[c].removed_secondary, shown[c].removed_primary) = std::tie(removed[c][0], removed[c][1]);
   return shown;
 }
 

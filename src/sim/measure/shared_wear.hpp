@@ -19,6 +19,9 @@ std::vector<base::Issue> shared_wear_issues(const Problem& problem);
 /// The wear of other contacts, per contact of the scene.
 std::vector<LeftByOthers> left_by_others(const Problem& problem, const State& state);
 
+/// The volumes that contacts have removed, as `as_shown` has them.
+Volumes removed_as_shown(const Problem& problem, const State& state);
+
 /// The contacts of a state as they are shown: at each node that a contact has worn, `removed` is what all contacts have
 /// taken off there. Each contact keeps its own ledger of volume and work.
 std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state);

@@ -16,8 +16,11 @@ bool in_contact(const Problem& problem, int body) { return !problem.inputs[body]
 void apply_triggers(const Problem& problem, const State& state, const solver::System& system, int b,
                     const body::Shape& shape, RemeshReason& reason) {
   const auto& triggers = problem.scene.remesh.triggers;
-  base::Points x = recovered(problem, state, system, b);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] += shape.mesh.X[i];
+  base::Points x = shape.mesh.X;  // of a linear body, whose strain is small, as good as where its nodes are
+  if (is_nonlinear(problem.inputs[b])) {
+    const auto u = recovered(problem, state, system, b);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += u[i];
+  }
   reason.divide = adapt::largest_size_ratio(shape, x).value > triggers.size_ratio;
   if (reason.text.empty()) reason.text = adapt::why_remesh(shape, can_renew(problem, b) ? nullptr : &x, triggers);
 }
