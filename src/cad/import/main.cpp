@@ -80,15 +80,16 @@ int main(int count, char** words) {
   }
   const std::string task = words[3];
   const bool without_files = task == "fill" || task == "faces";
-  if (task == "solid" || without_files) cad::start_with_same_addresses(words);
+  const bool with_gmsh = without_files || std::any_of(words + 4, words + count, cad::needs_gmsh);
+  const bool trusted = std::string(words[1]) == "trusted";  // such a script may need the environment
+  if (task == "solid" || without_files || (with_gmsh && !trusted)) cad::start_with_same_addresses(words);
   if (task == "solid") go_beside(words[4]);
-  const cad::Reading how{section_of(words[3]), words[2], std::string(words[1]) == "trusted"};
+  const cad::Reading how{section_of(words[3]), words[2], trusted};
   const std::vector<std::string> files(words + (without_files ? count : 4), words + count);
   std::vector<std::string> folders{how.folder};
   for (const std::string& file : files) folders.push_back(std::filesystem::path(file).parent_path().string());
   cad::end_with_parent();
   if (!how.trusted) cad::limit_memory();
-  const bool with_gmsh = without_files || std::any_of(files.begin(), files.end(), cad::needs_gmsh);
   if (with_gmsh) cad::kernel();  // loaded before the restriction to reading
   const bool guarded = how.trusted || cad::forbid_all_but_reading(folders);
   say(guarded ? "guarded" : "open");
