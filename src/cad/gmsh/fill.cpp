@@ -220,7 +220,7 @@ double poorest(const Region& region) {
 
 void fill_by_gmsh(Region& region, const SizeField& size) {
   const Session session;
-  [[maybe_unused]] static const bool level = (level_heap(), true);
+  level_heap_once();
   constexpr double good_enough = 0.2;  // below it the next algorithm is tried, and the best is kept
   std::vector<Algorithm> algorithms(std::begin(quad_algorithms), std::end(quad_algorithms));
   if (region.kind == mesh::CellKind::tri3) algorithms.assign(std::begin(tri_algorithms), std::end(tri_algorithms));

@@ -86,7 +86,7 @@ RawSolidMesh fill_skin_by_gmsh(const SkinFilling& filling) {
   constexpr double good_filling = 0.1;  // mean ratio of the worst cell; below it the next algorithm is tried
   const Silence silence;
   const Session session;
-  [[maybe_unused]] static const bool level = (level_heap(), true);
+  level_heap_once();
   RawSolidMesh best;
   double quality = 0.0;
   std::string failure = "no mesh";

@@ -47,4 +47,6 @@ void level_heap() {}
 
 #endif
 
+void level_heap_once() { [[maybe_unused]] static const bool level = (level_heap(), true); }
+
 }  // namespace reye::cad

@@ -8,5 +8,6 @@ namespace reye::cad {
 /// installed. For processes started with the same addresses (`start_with_same_addresses`), once and for little: what is
 /// filled is not given back. Does nothing with another allocator than that of glibc.
 void level_heap();
+void level_heap_once();  ///< at the first call alone
 
 }  // namespace reye::cad

@@ -81,7 +81,8 @@ int main(int count, char** words) {
   const std::string task = words[3];
   const bool without_files = task == "fill" || task == "faces";
   const bool with_gmsh = without_files || std::any_of(words + 4, words + count, cad::needs_gmsh);
-  const bool trusted = std::string(words[1]) == "trusted";  // such a script may need the environment
+  const bool trusted = std::string(words[1]) == "trusted";
+  // The second start leaves the environment behind, which a trusted script of plane faces may need.
   if (task == "solid" || without_files || (with_gmsh && !trusted)) cad::start_with_same_addresses(words);
   if (task == "solid") go_beside(words[4]);
   const cad::Reading how{section_of(words[3]), words[2], trusted};

@@ -59,7 +59,8 @@ double to_continue(double jump, double before, double share_of_error) {
 }
 
 std::optional<Warning> uneven_jump(const scene::Step& step, double cycle, double cycles, double apart) {
-  constexpr double alike = 0.02;  // pressures were off by 0.6 to 3.1 times the share: by some 6 % unsaid
+  constexpr double alike =
+      0.02;  // pressures were off by at most 3.1 times the share, so that some 6 % are not warned of
   if (!(apart > alike)) return std::nullopt;
   return Warning{
       "pressures", "step " + step.name,

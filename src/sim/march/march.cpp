@@ -142,7 +142,7 @@ class Runner {
 
   /// What the end of a block is compared with.
   struct BlockStart {
-    double cycle = 0.0, largest_strain = 0.0, mean_strain = 0.0;  // plastic
+    double cycle = 0.0, largest_plastic = 0.0, mean_plastic = 0.0;
     Counts counts;
     std::vector<std::vector<double>> slip;
     Volumes removed;
@@ -155,7 +155,7 @@ class Runner {
     const bool same_meshes = !remeshed_since(start);
     const double solved = static_cast<double>(state_.counts.cycles_solved - start.counts.cycles_solved);
     if (step.cycles > 0.0 && same_meshes)
-      watch_plastic_strain(step, start.largest_strain, (state_.cycle - start.cycle) / solved, state_, observer_);
+      watch_plastic_strain(step, start.largest_plastic, (state_.cycle - start.cycle) / solved, state_, observer_);
     if (step.wear && step.cycles > 0.0 && same_meshes)
       warn_of_stick_edge(p_, *system_of(p_, state_, cache_), start.slip, state_, observer_);
     warn_of_block(p_, state_, observer_);
@@ -180,7 +180,7 @@ class Runner {
     row_.settle(p_, state_, *system_of(p_, state_, cache_), step);
     ++state_.step_blocks;
     ++state_.counts.blocks;
-    state_.flow = flow_since(state_, start.mean_strain, !remeshed_since(start));
+    state_.flow = flow_since(state_, start.mean_plastic, !remeshed_since(start));
     if (const auto reason =
             watch_strain(p_, state_, *system_of(p_, state_, cache_), step_over(step, state_), observer_);
         !reason.empty())

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "sim/measure/sides.hpp"
@@ -140,8 +139,10 @@ Volumes removed_as_shown(const Problem& problem, const State& state) {
 std::vector<contact::ContactState> as_shown(const Problem& problem, const State& state) {
   Contacts shown = state.solution.contacts;
   auto removed = removed_as_shown(problem, state);
-  for (std::size_t c = 0; c < shown.size(); ++c)
-    std::tie(shown[c].removed_secondary, shown[c].removed_primary) = std::tie(removed[c][0], removed[c][1]);
+  for (std::size_t c = 0; c < shown.size(); ++c) {
+    shown[c].removed_secondary = std::move(removed[c][0]);
+    shown[c].removed_primary = std::move(removed[c][1]);
+  }
   return shown;
 }
 
