@@ -28,12 +28,27 @@ void hold_shear(const contact::Setup& setup, const contact::ContactState& contac
   }
 }
 
+/// The node in contact that is nearest on X to node j; -1: none is in contact.
+int nearest_in_contact(const contact::Setup& setup, const contact::ContactState& contact, std::size_t j) {
+  const auto& X = setup.secondary.X;
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < contact.status.size(); ++k) {
+    if (contact.status[k] == contact::ContactStatus::inactive) continue;
+    if (const double far = (X[k] - X[j]).squaredNorm(); far < least) least = far, nearest = static_cast<int>(k);
+  }
+  return nearest;
+}
+
 /// Nodes that slide still do, with the shear that friction allows at their new pressure, as they will at the end of the
-/// next cycle.
-void let_slide(const contact::ContactState& contact, contact::IncrementOptions& o) {
-  for (std::size_t j = 0; j < o.held_shear.size(); ++j)
-    if (o.held_shear[j] != 0.0 && contact.status[j] == contact::ContactStatus::slip)
-      o.held_shear[j] = std::copysign(std::numeric_limits<double>::infinity(), o.held_shear[j]);  // cut to the bound
+/// next cycle; so do those that begin to touch beside them: without shear there the next increment would have to
+/// stretch the bodies until the whole contact slides.
+void let_slide(const contact::Setup& setup, const contact::ContactState& contact, contact::IncrementOptions& o) {
+  const auto shear = o.held_shear;
+  for (std::size_t j = 0; j < shear.size(); ++j)
+    if (const int k = nearest_in_contact(setup, contact, j);
+        k >= 0 && shear[k] != 0.0 && contact.status[k] == contact::ContactStatus::slip)
+      o.held_shear[j] = std::copysign(std::numeric_limits<double>::infinity(), shear[k]);  // cut to the bound
 }
 
 /// True when a body of the contact is free to move along it but for friction.
@@ -81,7 +96,7 @@ solver::SolveResult held_equilibrium(const Problem& problem, const State& state,
     o.wear = false;
     hold_shear(system.contacts[c], state.solution.contacts[c], held[c], o);
     if (!driven_only_by_friction(problem, system, static_cast<int>(c))) o.anchor = -1;
-    if (span.continued && o.anchor < 0) let_slide(state.solution.contacts[c], o);
+    if (span.continued && o.anchor < 0) let_slide(system.contacts[c], state.solution.contacts[c], o);
     if (on_springs) o.compliance = soft(system.contacts[c], state.solution.contacts[c]);
   }
   Timer timer(cache, "solver");
