@@ -88,11 +88,10 @@ void NonlinearBodies::measure(const base::TwoPart& q, const Multipliers& lambda)
 std::string NonlinearBodies::renew(base::TwoPart& q, Multipliers& lambda) {
   Vector way = (q - anchor_).high;
   std::vector<Vector> inside(interior_.size());
-  for (std::size_t b = 0; b < inside.size(); ++b)
-    if (const auto* own = body(b)) {
-      inside[b] = own->interior_step(linearised_[b], part(*own, b, way));
-      interior_[b] += inside[b];
-    }
+  for_each([&](std::size_t b, const body::NonlinearBody& own) {
+    inside[b] = own.interior_step(linearised_[b], part(own, b, way));
+    interior_[b] += inside[b];
+  });
   const Multipliers start = anchor_lambda_;
   const double imbalance = inside_imbalance();
   for (int halvings = 0;; ++halvings) {
@@ -153,9 +152,9 @@ double NonlinearBodies::force_scale() const {
 
 std::vector<body::Interior> NonlinearBodies::accepted(const base::TwoPart& q) const {
   std::vector<body::Interior> interiors(interior_.size());
-  for (std::size_t b = 0; b < interiors.size(); ++b)
-    if (const auto* own = body(b))
-      interiors[b] = own->accepted(before_->interiors[b], interior_[b], q.segment(system_->offset[b], own->dofs()));
+  for_each([&](std::size_t b, const body::NonlinearBody& own) {
+    interiors[b] = own.accepted(before_->interiors[b], interior_[b], q.segment(system_->offset[b], own.dofs()));
+  });
   return interiors;
 }
 
