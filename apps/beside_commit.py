@@ -30,20 +30,27 @@ def of_commit(commit):
     name = subprocess.run(["git", "rev-parse", "--verify", commit + "^{commit}"], cwd=HERE, check=True,
                           capture_output=True, text=True).stdout.strip()
     source = HERE / "build" / "beside" / name
-    if not (source / "CMakeLists.txt").exists():
-        source.mkdir(parents=True, exist_ok=True)
+    if not source.exists():
+        source.parent.mkdir(parents=True, exist_ok=True)
         files = subprocess.run(["git", "archive", name], cwd=HERE, check=True, capture_output=True).stdout
-        subprocess.run(["tar", "-x", "-C", source], input=files, check=True)
+        with tempfile.TemporaryDirectory(dir=source.parent) as folder:
+            begun = pathlib.Path(folder) / "files"
+            begun.mkdir()
+            subprocess.run(["tar", "-x", "-C", begun], input=files, check=True)
+            begun.rename(source)  # whole, or not there
     return built(source, source / "build")
 
 
 def seconds(command, scene, options=()):
-    """Wall time of a run; its results are dropped."""
+    """Wall time of a run; its results are dropped. One that fails has no time, and ends the comparison."""
     with tempfile.TemporaryDirectory() as folder:
         start = time.monotonic()
-        subprocess.run([command, "run", scene, "--out", pathlib.Path(folder) / "out", "--quiet", *options], check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return time.monotonic() - start
+        run = subprocess.run([command, "run", scene, "--out", pathlib.Path(folder) / "out", "--quiet", *options],
+                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        took = time.monotonic() - start
+    if run.returncode != 0:
+        sys.exit(f"{command} run {scene} ended with {run.returncode}:\n{run.stderr}")
+    return took
 
 
 def main(commit, pairs, scene_then, *rest):
@@ -60,6 +67,6 @@ def main(commit, pairs, scene_then, *rest):
           f"{medians['now'] / medians['then']:.3f}")
 
 
-if len(sys.argv) < 4:
+if len(sys.argv) < 4 or not sys.argv[2].isdigit() or int(sys.argv[2]) == 0:
     sys.exit(__doc__)
 main(*sys.argv[1:])

@@ -76,7 +76,7 @@ TEST(Settling, IsNoSlipOfTheCyclesThatABlockStandsFor) {
 
 // Nodes that begin to touch while bodies settle into wear ahead must slide with the others: a cycle of a long block
 // under a tolerance then dissipates what one of short blocks does. (With no shear there, the first increment had to
-// stretch the bodies until they slid: 0.27 % less.)
+// stretch the bodies until they slid: 0.28 % less.)
 TEST(Settling, NodesThatBeginToTouchSlideWithTheOthers) {
   const auto controlled = short_strokes("{ tolerance = 0.01 }"), fine = short_strokes("400");
   const auto energy = [](const verification::Played& run) { return run.contact().dissipated_energy; };
